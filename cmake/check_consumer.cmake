@@ -1,0 +1,46 @@
+# cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README=] -P check_consumer.cmake
+# Configures, builds and runs the project that finds libration in PREFIX. With README its program is the file's first
+# ```cpp block, and it has to print exactly the ```text block that comes next.
+
+set(arguments "")
+if(README)
+    file(READ ${README} text)
+    string(FIND "${text}" "\n```cpp\n" begin)
+    if(begin EQUAL -1)
+        message(FATAL_ERROR "${README} has no \`\`\`cpp block")
+    endif()
+    math(EXPR begin "${begin} + 8")
+    string(SUBSTRING "${text}" ${begin} -1 text)
+    string(FIND "${text}" "\n```\n" end)
+    math(EXPR end "${end} + 1") # the block keeps its last newline
+    string(SUBSTRING "${text}" 0 ${end} program)
+    file(WRITE ${BUILD}/readme.cpp "${program}")
+    list(APPEND arguments -D PROGRAM=${BUILD}/readme.cpp)
+
+    math(EXPR end "${end} + 4")
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(FIND "${text}" "```" begin)
+    string(FIND "${text}" "```text\n" begin_text)
+    if(begin_text EQUAL -1 OR NOT begin EQUAL begin_text)
+        message(FATAL_ERROR "${README}: the \`\`\`cpp block is not followed by the \`\`\`text block of what it prints")
+    endif()
+    math(EXPR begin "${begin} + 8")
+    string(SUBSTRING "${text}" ${begin} -1 text)
+    string(FIND "${text}" "```" end)
+    string(SUBSTRING "${text}" 0 ${end} expected)
+endif()
+
+execute_process(
+    COMMAND ${CMAKE_COMMAND} -S ${PROJECT} -B ${BUILD}/build --fresh -G ${GENERATOR}
+        -D CMAKE_CXX_COMPILER=${COMPILER}
+        -D CMAKE_PREFIX_PATH=${PREFIX}
+        ${arguments}
+    OUTPUT_QUIET
+    COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD}/build --clean-first COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${BUILD}/build/consumer OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+
+if(README AND NOT printed STREQUAL expected)
+    message(FATAL_ERROR "${README} says that its program prints\n${expected}but it prints\n${printed}")
+endif()
+message("${printed}")

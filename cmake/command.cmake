@@ -1,0 +1,62 @@
+# The command `libration`, in the order of the house: src/sweep and the studies first, the subcommands on top.
+
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Threads REQUIRED)
+
+set(generated_dir ${PROJECT_BINARY_DIR}/generated)
+
+# version.hpp is made anew in every build, because a commit changes no source; it is rewritten only on change.
+add_custom_target(libration-version
+    COMMAND ${CMAKE_COMMAND}
+        -D SOURCE_DIR=${PROJECT_SOURCE_DIR}
+        -D OUTPUT=${generated_dir}/version.hpp
+        -D VERSION=${PROJECT_VERSION}
+        -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+        -P ${PROJECT_SOURCE_DIR}/cmake/version.cmake
+    BYPRODUCTS ${generated_dir}/version.hpp
+    COMMENT "Reading the commit"
+    VERBATIM)
+
+# The registry: studies/NAME.cpp defines libration::studies::NAME(), and nothing else names a study.
+file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.cpp)
+set(study_declarations "")
+set(study_entries "")
+foreach(source IN LISTS study_sources)
+    cmake_path(GET source STEM name)
+    string(APPEND study_declarations "const study& ${name}();\n")
+    list(APPEND study_entries "&studies::${name}()")
+endforeach()
+list(JOIN study_entries ", " study_entries)
+configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
+
+file(GLOB sweep_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/sweep/*.cpp)
+file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
+
+# A library of its own, so that tests can run a study or a sweep without starting the program.
+add_library(libration-studies STATIC ${sweep_sources} ${study_sources} ${generated_dir}/registry.cpp)
+add_dependencies(libration-studies libration-version)
+target_include_directories(libration-studies PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
+target_link_libraries(libration-studies
+    PUBLIC libration::libration fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
+    PRIVATE libration-warnings)
+target_precompile_headers(libration-studies PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
+
+# Where the figure scripts are: in the source tree, and as seen from the folder of an installed program.
+set(installed_studies_dir ${CMAKE_INSTALL_DATADIR}/libration/studies)
+file(RELATIVE_PATH studies_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_studies_dir})
+target_compile_definitions(libration-studies PUBLIC
+    LIBRATION_STUDIES_DIR="${PROJECT_SOURCE_DIR}/studies"
+    LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
+
+add_executable(libration-command ${command_sources})
+set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
+target_link_libraries(libration-command PRIVATE libration-studies CLI11::CLI11 libration-warnings)
+target_precompile_headers(libration-command REUSE_FROM libration-studies)
+
+install(TARGETS libration-command RUNTIME COMPONENT command)
+install(DIRECTORY studies/
+    DESTINATION ${installed_studies_dir}
+    COMPONENT command
+    FILES_MATCHING PATTERN "*.gp")

@@ -1,0 +1,35 @@
+# How our own targets are compiled. Nothing in here reaches a project that uses the library.
+
+# Link libration-warnings PRIVATE to every target of ours. `cmake --compile-no-warning-as-error` turns the errors off
+# for a packager whose compiler is newer than this list.
+add_library(libration-warnings INTERFACE)
+target_compile_options(libration-warnings INTERFACE
+    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>)
+if(PROJECT_IS_TOP_LEVEL)
+    set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
+endif()
+
+if(LIBRATION_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+    # Instrumented code makes GCC's flow analysis guess wrong; the plain builds keep this warning an error.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(libration-warnings INTERFACE -Wno-maybe-uninitialized)
+    endif()
+endif()
+
+# Compiling Boost.Multiprecision is the cost of a build. ccache caches sources with a precompiled header only when it
+# may ignore that header's time stamps and macros.
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    find_program(LIBRATION_CCACHE ccache)
+    mark_as_advanced(LIBRATION_CCACHE)
+    if(LIBRATION_CCACHE)
+        set(CMAKE_CXX_COMPILER_LAUNCHER
+            ${CMAKE_COMMAND} -E env
+            CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+            ${LIBRATION_CCACHE})
+        if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+            add_compile_options(-fpch-preprocess)
+        endif()
+    endif()
+endif()

@@ -1,0 +1,63 @@
+# The tests: one Catch2 program over all *_test.cpp, and tests of the house that need a compiler or an installed tree.
+
+find_package(Catch2 2.13 REQUIRED)
+include(Catch)
+
+file(GLOB test_sources CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/tests/*_test.cpp
+    ${PROJECT_SOURCE_DIR}/tests/*/*_test.cpp)
+if(NOT LIBRATION_BUILD_COMMAND)
+    list(FILTER test_sources EXCLUDE REGEX "/tests/(command|sweep|studies)/")
+endif()
+
+add_executable(libration-tests ${test_sources})
+target_include_directories(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(libration-tests PRIVATE libration::libration Catch2::Catch2WithMain libration-warnings)
+target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
+target_compile_definitions(libration-tests PRIVATE
+    LIBRATION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    LIBRATION_REFERENCE_DIR="${PROJECT_SOURCE_DIR}/tests/reference")
+if(LIBRATION_BUILD_COMMAND)
+    target_link_libraries(libration-tests PRIVATE libration-studies)
+    target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
+    add_dependencies(libration-tests libration-command)
+endif()
+catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
+
+# Every public header compiles alone, twice in a row, without a warning, with the flags of the tests.
+set(include_dirs $<TARGET_PROPERTY:libration-tests,INCLUDE_DIRECTORIES>)
+set(external_dirs $<REMOVE_DUPLICATES:$<FILTER:${include_dirs},EXCLUDE,^${PROJECT_SOURCE_DIR}/>>)
+add_test(NAME headers_compile_alone
+    COMMAND ${PROJECT_SOURCE_DIR}/cmake/check_headers.sh
+        ${PROJECT_SOURCE_DIR}/include
+        "$<JOIN:${external_dirs},:>"
+        ${CMAKE_CXX_COMPILER} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION}
+        $<TARGET_PROPERTY:libration-warnings,INTERFACE_COMPILE_OPTIONS> -Werror
+    COMMAND_EXPAND_LISTS)
+set_tests_properties(headers_compile_alone PROPERTIES PROCESSORS 2 TIMEOUT 1200)
+
+# The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.
+set(installed ${PROJECT_BINARY_DIR}/installed)
+set(consumer ${CMAKE_COMMAND}
+    -D PREFIX=${installed}
+    -D PROJECT=${PROJECT_SOURCE_DIR}/tests/consumer
+    -D COMPILER=${CMAKE_CXX_COMPILER}
+    -D GENERATOR=${CMAKE_GENERATOR})
+add_test(NAME install
+    COMMAND ${CMAKE_COMMAND}
+        -D BUILD=${PROJECT_BINARY_DIR}
+        -D CONFIG=$<CONFIG>
+        -D PREFIX=${installed}
+        -D PROGRAM=$<$<BOOL:${LIBRATION_BUILD_COMMAND}>:${CMAKE_INSTALL_BINDIR}/libration>
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_install.cmake)
+add_test(NAME consumer
+    COMMAND ${consumer}
+        -D BUILD=${PROJECT_BINARY_DIR}/consumer
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+add_test(NAME readme_example
+    COMMAND ${consumer}
+        -D BUILD=${PROJECT_BINARY_DIR}/readme
+        -D README=${PROJECT_SOURCE_DIR}/README.md
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
+set_tests_properties(consumer readme_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)

@@ -1,0 +1,33 @@
+# Writes OUTPUT (version.hpp) for the sources in SOURCE_DIR. Run in every build; see command.cmake.
+
+# The commit tells which program made a result. So only what the program is made of makes it dirty: neither a
+# regenerated results/ nor an edited README does.
+set(program_sources include src studies cmake CMakeLists.txt CMakePresets.json)
+
+set(COMMIT unknown)
+find_program(GIT git)
+if(GIT)
+    execute_process(
+        COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --show-toplevel
+        OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    file(REAL_PATH "${SOURCE_DIR}" source_dir)
+    # An unpacked archive inside somebody else's repository is not at that repository's commit.
+    if(top STREQUAL source_dir)
+        execute_process(
+            COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --quiet --verify --short=10 HEAD
+            OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET
+            RESULT_VARIABLE failed)
+        execute_process(
+            COMMAND ${GIT} -C ${SOURCE_DIR} status --porcelain -- ${program_sources}
+            OUTPUT_VARIABLE changes ERROR_QUIET)
+        if(NOT failed)
+            set(COMMIT ${head})
+            if(changes)
+                string(APPEND COMMIT -dirty)
+            endif()
+        endif()
+    endif()
+endif()
+
+# configure_file leaves a file alone whose content would stay the same.
+configure_file(${CMAKE_CURRENT_LIST_DIR}/version.hpp.in ${OUTPUT} @ONLY)

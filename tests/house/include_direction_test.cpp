@@ -1,0 +1,279 @@
+// The order of the house (CONTRIBUTING.md): an #include points to the file's own folder or to one further left. And
+// mathematics written once for every scalar holds no double: no floating literal, no numeric_limits<T>.
+//
+// The rules work on a house, a map from path to text, so that the tests can also build a crooked one and see it fail.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cctype>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using house = std::map<std::string, std::string>;  // path relative to the top, with slashes -> text
+using complaints = std::vector<std::string>;
+
+// The folder that the order speaks of; "include/libration" is a header that gathers others.
+std::string room(const std::string& path) {
+    const auto folder = fs::path(path).parent_path().generic_string();
+    for (const std::string top : {"src/sweep", "src", "studies"})
+        if (folder == top || folder.starts_with(top + "/")) return top;
+    return folder;
+}
+
+// Each folder with the folders that it may include.
+const std::map<std::string, std::set<std::string>>& order() {
+    using rooms = std::set<std::string>;
+    static const std::string scalar = "include/libration/scalar", series = "include/libration/series",
+                             approximant = "include/libration/approximant",
+                             convergence = "include/libration/convergence", elliptic = "include/libration/elliptic",
+                             pendulum = "include/libration/pendulum", gathering = "include/libration";
+    static const auto library_and = [](rooms more) {
+        more.insert({scalar, series, approximant, convergence, elliptic, pendulum, gathering});
+        return more;
+    };
+    static const std::map<std::string, rooms> allowed{
+        {scalar, {scalar}},
+        {series, {scalar, series}},
+        {approximant, {scalar, series, approximant}},
+        {convergence, {scalar, series, convergence}},
+        {elliptic, {scalar, elliptic}},
+        {pendulum, {scalar, series, approximant, convergence, elliptic, pendulum}},
+        {gathering, library_and({})},
+        {"src/sweep", library_and({"src/sweep"})},
+        {"studies", library_and({"src/sweep", "studies"})},
+        {"src", library_and({"src/sweep", "studies", "src"})},
+    };
+    return allowed;
+}
+
+bool is_source(const std::string& path) { return path.ends_with(".hpp") || path.ends_with(".cpp"); }
+
+// The file of the house that an #include in `from` means, or "" for one from outside. <...> and "..." are both looked
+// up as the compiler does: beside the file, then in include/ and src/.
+std::string included_file(const house& all, const std::string& from, const std::string& name) {
+    const auto beside = (fs::path(from).parent_path() / name).lexically_normal().generic_string();
+    for (const auto& candidate : {beside, "include/" + name, "src/" + name})
+        if (all.contains(candidate)) return candidate;
+    return {};
+}
+
+complaints backward_includes(const house& all) {
+    static const std::regex include(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])", std::regex::multiline);
+    // What libration::libration does not link. The public headers stand on the standard library, Boost, MPFR and GMP.
+    static const std::regex only_for_the_command("(fmt|CLI|nlohmann)/.*|precompiled.hpp|version.hpp");
+    complaints found;
+    for (const auto& [path, text] : all) {
+        if (!is_source(path)) continue;
+        const auto here = order().find(room(path));
+        if (here == order().end()) {
+            found.push_back(path + " is in a folder without a place in the order");
+            continue;
+        }
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), include); match != std::sregex_iterator();
+             ++match) {
+            const std::string name = (*match)[1];
+            const auto target = included_file(all, path, name);
+            if (target.empty() && name.starts_with("libration/"))
+                found.push_back(path + " includes " + name + ", which does not exist");
+            else if (path.starts_with("include/") && std::regex_match(name, only_for_the_command))
+                found.push_back(path + " includes " + name + ", which a user of the headers does not have");
+            else if (!target.empty() && !here->second.contains(room(target)))
+                found.push_back(path + " includes " + target + ", which comes later in the order");
+        }
+    }
+    return found;
+}
+
+// The code alone: every comment, string and character becomes spaces, line breaks stay.
+std::string without_comments_and_strings(const std::string& text) {
+    std::string code = text;
+    const auto blank = [&code](std::size_t begin, std::size_t end) {
+        for (end = std::min(end, code.size()); begin < end; ++begin)
+            if (code[begin] != '\n') code[begin] = ' ';
+        return end;
+    };
+    const auto behind = [&text](const std::string& what, std::size_t from) {
+        const auto at = text.find(what, from);
+        return at == std::string::npos ? text.size() : at + what.size();
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        const auto two = text.substr(i, 2);
+        const bool after_word =
+            i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0 || text[i - 1] == '_');
+        if (two == "//") {
+            i = blank(i, std::min(text.find('\n', i), text.size()));
+        } else if (two == "/*") {
+            i = blank(i, behind("*/", i + 2));
+        } else if (two == "R\"" && !after_word) {
+            const auto open = text.find('(', i);
+            i = blank(i, behind(")" + text.substr(i + 2, open - i - 2) + "\"", open));
+        } else if (text[i] == '"' || (text[i] == '\'' && !after_word)) {  // a quote behind a digit separates digits
+            auto end = i + 1;
+            while (end < text.size() && text[end] != text[i]) end += text[end] == '\\' ? 2 : 1;
+            i = blank(i, end + 1);
+        } else {
+            ++i;
+        }
+    }
+    return code;
+}
+
+// Doubles in templated code: literals like 0.5 or 1e-3, and calls that go through double. numeric_limits<T> knows only
+// some scalars, so scalar/ alone may use it, where it defines digits<T>() and epsilon<T>().
+complaints doubles(const house& all) {
+    static const std::string hexadecimal = R"re(0[xX][\da-fA-F']*\.?[\da-fA-F']*[pP][-+]?\d+)re",  // 0x1p-3
+        point = R"re((?:\d[\d']*\.[\d']*|\.\d[\d']*)(?:[eE][-+]?\d+)?)re",                         // 0.1, 2., .5, 1.5e3
+        exponent = R"re(\d[\d']*[eE][-+]?\d+)re",                                                  // 1e-3
+        calls = R"re(std::(?:sto(?:f|d|ld)|strto(?:f|d|ld)|atof)\b|\bnumeric_limits\s*<\s*T\s*>)re",
+                             not_inside_a_name = R"re((?:^|[^\w.']))re";
+    static const std::regex suspect(not_inside_a_name + "(" + hexadecimal + "|" + point + "|" + exponent + ")|(" +
+                                    calls + ")");
+    complaints found;
+    for (const auto& [path, text] : all) {
+        if (!path.starts_with("include/") || !is_source(path)) continue;
+        const auto code = without_comments_and_strings(text);
+        for (auto match = std::sregex_iterator(code.begin(), code.end(), suspect); match != std::sregex_iterator();
+             ++match) {
+            const auto group = (*match)[1].matched ? 1U : 2U;
+            if ((*match)[group].str().starts_with("numeric_limits") && room(path) == "include/libration/scalar")
+                continue;
+            const auto line = 1 + std::count(code.begin(), code.begin() + match->position(group), '\n');
+            found.push_back(path + ":" + std::to_string(line) + ": " + (*match)[group].str());
+        }
+    }
+    return found;
+}
+
+house this_house() {
+    const fs::path top = LIBRATION_SOURCE_DIR;
+    house all;
+    for (const auto* folder : {"include", "src", "studies"}) {
+        if (!fs::exists(top / folder)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+            const auto path = entry.path().lexically_relative(top).generic_string();
+            if (!entry.is_regular_file() || !is_source(path)) continue;
+            std::ifstream file(entry.path(), std::ios::binary);
+            all[path] = std::string(std::istreambuf_iterator<char>(file), {});
+        }
+    }
+    return all;
+}
+
+std::string lines(const complaints& found) {
+    std::ostringstream out;
+    for (const auto& complaint : found) out << complaint << '\n';
+    return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("no #include points backwards", "[house]") {
+    const auto all = this_house();
+    REQUIRE_FALSE(all.empty());
+    const auto found = backward_includes(all);
+    INFO(lines(found));
+    CHECK(found.empty());
+}
+
+TEST_CASE("no double hides in the templated headers", "[house]") {
+    const auto found = doubles(this_house());
+    INFO(lines(found));
+    CHECK(found.empty());
+}
+
+TEST_CASE("a crooked house is noticed", "[house]") {
+    const std::string scalar = "include/libration/scalar/quad.hpp",
+                      series = "include/libration/series/power_series.hpp",
+                      approximant = "include/libration/approximant/pade.hpp",
+                      convergence = "include/libration/convergence/radius.hpp",
+                      elliptic = "include/libration/elliptic/jacobi.hpp",
+                      pendulum = "include/libration/pendulum/period.hpp", sweep = "src/sweep/grid.hpp",
+                      study = "studies/error_norm.cpp", command = "src/main.cpp";
+    const house straight{{scalar, ""},   {series, ""}, {approximant, ""}, {convergence, ""}, {elliptic, ""},
+                         {pendulum, ""}, {sweep, ""},  {study, ""},       {command, ""}};
+    const auto complaints_if = [&](const std::string& from, const std::string& line) {
+        auto crooked = straight;
+        crooked[from] = "#pragma once\n" + line + "\n";
+        return backward_includes(crooked);
+    };
+    const auto include = [](const std::string& to) {
+        return to.starts_with("include/") ? "#include <" + to.substr(8) + ">" : "#include \"../" + to + "\"";
+    };
+
+    SECTION("straight") {
+        for (const auto& [from, to] : {std::pair{series, scalar},
+                                       {approximant, series},
+                                       {convergence, series},
+                                       {elliptic, scalar},
+                                       {pendulum, elliptic},
+                                       {pendulum, convergence},
+                                       {sweep, pendulum},
+                                       {study, sweep},
+                                       {study, pendulum},
+                                       {command, sweep},
+                                       {command, pendulum}}) {
+            INFO(from << " -> " << to);
+            CHECK(complaints_if(from, include(to)).empty());
+        }
+        CHECK(complaints_if(sweep, "#include \"sweep/grid.hpp\"").empty());
+        CHECK(complaints_if(scalar, "#include <cmath>\n#include <boost/multiprecision/mpfr.hpp>").empty());
+    }
+    SECTION("backward") {
+        for (const auto& [from, to] : {std::pair{scalar, series},
+                                       {series, elliptic},
+                                       {series, approximant},
+                                       {approximant, convergence},
+                                       {convergence, approximant},
+                                       {approximant, elliptic},
+                                       {elliptic, series},
+                                       {elliptic, pendulum}}) {
+            INFO(from << " -> " << to);
+            CHECK(complaints_if(from, include(to)).size() == 1);
+        }
+        CHECK(complaints_if(sweep, "  #  include \"../main.cpp\" // indented").size() == 1);
+        CHECK(complaints_if(sweep, include(study).replace(10, 3, "../../")).size() == 1);
+        CHECK(complaints_if(study, include(command)).size() == 1);
+        CHECK(complaints_if(scalar, "#include \"../series/power_series.hpp\"").size() == 1);
+        CHECK(complaints_if(pendulum, "#include \"sweep/grid.hpp\"").size() == 1);
+    }
+    SECTION("unknown") {
+        CHECK(complaints_if("include/libration/utils/all.hpp", "").size() == 1);
+        CHECK(complaints_if(scalar, "#include <libration/scalar/gone.hpp>").size() == 1);
+        CHECK(complaints_if(scalar, "#include <fmt/format.h>").size() == 1);
+    }
+}
+
+TEST_CASE("a double is noticed in code, and in code only", "[house]") {
+    const auto found_in = [](const std::string& code) {
+        return doubles({{"include/libration/scalar/x.hpp", code}}).size();
+    };
+    for (const std::string code :
+         {"x = 0.1;", "x=2.0*y", "x = 1e-3", "x = 1E5;", "f(.5)", "x = 2.;", "x = 1'000.5;", "x = 0x1p-3;", "x = 1.5f",
+          "x = -3.25L", "auto y = T(0.5);", "std::stod(text)", "R\"(text)\" + 0.5", "'\"' + 0.5"}) {
+        INFO(code);
+        CHECK(found_in(code) == 1);
+    }
+    for (const std::string code : {"x = 1;", "x = 1'000'000;", "x = 0xE5;", "x = 12ull;", "// 0.1", "/* 1e-3\n 0.5 */",
+                                   "f(\"0.1\")", "R\"(0.1 \" 0.2)\"", "c = '.'; d = '\\''; e = \"0.5\";", "a1e5",
+                                   "v2.size()", "x_1e3", "pack...", "std::numeric_limits<double>::digits", "f(1, 2)"}) {
+        INFO(code);
+        CHECK(found_in(code) == 0);
+    }
+    CHECK(doubles({{"src/main.cpp", "x = 0.1;"}}).empty());
+    CHECK(doubles({{"include/libration/series/x.hpp", "std::numeric_limits<T>::digits"}}).size() == 1);
+    CHECK(found_in("std::numeric_limits<T>::digits") == 0);
+    CHECK(doubles({{"include/libration/scalar/x.hpp", "//\n\nx = 0.1;"}}) ==
+          complaints{"include/libration/scalar/x.hpp:3: 0.1"});
+}
