@@ -1,0 +1,106 @@
+// Conversions between scalars without a detour through double: exact to wide, correctly rounded to narrow.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "libration/scalar/constants.hpp"
+#include "libration/scalar/precision.hpp"
+
+namespace libration {
+
+/// The arithmetic of run-time precision that serves T where T itself has too few digits (a huge time, say).
+template <class T>
+struct wide_scalar;
+template <rounding_scalar T>
+struct wide_scalar<T> {
+    using type = mpfr;
+};
+template <class T>
+using wide_t = typename wide_scalar<T>::type;
+
+/// x in the wide arithmetic of its type, exactly (whatever the working precision).
+template <rounding_scalar T>
+mpfr widen(const T& x) {
+    if constexpr (std::same_as<T, mpfr>) {
+        return x;
+    } else if constexpr (std::same_as<T, quad>) {
+        const precision_scope exact(decimal_digits(3 * std::numeric_limits<double>::digits));
+        if (!(boost::multiprecision::isfinite)(x)) {
+            return mpfr(static_cast<double>(x));
+        }
+        int exponent = 0;
+        quad rest = frexp(x, &exponent);
+        mpfr sum(0);
+        for (int piece = 0; piece < 3; ++piece) {
+            const auto head = static_cast<double>(rest);
+            rest -= head;
+            sum += head;
+        }
+        return ldexp(sum, exponent);
+    } else {
+        const precision_scope exact(decimal_digits(std::numeric_limits<T>::digits));
+        return mpfr(x);
+    }
+}
+
+/// x rounded to nearest in T; to mpfr of the working precision where T is mpfr.
+template <rounding_scalar T>
+T narrow(const mpfr& x) {
+    if constexpr (std::same_as<T, mpfr>) {
+        mpfr result;
+        mpfr_set(handle(result), handle(x), MPFR_RNDN);
+        return result;
+    } else if constexpr (std::same_as<T, quad>) {
+        if (mpfr_regular_p(handle(x)) == 0) {
+            return quad(mpfr_get_d(handle(x), MPFR_RNDN));
+        }
+        mpfr rest = x;
+        mpfr_prec_round(handle(rest), digits<quad>(), MPFR_RNDN);
+        const auto exponent = mpfr_get_exp(handle(rest));
+        mpfr_set_exp(handle(rest), 0);
+        quad sum = 0;
+        for (int piece = 0; piece < 3; ++piece) {
+            const double head = mpfr_get_d(handle(rest), MPFR_RNDN);
+            mpfr_sub_d(handle(rest), handle(rest), head, MPFR_RNDN);
+            sum += head;
+        }
+        return ldexp(sum, static_cast<int>(exponent));
+    } else if constexpr (std::same_as<T, long double>) {
+        return mpfr_get_ld(handle(x), MPFR_RNDN);
+    } else {
+        return mpfr_get_d(handle(x), MPFR_RNDN);
+    }
+}
+
+/// x in another scalar, rounded to nearest.
+template <rounding_scalar To, rounding_scalar From>
+To convert(const From& x) {
+    if constexpr (std::same_as<To, From> && fixed_scalar<To>) {
+        return x;
+    } else {
+        return narrow<To>(widen(x));
+    }
+}
+
+/// The fraction q in T, within half a unit in the last place and 2^-64 of it.
+template <rounding_scalar T>
+T from_rational(const rational& q) {
+    if constexpr (std::same_as<T, mpfr>) {
+        mpfr result;
+        mpfr_set_q(handle(result), q.backend().data(), MPFR_RNDN);
+        return result;
+    } else {
+        const precision_scope guard(decimal_digits(digits<T>() + 64));
+        return narrow<T>(from_rational<mpfr>(q));
+    }
+}
+
+/// The integer nearest to x, ties to even.
+inline integer nearest_integer(const mpfr& x) {
+    integer result;
+    mpfr_get_z(result.backend().data(), handle(x), MPFR_RNDN);
+    return result;
+}
+
+}  // namespace libration

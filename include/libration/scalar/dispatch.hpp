@@ -1,0 +1,86 @@
+// From the name of a scalar at run time to its type: the one place where that happens.
+#pragma once
+
+#include <charconv>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "libration/scalar/precision.hpp"
+
+namespace libration {
+
+enum class scalar_kind { binary64, extended, binary128, arbitrary };
+
+/// A scalar named at run time: double, long-double, quad or mpfr:DIGITS.
+struct scalar_spec {
+    scalar_kind kind = scalar_kind::arbitrary;
+    long digits = 50;  ///< correct digits wanted in a result; for the fixed scalars those that print a value in full
+
+    /// The name as the command line takes it.
+    std::string name() const {
+        switch (kind) {
+            case scalar_kind::binary64: return "double";
+            case scalar_kind::extended: return "long-double";
+            case scalar_kind::binary128: return "quad";
+            default: return "mpfr:" + std::to_string(digits);
+        }
+    }
+};
+
+/// The most digits that a run-time precision may ask for.
+inline constexpr long most_digits = 100'000;
+
+/// Digits as typed, 1 .. most_digits. Throws std::invalid_argument saying what is wrong.
+inline long read_digits(std::string_view text) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc::result_out_of_range || (error == std::errc() && value > most_digits)) {
+        throw std::invalid_argument("asks for more than " + std::to_string(most_digits) + " digits");
+    }
+    if (error != std::errc() || end != text.data() + text.size()) {
+        throw std::invalid_argument("is not a whole number of digits");
+    }
+    if (value < 1) {
+        throw std::invalid_argument("asks for less than one digit");
+    }
+    return value;
+}
+
+/// Reads a scalar's name. Throws std::invalid_argument saying what is wrong.
+inline scalar_spec read_scalar(std::string_view name) {
+    if (name == "double") {
+        return {scalar_kind::binary64, std::numeric_limits<double>::max_digits10};
+    }
+    if (name == "long-double") {
+        return {scalar_kind::extended, std::numeric_limits<long double>::max_digits10};
+    }
+    if (name == "quad") {
+        return {scalar_kind::binary128, std::numeric_limits<quad>::max_digits10};
+    }
+    if (name.starts_with("mpfr:")) {
+        return {scalar_kind::arbitrary, read_digits(name.substr(5))};
+    }
+    if (name.starts_with("ball")) {
+        throw std::invalid_argument("is not built into this version, which has no proved arithmetic yet");
+    }
+    throw std::invalid_argument("is not a scalar");
+}
+
+/// Calls f<T>() with the type that the spec names; mpfr at spec.digits + guard digits of working precision.
+template <class F>
+decltype(auto) with_scalar(const scalar_spec& spec, long guard, F&& f) {
+    switch (spec.kind) {
+        case scalar_kind::binary64: return std::forward<F>(f).template operator()<double>();
+        case scalar_kind::extended: return std::forward<F>(f).template operator()<long double>();
+        case scalar_kind::binary128: return std::forward<F>(f).template operator()<quad>();
+        default: break;
+    }
+    const precision_scope scope(spec.digits + guard);
+    return std::forward<F>(f).template operator()<mpfr>();
+}
+
+}  // namespace libration

@@ -1,0 +1,26 @@
+// The scalar `mpfr`: MPFR numbers of run-time precision through Boost.Multiprecision [MPFR, Boost.Multiprecision].
+//
+// Precision rules, as Boost has them: a new value takes the thread's working precision, a copy keeps the precision of
+// its source, and an operation works at the largest of the working precision and the precisions of its operands. So a
+// value computed in a narrow scope and kept is never more precise than that scope: nothing here caches a constant.
+#pragma once
+
+#include <mpfr.h>
+
+#include <boost/multiprecision/gmp.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+
+namespace libration {
+
+/// Binary floating point of run-time precision; expression templates are off, so `auto` is safe.
+using mpfr = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
+/// Exact integers.
+using integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// Exact fractions, always in lowest terms.
+using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+/// The MPFR handle inside a value, for calls that Boost does not wrap.
+inline mpfr_srcptr handle(const mpfr& x) { return x.backend().data(); }
+inline mpfr_ptr handle(mpfr& x) { return x.backend().data(); }
+
+}  // namespace libration
