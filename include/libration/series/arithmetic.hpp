@@ -1,0 +1,85 @@
+// Sum, product, quotient, derivative and integral of truncated power series, and their evaluation.
+// A result has the smaller order of its operands: what lies beyond is unknown.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "libration/series/convolution.hpp"
+#include "libration/series/jet.hpp"
+
+namespace libration {
+
+/// a + b. O(N).
+template <scalar T>
+power_series<T> operator+(const power_series<T>& a, const power_series<T>& b) {
+    auto sum = power_series<T>::zero(std::min(a.order(), b.order()));
+    for (int n = 0; n <= sum.order(); ++n) {
+        sum[n] = a[n] + b[n];
+    }
+    return sum;
+}
+
+/// a - b. O(N).
+template <scalar T>
+power_series<T> operator-(const power_series<T>& a, const power_series<T>& b) {
+    auto difference = power_series<T>::zero(std::min(a.order(), b.order()));
+    for (int n = 0; n <= difference.order(); ++n) {
+        difference[n] = a[n] - b[n];
+    }
+    return difference;
+}
+
+/// Cauchy product, (ab)_n = sum_k a_k b_{n-k}. O(N^2).
+template <scalar T>
+power_series<T> operator*(const power_series<T>& a, const power_series<T>& b) {
+    auto product = power_series<T>::zero(std::min(a.order(), b.order()));
+    for (int n = 0; n <= product.order(); ++n) {
+        product[n] = product_coefficient(a, b, n);
+    }
+    return product;
+}
+
+/// q = a / b from b q = a: q_n = (a_n - sum_{k=1}^{n} b_k q_{n-k}) / b_0. b_0 must not be 0. O(N^2).
+template <scalar T>
+power_series<T> operator/(const power_series<T>& a, const power_series<T>& b) {
+    auto quotient = power_series<T>::zero(std::min(a.order(), b.order()));
+    for (int n = 0; n <= quotient.order(); ++n) {
+        quotient[n] = (a[n] - convolution(b, quotient, n, 1, n)) / b[0];
+    }
+    return quotient;
+}
+
+/// a': order N - 1 (of a constant: the zero series of order 0). O(N).
+template <scalar T>
+power_series<T> derivative(const power_series<T>& a) {
+    auto result = power_series<T>::zero(std::max(a.order() - 1, 0));
+    for (int n = 1; n <= a.order(); ++n) {
+        result[n - 1] = a[n] * n;
+    }
+    return result;
+}
+
+/// constant + int_0^x a: order N + 1. O(N).
+template <scalar T>
+power_series<T> integral(const power_series<T>& a, const T& constant) {
+    auto result = power_series<T>::zero(a.order() + 1);
+    result[0] = constant;
+    for (int n = 0; n <= a.order(); ++n) {
+        result[n + 1] = a[n] / (n + 1);
+    }
+    return result;
+}
+
+/// Value and derivative of the polynomial at x, by Horner's rule. O(N).
+template <scalar T>
+jet<T> evaluate(const power_series<T>& a, const T& x) {
+    jet<T> result{a[a.order()], T(0)};
+    for (int n = a.order() - 1; n >= 0; --n) {
+        result.slope = result.slope * x + result.value;
+        result.value = result.value * x + a[n];
+    }
+    return result;
+}
+
+}  // namespace libration

@@ -1,0 +1,57 @@
+// The one place where two coefficient sequences are convolved; every product in this library goes through it.
+#pragma once
+
+#include <concepts>
+
+#include "libration/series/power_series.hpp"
+
+namespace libration {
+
+/// Which degrees of a series may be non-zero, known from a symmetry (never guessed from the values).
+enum class parity { any, even, odd };
+
+/// sum += a * b, with one rounding where the arithmetic has a fused operation.
+template <scalar T>
+void add_product(T& sum, const T& a, const T& b) {
+    if constexpr (std::same_as<T, mpfr>) {
+        mpfr_fma(handle(sum), handle(a), handle(b), handle(sum), MPFR_RNDN);
+    } else {
+        sum += a * b;
+    }
+}
+
+/// sum_{k=first}^{last} a_k b_{n-k}, over the k of the parity that a has.
+/// The indices must exist: 0 <= first, last <= order of a, 0 <= n - last, n - first <= order of b. O(last - first).
+template <scalar T>
+T convolution(const power_series<T>& a, const power_series<T>& b, int n, int first, int last,
+              parity of_a = parity::any) {
+    const int step = of_a == parity::any ? 1 : 2;
+    if (of_a != parity::any && (first % 2 == 0) != (of_a == parity::even)) {
+        ++first;
+    }
+    T sum(0);
+    for (int k = first; k <= last; k += step) {
+        add_product(sum, a[k], b[n - k]);
+    }
+    return sum;
+}
+
+/// The coefficient of x^n in a b: sum_{k=0}^{n} a_k b_{n-k}.
+template <scalar T>
+T product_coefficient(const power_series<T>& a, const power_series<T>& b, int n, parity of_a = parity::any) {
+    return convolution(a, b, n, 0, n, of_a);
+}
+
+/// The coefficient of x^n in a^2, each pair of equal products formed once: half the cost of product_coefficient.
+template <scalar T>
+T square_coefficient(const power_series<T>& a, int n, parity of_a = parity::any) {
+    T sum = convolution(a, a, n, 0, (n - 1) / 2 - (n == 0 ? 1 : 0), of_a);
+    sum += sum;
+    const bool middle_may_count = of_a == parity::any || ((n / 2) % 2 == 0) == (of_a == parity::even);
+    if (n % 2 == 0 && middle_may_count) {
+        add_product(sum, a[n / 2], a[n / 2]);
+    }
+    return sum;
+}
+
+}  // namespace libration
