@@ -1,0 +1,69 @@
+// The incomplete elliptic integral of the first kind, F(phi, k) = int_0^phi dx / sqrt(1 - k^2 sin^2 x).
+#pragma once
+
+#include <algorithm>
+
+#include "libration/elliptic/complete_integral.hpp"
+
+namespace libration {
+
+/// F of the angle in [-pi/2, pi/2] that has this sine and this cosine >= 0, which need not be normalised.
+///
+/// Descending Landen [DLMF 19.8(ii)]: phi_{n+1} = phi_n + delta_n, tan delta_n = (b_n/a_n) tan phi_n, and
+/// F = phi_N / (2^N a_N). Sine and cosine travel as a pair, so that an angle next to pi/2 keeps the digits of its
+/// cosine, where F is steepest; the increments all have the sign of phi, so their sum does not cancel. The branch of
+/// delta_n is the one next to phi_n: they differ by less than pi/2. The last level leaves out at most
+/// |phi| k_N^2 / (b_N/a_N (1 + b_N/a_N)).
+template <scalar T>
+T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& chain) {
+    using std::atan2;
+    using std::sqrt;
+    T s = sine;
+    T c = cosine;
+    T angle = atan2(s, c);
+    for (int n = 0; n < chain.levels(); ++n) {
+        const T bs = chain.b(n) * s;
+        const T ac = chain.a(n) * c;
+        const T principal = atan2(bs, ac);
+        const T turns = narrow<T>(mpfr(nearest_integer(widen(T((angle - principal) / (pi<T>() * 2))))));
+        angle += principal + turns * pi<T>() * 2;
+        const T scale = 1 / sqrt((bs * bs + ac * ac) * (s * s + c * c));
+        const T next_s = s * c * (chain.a(n) + chain.b(n)) * scale;
+        c = (c * ac - s * bs) * scale;
+        s = next_s;
+    }
+    const int last = chain.levels();
+    T doubled = chain.a(last);
+    for (int n = 0; n < last; ++n) {
+        doubled *= 2;
+    }
+    const T value = angle / doubled;
+    const T ratio = chain.b(last) / chain.a(last);
+    return enclose(value, T(value * chain.last_parameter() / (ratio * (1 + ratio))));
+}
+
+/// F(phi, k) for any real phi, unwrapped: F(phi + pi) = F(phi) + 2K. A few units in the last place, given phi and the
+/// modulus as exact: sine and cosine are taken with twice the digits, for near odd multiples of pi/2 with k near 1 the
+/// cosine carries all of them. Throws std::domain_error at k = 1.
+template <scalar T>
+T incomplete_integral(const T& phi, const modulus<T>& m) {
+    using std::cos;
+    using std::sin;
+    using W = wide_t<T>;
+    integer halves;
+    W sine;
+    W cosine;
+    {
+        const long before_point = std::max(0L, binary_exponent(phi));
+        const precision_scope scope(decimal_digits(2 * (digits<T>() + before_point) + 64));
+        halves = nearest_integer(widen(phi) / pi<W>());
+        const W rest = widen(phi) - from_rational<W>(rational(halves)) * pi<W>();
+        sine = sin(rest);
+        cosine = cos(rest);
+    }
+    const landen_chain<T> chain(m);
+    const T part = incomplete_integral(narrow<T>(sine), narrow<T>(cosine), chain);
+    return part + from_rational<T>(rational(halves)) * 2 * complete_integral(chain);
+}
+
+}  // namespace libration
