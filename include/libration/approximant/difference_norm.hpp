@@ -1,0 +1,102 @@
+// The infinity norm of the difference of two functions on an interval as a true maximum: on a grid the largest
+// difference is missed, so the stationary points between the grid points are found and refined.
+#pragma once
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "libration/series/arithmetic.hpp"
+
+namespace libration {
+
+/// A norm and where it is attained.
+template <class T>
+struct norm_at {
+    T norm;
+    T place;
+};
+
+/// count >= 2 Chebyshev points of [0, 1], ends included: (1 - cos(j pi/(count-1)))/2 rounded to double, so that every
+/// scalar holds them exactly.
+inline std::vector<double> chebyshev_points(int count) {
+    std::vector<double> points;
+    for (int j = 0; j < count; ++j) {
+        const double half_angle = j * std::numbers::pi / (2 * (count - 1));
+        points.push_back(j == count - 1 ? 1 : std::sin(half_angle) * std::sin(half_angle));
+    }
+    return points;
+}
+
+/// The difference of two functions that return jets.
+template <class F, class G>
+auto difference(const F& f, const G& g) {
+    return [&f, &g]<class T>(const T& x) {
+        const jet<T> a = f(x);
+        const jet<T> b = g(x);
+        return jet<T>{a.value - b.value, a.slope - b.slope};
+    };
+}
+
+/// Zeros of the slope of `difference` between neighbouring points where the slope changes sign, by the bracketing
+/// method of Alefeld, Potra and Shi (TOMS 748) to full working precision. `at_points` holds its jets at the points.
+/// Two stationary points between the same neighbours stay unseen: choose the points dense enough.
+template <rounding_scalar T, class F>
+std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,
+                                 const std::vector<jet<T>>& at_points) {
+    const auto slope = [&](const T& x) { return difference(x).slope; };
+    const T resolution = epsilon<T>() * 4;
+    const auto close = [&](const T& a, const T& b) {
+        using std::abs;
+        return abs(b - a) <= resolution;
+    };
+    std::vector<T> places;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const T& left = at_points[i].slope;
+        const T& right = at_points[i + 1].slope;
+        if ((left < 0) == (right < 0) || left == 0 || right == 0) {
+            continue;
+        }
+        std::uintmax_t steps = 200;
+        const auto bracket = boost::math::tools::toms748_solve(slope, T(points[i]), T(points[i + 1]), left, right, close,
+                                                               steps);
+        places.push_back((bracket.first + bracket.second) / 2);
+    }
+    return places;
+}
+
+/// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
+/// them.
+template <rounding_scalar T, class F>
+norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
+                           const std::vector<jet<T>>& at_points) {
+    using std::abs;
+    norm_at<T> largest{T(0), T(points.front())};
+    const auto consider = [&](const T& value, const T& place) {
+        if (abs(value) > largest.norm) {
+            largest = {abs(value), place};
+        }
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        consider(at_points[i].value, T(points[i]));
+    }
+    for (const T& place : stationary_points<T>(difference, points, at_points)) {
+        consider(difference(place).value, place);
+    }
+    return largest;
+}
+
+/// The same with the jets computed here.
+template <rounding_scalar T, class F>
+norm_at<T> difference_norm(const F& difference, const std::vector<double>& points) {
+    std::vector<jet<T>> at_points;
+    for (const double x : points) {
+        at_points.push_back(difference(T(x)));
+    }
+    return difference_norm<T>(difference, points, at_points);
+}
+
+}  // namespace libration

@@ -1,0 +1,33 @@
+// A partial sum of a Taylor series as a function: sigma_N(t) = sum_{n=0}^{N} A_n (t/scale)^n.
+#pragma once
+
+#include <utility>
+
+#include "libration/series/arithmetic.hpp"
+
+namespace libration {
+
+/// The series is kept in the scaled variable x = t/scale, because a_n = A_n / scale^n leaves the range of double long
+/// before A_n does; a scale next to the radius of convergence keeps A_n between powers of n.
+template <scalar T>
+class truncated_series {
+public:
+    truncated_series(power_series<T> scaled, T scale) : scaled_(std::move(scaled)), scale_(std::move(scale)) {}
+
+    int order() const { return scaled_.order(); }
+    const power_series<T>& scaled() const { return scaled_; }
+    const T& scale() const { return scale_; }
+
+    /// Value and derivative with respect to t. O(N).
+    jet<T> operator()(const T& t) const {
+        jet<T> at = evaluate(scaled_, T(t / scale_));
+        at.slope /= scale_;
+        return at;
+    }
+
+private:
+    power_series<T> scaled_;
+    T scale_;
+};
+
+}  // namespace libration
