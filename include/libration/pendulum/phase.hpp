@@ -1,0 +1,140 @@
+// Where a motion is in its cycle: exact times become a whole number of T* and a small rest, however large they are.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "libration/elliptic/incomplete_integral.hpp"
+#include "libration/pendulum/period.hpp"
+#include "libration/scalar/inverse_hyperbolic.hpp"
+
+namespace libration {
+
+/// Time since the motion passed the bottom with theta = 2 pi turns rising (in its direction): quarter * T* + offset,
+/// |offset| <= T*/2. On the separatrix and in equilibrium the quarter is 0 and the offset is the whole time.
+template <class T>
+struct phase {
+    integer quarter;
+    T offset;
+    int side = 0;  ///< sign of the offset, 0 only where the motion is exactly at the quarter
+};
+
+/// The clock of one motion.
+template <scalar T>
+class timeline {
+    using W = wide_t<T>;
+
+public:
+    explicit timeline(const motion& m) : motion_(m), start_(start_at(bits_for(default_margin))) {}
+
+    /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more digits
+    /// as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a quarter.
+    /// Throws std::domain_error for a multiple of an infinite period.
+    phase<T> at(const exact& time) const {
+        const phase<W> wide = wide_at(time);
+        return {wide.quarter, narrow<T>(wide.offset), wide.side};
+    }
+
+    /// The phase of a symmetric point: quarter * T* after the bottom.
+    static phase<T> at_quarter(const integer& quarter) { return {quarter, T(0), 0}; }
+
+private:
+    static constexpr long default_margin = 96;
+
+    // The start of the motion, an exact quarter or an offset, and T*, computed with this many bits.
+    struct origin {
+        long bits;
+        int quarter = 0;
+        W offset;
+        W effective_period;
+    };
+
+    // The precision in force when this is called, plus what the motion cancels, plus the margin.
+    long bits_for(long margin) const { return digits<T>() + motion_.condition_bits() + margin; }
+
+    phase<W> wide_at(const exact& time) const {
+        if (time.measure == unit::period) {
+            if (at_critical_energy(motion_.regime())) {
+                throw std::domain_error("is a multiple of an infinite period");
+            }
+            return advance(exact{}, rational(time.coefficient * quarters_per_period(motion_.regime())),
+                           bits_for(default_margin));
+        }
+        long before_point = 0;
+        if (!time.is_zero()) {
+            const precision_scope rough(20);
+            before_point = std::max(0L, binary_exponent(dimensionless(time)));
+        }
+        return advance(time, 0, bits_for(default_margin + 2 * before_point));
+    }
+
+    W dimensionless(const exact& time) const { return from_exact<W>(time) / time_unit<W>(motion_); }
+
+    // Start + elapsed + quarters * T*, reduced.
+    phase<W> advance(const exact& elapsed, const rational& quarters, long bits) const {
+        const origin start = bits > start_.bits ? start_at(bits) : start_;
+        const precision_scope scope(decimal_digits(bits));
+        integer quarter = start.quarter;
+        W offset = start.offset + dimensionless(elapsed);
+        if (!at_critical_energy(motion_.regime())) {
+            const integer whole = nearest_integer(quarters);
+            offset += from_rational<W>(rational(quarters - rational(whole))) * start.effective_period;
+            const integer more = nearest_integer(W(offset / start.effective_period));
+            offset -= from_rational<W>(rational(more)) * start.effective_period;
+            quarter += whole + more;
+        }
+        const int side = mpfr_sgn(handle(offset));
+        return {quarter, std::move(offset), side};
+    }
+
+    origin start_at(long bits) const {
+        const precision_scope scope(decimal_digits(bits));
+        origin start{bits, motion_.start_quarter().value_or(0), W(0), W(0)};
+        if (!at_critical_energy(motion_.regime())) {
+            start.effective_period = libration::effective_period(orbit_of<W>(motion_));
+        }
+        if (!motion_.start_quarter() && motion_.regime() != regime::unstable_equilibrium) {
+            place_start(start);
+        }
+        return start;
+    }
+
+    // The offset of a start between the symmetric points, from half = theta0/2 - pi turns.
+    void place_start(origin& start) const {
+        using std::cos;
+        using std::sin;
+        const W turned = pi<W>() * from_rational<W>(rational(motion_.turns())) * 2;
+        const W half = (from_exact<W>(*motion_.theta0()) - turned) / 2;
+        const W sine = sin(half);
+        const W cosine = cos(half);
+        if (motion_.regime() == regime::separatrix) {
+            start.offset = arsinh(W(sine / cosine)) * motion_.direction();
+            return;
+        }
+        const orbit<W> o = orbit_of<W>(motion_);
+        const landen_chain<W> chain(o.shape);
+        if (motion_.regime() == regime::rotation) {
+            start.offset = incomplete_integral(sine, cosine, chain) * motion_.direction() / o.rate;
+            return;
+        }
+        // sin phi0 : cos phi0 = sin(theta0/2) : omega0/2; where omega0 < 0 the reflection 2K - F.
+        const bool falling = motion_.omega0_sign() < 0;
+        const W from_bottom = incomplete_integral(sine, half_initial_speed(sine), chain);
+        start.quarter = falling ? 2 : 0;
+        start.offset = falling ? W(-from_bottom) : from_bottom;
+    }
+
+    // |omega0|/2: from omega0^2 where it is rational, else from the energy, sqrt(E/2 - sin^2(theta0/2)).
+    W half_initial_speed(const W& sine) const {
+        using std::sqrt;
+        if (motion_.omega0_squared()) {
+            return sqrt(from_rational<W>(*motion_.omega0_squared())) / 2;
+        }
+        return sqrt(from_rational<W>(rational(*motion_.energy() / 2)) - sine * sine);
+    }
+
+    motion motion_;
+    origin start_;
+};
+
+}  // namespace libration
