@@ -1,0 +1,67 @@
+// The command `libration`: data to stdout, messages to stderr; exit 0 done, 1 a check failed, 2 bad usage or input.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "input_error.hpp"
+#include "provenance.hpp"
+#include "subcommand.hpp"
+
+namespace {
+
+constexpr int failed = 1;
+constexpr int bad_input = 2;
+
+int complain(const char* message, int code) {
+    fmt::print(stderr, "libration: {}\n", message);
+    return code;
+}
+
+// CLI11's own complaint as one line with a remedy.
+int complain_of_usage(const CLI::App& program, const CLI::ParseError& problem) {
+    std::string line = problem.what();
+    for (char& c : line) {
+        c = c == '\n' ? ' ' : c;
+    }
+    const auto chosen = program.get_subcommands();
+    const std::string help = chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
+    return complain(fmt::format("{}: see {}", line, help).c_str(), bad_input);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program("Exact power-series solutions of the nonlinear pendulum, in any arithmetic.", "libration");
+    program.set_version_flag("--version", libration::version_text());
+    program.require_subcommand(1);
+    program.set_help_all_flag("--help-all", "the options of all subcommands");
+    const std::vector<libration::subcommand> commands{
+        libration::period_command(program),     libration::coefficients_command(program),
+        libration::trajectory_command(program), libration::study_command(program),
+        libration::studies_command(program),    libration::figure_command(program),
+        libration::reproduce_command(program)};
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        return problem.get_exit_code() == 0 ? program.exit(problem) : complain_of_usage(program, problem);
+    }
+    try {
+        for (const auto& command : commands) {
+            if (command.options->parsed()) {
+                return command.run();
+            }
+        }
+    } catch (const libration::input_error& problem) {
+        return complain(problem.what(), bad_input);
+    } catch (const std::range_error& problem) {
+        return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()).c_str(), bad_input);
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory: ask for fewer digits, powers or times", failed);
+    } catch (const std::exception& problem) {
+        return complain(problem.what(), failed);
+    }
+    return failed;
+}

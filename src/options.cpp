@@ -1,0 +1,231 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "input_error.hpp"
+#include "libration/pendulum/energy.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "sweep/grid.hpp"
+#include "sweep/study.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr const char* number_remedy = "write a number such as 1.71, 171/100 or 1e-30";
+constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150deg";
+constexpr int largest_order = 1'000'000;
+
+exact angle_of(const std::string& option, const std::string& value) {
+    const exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
+    if (angle.measure == unit::period) {
+        throw input_error(option, value, "is a time", angle_remedy);
+    }
+    return angle;
+}
+
+rational positive_of(const std::string& option, const std::string& value) {
+    const exact number = number_of(option, value);
+    if (number.coefficient <= 0) {
+        throw input_error(option, value, "is not positive", "write a positive number");
+    }
+    return number.coefficient;
+}
+
+}  // namespace
+
+exact number_of(const std::string& option, const std::string& value) {
+    const exact number = reading(option, value, number_remedy, [&] { return read_exact(value); });
+    if (number.measure != unit::one) {
+        throw input_error(option, value, "has a unit", number_remedy);
+    }
+    return number;
+}
+
+int order_of(const std::string& option, const std::string& value) {
+    return reading(option, value, "write the last power to keep, 0 or more",
+                   [&] { return read_count(value, largest_order); });
+}
+
+void motion_options::add_to(CLI::App& command) {
+    const char* const group = "Motion";
+    command.add_option("--energy", energy_, "energy E: starts at the top, (+arccos(1-E), 0) or (pi, +-sqrt(2E-4))")
+        ->group(group)
+        ->type_name("E");
+    command.add_option("--gap", gap_, "the energy as 2 - E, exact next to the separatrix")->group(group)->type_name("G");
+    command.add_option("--theta0", theta0_, "angle at t = 0: 2.5, 3pi/4, 150deg")->group(group)->type_name("A");
+    command.add_option("--omega0", omega0_, "angular velocity at t = 0 (with --theta0)")->group(group)->type_name("W");
+    command.add_option("--direction", direction_, "sign of omega at t = 0 for motions given by energy: + or -")
+        ->group(group)
+        ->type_name("+|-");
+    command.add_option("--length", length_, "length in metres: times are then seconds")->group(group)->type_name("L");
+    command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
+}
+
+int motion_options::direction() const {
+    if (!direction_ || *direction_ == "+") {
+        return 1;
+    }
+    if (*direction_ != "-") {
+        throw input_error("--direction", *direction_, "is no direction", "write + or -");
+    }
+    return -1;
+}
+
+rational motion_options::stiffness() const {
+    if (length_.has_value() != gravity_.has_value()) {
+        throw input_error(length_ ? "--length '" + *length_ + "' comes without --gravity: give both or neither"
+                                  : "--gravity '" + *gravity_ + "' comes without --length: give both or neither");
+    }
+    return length_ ? rational(positive_of("--gravity", *gravity_) / positive_of("--length", *length_)) : rational(1);
+}
+
+chosen_motion motion_options::by_energy() const {
+    const bool by_gap = gap_.has_value();
+    const std::string option = by_gap ? "--gap" : "--energy";
+    const std::string& value = by_gap ? *gap_ : *energy_;
+    const exact number = number_of(option, value);
+    const rational energy = by_gap ? rational(2 - number.coefficient) : number.coefficient;
+    if (energy < 0) {
+        throw input_error(option, value, by_gap ? "makes the energy negative" : "is a negative energy",
+                          by_gap ? "write a gap 2 - E of at most 2" : "write an energy of 0 or more");
+    }
+    const sweep_energy texts = by_gap ? energy_from_gap(number) : energy_from(number);
+    const int sense = direction();
+    if (!theta0_) {
+        return {motion::of_energy(energy, sense).with_stiffness(stiffness()), false, texts.energy, texts.gap};
+    }
+    const exact angle = angle_of("--theta0", *theta0_);
+    motion of = reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
+                        [&] { return motion::of_energy_from(energy, angle, sense); });
+    return {of.with_stiffness(stiffness()), false, texts.energy, texts.gap};
+}
+
+chosen_motion motion_options::by_state() const {
+    if (!theta0_ || !omega0_) {
+        throw input_error(theta0_ ? "--theta0 '" + *theta0_ + "' is not yet a motion: add --omega0 W or --energy E"
+                                  : "--omega0 '" + *omega0_ + "' is not yet a motion: add --theta0 A");
+    }
+    if (direction_) {
+        throw input_error("--direction", *direction_, "goes with --energy or --gap",
+                          "give the sign of the motion to --omega0");
+    }
+    const exact angle = angle_of("--theta0", *theta0_);
+    const exact speed = number_of("--omega0", *omega0_);
+    motion of = reading("--omega0", *omega0_, number_remedy,
+                        [&] { return motion::of_state(angle, speed, stiffness()); });
+    std::optional<std::string> energy;
+    std::optional<std::string> gap;
+    if (of.energy()) {
+        energy = to_finite_decimal(*of.energy());
+        gap = to_finite_decimal(rational(2 - *of.energy()));
+    }
+    return {std::move(of), true, energy, gap};
+}
+
+chosen_motion motion_options::choose() const {
+    if (energy_ && gap_) {
+        throw input_error("--gap", *gap_, "comes together with --energy '" + *energy_ + "'", "give one of the two");
+    }
+    const bool energetic = energy_ || gap_;
+    if (energetic && omega0_) {
+        throw input_error("--omega0", *omega0_, std::string("comes together with ") + (energy_ ? "--energy" : "--gap"),
+                          "give an energy, or --theta0 and --omega0, not both");
+    }
+    if (!energetic && !theta0_ && !omega0_) {
+        throw input_error("no motion is given: add --energy E, --gap G, or --theta0 A with --omega0 W");
+    }
+    return energetic ? by_energy() : by_state();
+}
+
+void arithmetic_options::add_to(CLI::App& command) {
+    command.add_option("--digits", digits_, "significant digits to print, each right to one unit in the last")
+        ->type_name("D");
+    command.add_option("--scalar", scalar_, "arithmetic: double, long-double, quad or mpfr:DIGITS")->type_name("S");
+}
+
+arithmetic arithmetic_options::choose() const {
+    std::optional<long> digits;
+    if (digits_) {
+        digits = reading("--digits", *digits_, fmt::format("write a number from 1 to {}", most_digits),
+                         [&] { return read_digits(*digits_); });
+    }
+    if (!scalar_) {
+        const long wanted = digits.value_or(50);
+        return {{scalar_kind::arbitrary, wanted}, wanted};
+    }
+    const scalar_spec scalar = reading("--scalar", *scalar_, "write double, long-double, quad or mpfr:DIGITS",
+                                       [&] { return read_scalar(*scalar_); });
+    if (digits && *digits > scalar.digits) {
+        throw input_error("--digits", *digits_, fmt::format("is more than the {} of {}", scalar.digits, scalar.name()),
+                          fmt::format("ask for fewer or for --scalar mpfr:{}", *digits));
+    }
+    return {scalar, digits.value_or(scalar.digits)};
+}
+
+void output_options::add_to(CLI::App& command) {
+    command.add_option("--format", format_, "text, csv or json")->type_name("FORMAT")->capture_default_str();
+    command.add_option("--out", out_, "write to this file instead of stdout")->type_name("FILE");
+}
+
+void output_options::check() const {
+    if (format_ != "text" && format_ != "csv" && format_ != "json") {
+        throw input_error("--format", format_, "is no format", "write text, csv or json");
+    }
+    if (!out_) {
+        return;
+    }
+    const std::filesystem::path target(*out_);
+    const auto folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+    std::error_code error;
+    if (target.filename().empty() || std::filesystem::is_directory(target, error)) {
+        throw input_error("--out", *out_, "is a folder", "name a file");
+    }
+    if (!std::filesystem::is_directory(folder, error)) {
+        throw input_error("--out", *out_, "is in a folder that does not exist", "make the folder first");
+    }
+    if (::access(folder.c_str(), W_OK) != 0) {
+        throw input_error("--out", *out_, "cannot be written", "choose a folder that you may write in");
+    }
+}
+
+void output_options::write(const table& data, const std::optional<std::string>& text) const {
+    const std::string content = format_ == "csv"    ? to_csv(data)
+                                : format_ == "json" ? to_json(data)
+                                                    : text.value_or(to_text(data));
+    if (!out_) {
+        std::fwrite(content.data(), 1, content.size(), stdout);
+        return;
+    }
+    try {
+        write_whole_file(*out_, content);
+    } catch (const std::runtime_error& problem) {
+        throw input_error("--out", *out_, fmt::format("cannot be written ({})", problem.what()),
+                          "choose a file in a folder that you may write in");
+    }
+}
+
+energy_texts energy_texts_of(const chosen_motion& chosen, long digits) {
+    if (chosen.energy && chosen.gap) {
+        return {*chosen.energy, *chosen.gap};
+    }
+    const precision_scope scope(digits + 10);
+    const auto pair = energies<mpfr>(chosen.of);
+    return {to_decimal(pair.energy, digits), to_decimal(pair.gap, digits)};
+}
+
+void require_writable_folder(const std::string& option, const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || ::access(folder.c_str(), W_OK) != 0 || !std::filesystem::is_directory(folder)) {
+        throw input_error(option, folder, "cannot be written" + (error ? " (" + error.message() + ")" : std::string()),
+                          "choose a folder that you may write in");
+    }
+}
+
+}  // namespace libration

@@ -1,0 +1,85 @@
+// The options that subcommands share: MOTION, digits and scalar, output.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/pendulum/motion.hpp"
+#include "libration/scalar/dispatch.hpp"
+#include "sweep/table.hpp"
+
+namespace libration {
+
+/// A motion with the texts that stand for it in the output.
+struct chosen_motion {
+    motion of;
+    bool by_state;  ///< given by theta0 and omega0
+    std::optional<std::string> energy;
+    std::optional<std::string> gap;
+};
+
+/// --energy E | --gap G [--theta0 A] [--direction +|-], or --theta0 A --omega0 W; --length L --gravity G.
+class motion_options {
+public:
+    void add_to(CLI::App& command);
+    /// Throws input_error.
+    chosen_motion choose() const;
+
+private:
+    chosen_motion by_energy() const;
+    chosen_motion by_state() const;
+    int direction() const;
+    rational stiffness() const;
+
+    std::optional<std::string> energy_, gap_, theta0_, omega0_, direction_, length_, gravity_;
+};
+
+/// The arithmetic of a command and the digits it prints.
+struct arithmetic {
+    scalar_spec scalar;
+    long digits;
+};
+
+/// --digits D and --scalar S: without S, mpfr of the digits asked; without both, mpfr:50.
+class arithmetic_options {
+public:
+    void add_to(CLI::App& command);
+    arithmetic choose() const;
+
+private:
+    std::optional<std::string> digits_, scalar_;
+};
+
+/// --format text|csv|json and --out FILE.
+class output_options {
+public:
+    void add_to(CLI::App& command);
+    /// Throws input_error for a format that is none and a file that cannot be written.
+    void check() const;
+    /// Writes the table to stdout or the file. `text` is what the text format shows instead of the aligned table.
+    void write(const table& data, const std::optional<std::string>& text = std::nullopt) const;
+
+private:
+    std::string format_ = "text";
+    std::optional<std::string> out_;
+};
+
+/// A number of an option; throws input_error.
+exact number_of(const std::string& option, const std::string& value);
+
+/// The --order N of a method.
+int order_of(const std::string& option, const std::string& value);
+
+/// Energy and gap of a motion as text: exact where they are, to the digits otherwise.
+struct energy_texts {
+    std::string energy;
+    std::string gap;
+};
+energy_texts energy_texts_of(const chosen_motion& chosen, long digits);
+
+/// Makes the folder if it is missing and sees that files can be made in it; throws input_error.
+void require_writable_folder(const std::string& option, const std::string& folder);
+
+}  // namespace libration

@@ -1,0 +1,152 @@
+// libration period: T and T* of a motion, by the arithmetic-geometric mean or by a partial sum of the paper's series.
+#include "libration/pendulum/period.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "agreement.hpp"
+#include "input_error.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "options.hpp"
+#include "subcommand.hpp"
+
+namespace libration {
+
+namespace {
+
+enum class period_method { agm, series, resummed };
+
+struct period_options {
+    motion_options motion;
+    arithmetic_options arithmetic;
+    output_options output;
+    std::string method = "agm";
+    std::optional<std::string> order;
+};
+
+struct period_request {
+    chosen_motion chosen;
+    arithmetic numbers;
+    period_method method;
+    std::optional<int> order;
+};
+
+const std::vector<column> period_columns{{"energy", ""}, {"gap", ""},   {"method", ""}, {"order", ""},
+                                         {"period", ""}, {"tstar", ""}, {"error", ""},  {"regime", ""}};
+
+period_method read_method(const std::string& name) {
+    if (name == "agm") {
+        return period_method::agm;
+    }
+    if (name == "series" || name == "resummed") {
+        return name == "series" ? period_method::series : period_method::resummed;
+    }
+    throw input_error("--method", name, "is no method for the period", "write agm, series or resummed");
+}
+
+period_request choose(const period_options& options) {
+    const period_method method = read_method(options.method);
+    std::optional<int> order;
+    if (options.order) {
+        order = order_of("--order", *options.order);
+    }
+    if (method == period_method::agm && order) {
+        throw input_error("--order", *options.order, "has no meaning for --method agm",
+                          "leave it out, or write --method series or resummed");
+    }
+    if (method != period_method::agm && !order) {
+        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power being k^(2N)");
+    }
+    period_request request{options.motion.choose(), options.arithmetic.choose(), method, order};
+    if (method != period_method::agm && at_critical_energy(request.chosen.of.regime())) {
+        throw input_error("--method", options.method, "has no sum at E = 2, where the period is infinite",
+                          "use --method agm");
+    }
+    return request;
+}
+
+template <class T>
+T tstar_by(const orbit<T>& o, const period_request& request) {
+    switch (request.method) {
+        case period_method::series: return effective_period_series(o, *request.order);
+        case period_method::resummed: return effective_period_resummed(o, *request.order);
+        default: return effective_period(o);
+    }
+}
+
+// T, T* in the motion's units, and |T* - truth|, the truth from the mean in mpfr with 20 digits more.
+template <class T>
+std::vector<mpfr> period_values(const period_request& request) {
+    const motion& m = request.chosen.of;
+    const T seconds = time_unit<T>(m);
+    const T tstar = tstar_by(orbit_of<T>(m), request) * seconds;
+    const T period = tstar * quarters_per_period(m.regime());
+    const precision_scope more(decimal_digits(digits<T>()) + 20);
+    const mpfr truth = effective_period(orbit_of<mpfr>(m)) * time_unit<mpfr>(m);
+    return {widen(period), widen(tstar), abs(widen(tstar) - truth)};
+}
+
+std::vector<mpfr> period_values(const period_request& request) {
+    const scalar_spec& scalar = request.numbers.scalar;
+    const auto compute = [&](long guard) {
+        return with_scalar(scalar, guard, [&]<class T>() { return period_values<T>(request); });
+    };
+    if (scalar.kind != scalar_kind::arbitrary) {
+        return compute(0);
+    }
+    // The error is a difference of its own precision; only the period has digits to agree on.
+    std::vector<mpfr> values = agreed_values(scalar.digits, [&](long guard) {
+        const auto all = compute(guard);
+        return std::vector<mpfr>{all[0], all[1]};
+    });
+    values.push_back(compute(20)[2]);
+    return values;
+}
+
+constexpr long error_digits = 6;
+
+int run_period(const period_options& options) {
+    options.output.check();
+    const period_request request = choose(options);
+    const motion& m = request.chosen.of;
+    const long digits = request.numbers.digits;
+    const energy_texts texts = energy_texts_of(request.chosen, digits);
+    std::string period = "inf";
+    std::string tstar = "inf";
+    std::string error = "0";
+    if (!at_critical_energy(m.regime())) {
+        const auto values = period_values(request);
+        period = to_decimal(values[0], digits);
+        tstar = to_decimal(values[1], digits);
+        error = to_decimal(values[2], error_digits);
+    }
+    const std::string regime(name_of(m.regime()));
+    const std::string order = request.order ? std::to_string(*request.order) : "";
+    const table data{period_columns,
+                     {{texts.energy, texts.gap, options.method, order, period, tstar, error, regime}}};
+    std::string text;
+    for (std::size_t i = 0; i < data.columns.size(); ++i) {
+        if (!data.rows[0][i].empty()) {
+            text += fmt::format("{:<8}{}\n", data.columns[i].name, data.rows[0][i]);
+        }
+    }
+    options.output.write(data, text);
+    return 0;
+}
+
+}  // namespace
+
+subcommand period_command(CLI::App& program) {
+    const auto options = std::make_shared<period_options>();
+    CLI::App* command = program.add_subcommand("period", "the period T and the effective period T* of a motion");
+    options->motion.add_to(*command);
+    options->arithmetic.add_to(*command);
+    options->output.add_to(*command);
+    command->add_option("--method", options->method, "agm; series (Kold) or resummed (Knew), with --order")
+        ->capture_default_str();
+    command->add_option("--order", options->order, "last power k^(2N) of a partial sum")->type_name("N");
+    return {command, [options] { return run_period(*options); }};
+}
+
+}  // namespace libration

@@ -1,0 +1,23 @@
+// The subcommands: each in a file of its own, which adds its options to the program and says what to run.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace libration {
+
+/// A subcommand of the program and its action, which returns the exit code.
+struct subcommand {
+    CLI::App* options;
+    std::function<int()> run;
+};
+
+subcommand period_command(CLI::App& program);
+subcommand coefficients_command(CLI::App& program);
+subcommand trajectory_command(CLI::App& program);
+subcommand study_command(CLI::App& program);
+subcommand studies_command(CLI::App& program);
+subcommand figure_command(CLI::App& program);
+subcommand reproduce_command(CLI::App& program);
+
+}  // namespace libration

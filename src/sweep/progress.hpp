@@ -1,0 +1,35 @@
+// A progress line on stderr while a person watches: nothing at all in a pipe or a log.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace libration {
+
+/// Counts finished steps of a known number and shows how far and how long still. Safe to call from several threads.
+class progress {
+public:
+    progress(std::string what, std::size_t steps);
+    progress(const progress&) = delete;
+    progress& operator=(const progress&) = delete;
+    /// Takes the line away again.
+    ~progress();
+
+    void step();
+
+private:
+    void show();
+
+    std::string what_;
+    std::size_t steps_;
+    std::size_t done_ = 0;
+    bool watched_;
+    bool shown_ = false;
+    std::mutex mutex_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point last_shown_ = start_;
+};
+
+}  // namespace libration

@@ -1,0 +1,105 @@
+#include "sweep/table.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace libration {
+
+namespace {
+
+// Quoted where CSV needs it.
+std::string csv_cell(const std::string& cell) {
+    if (cell.find_first_of(",\"\n") == std::string::npos) {
+        return cell;
+    }
+    std::string quoted = "\"";
+    for (const char c : cell) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + '"';
+}
+
+}  // namespace
+
+std::string to_csv(const table& data) {
+    std::string out;
+    for (std::size_t i = 0; i < data.columns.size(); ++i) {
+        out += (i > 0 ? "," : "") + data.columns[i].name;
+    }
+    out += '\n';
+    for (const auto& row : data.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            out += (i > 0 ? "," : "") + csv_cell(row[i]);
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+std::string to_json(const table& data) {
+    auto out = nlohmann::ordered_json::array();
+    for (const auto& row : data.rows) {
+        nlohmann::ordered_json object;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            object[data.columns[i].name] = row[i];
+        }
+        out.push_back(std::move(object));
+    }
+    return out.dump(2) + '\n';
+}
+
+std::string to_text(const table& data) {
+    std::vector<std::size_t> widths;
+    for (std::size_t i = 0; i < data.columns.size(); ++i) {
+        std::size_t width = data.columns[i].name.size();
+        for (const auto& row : data.rows) {
+            width = std::max(width, row[i].size());
+        }
+        widths.push_back(width);
+    }
+    std::string out;
+    const auto line = [&](const auto& cell) {
+        std::string text;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            text += fmt::format("{:<{}}  ", cell(i), widths[i]);
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        out += text + '\n';
+    };
+    line([&](std::size_t i) { return data.columns[i].name; });
+    for (const auto& row : data.rows) {
+        line([&](std::size_t i) { return row[i]; });
+    }
+    return out;
+}
+
+void write_whole_file(const std::string& path, const std::string& content) {
+    const std::string beside = fmt::format("{}.{}.part", path, ::getpid());
+    errno = 0;
+    {
+        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+        file << content;
+        file.close();
+        if (!file) {
+            const std::string reason = errno != 0 ? std::strerror(errno) : "writing failed";
+            std::remove(beside.c_str());
+            throw std::runtime_error(reason);
+        }
+    }
+    if (std::rename(beside.c_str(), path.c_str()) != 0) {
+        const std::string reason = std::strerror(errno);
+        std::remove(beside.c_str());
+        throw std::runtime_error(reason);
+    }
+}
+
+}  // namespace libration

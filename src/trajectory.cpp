@@ -1,0 +1,291 @@
+// libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "agreement.hpp"
+#include "input_error.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
+#include "libration/pendulum/runge_kutta.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "options.hpp"
+#include "subcommand.hpp"
+#include "sweep/grid.hpp"
+#include "sweep/progress.hpp"
+
+namespace libration {
+
+namespace {
+
+enum class trajectory_method { exact, series, resummed, rk4 };
+
+struct trajectory_options {
+    motion_options motion;
+    arithmetic_options arithmetic;
+    output_options output;
+    std::string method = "exact";
+    std::optional<std::string> order;
+    std::string times;
+    std::string step = "1e-5";
+};
+
+struct trajectory_request {
+    chosen_motion chosen;
+    arithmetic numbers;
+    trajectory_method method;
+    int order;
+    exact step;
+    std::vector<exact> times;
+};
+
+constexpr const char* times_remedy = "write times such as 0,1.5,T/4 or a range 0:20:401";
+
+trajectory_method read_method(const std::string& name) {
+    if (name == "exact" || name == "rk4") {
+        return name == "exact" ? trajectory_method::exact : trajectory_method::rk4;
+    }
+    if (name == "series" || name == "resummed") {
+        return name == "series" ? trajectory_method::series : trajectory_method::resummed;
+    }
+    if (name == "uniform") {
+        throw input_error("--method", name, "is not built into this version", "use exact, series, resummed or rk4");
+    }
+    throw input_error("--method", name, "is no method for a trajectory", "write exact, series, resummed or rk4");
+}
+
+std::vector<exact> read_times(const std::string& text, regime r) {
+    auto times = reading("--times", text, times_remedy, [&] { return read_grid(text); });
+    for (const exact& time : times) {
+        if (time.measure == unit::degree) {
+            throw input_error("--times", text, "has the angle '" + time.text + "'", times_remedy);
+        }
+        if (time.measure == unit::period && at_critical_energy(r)) {
+            throw input_error("--times", text, "has '" + time.text + "', a multiple of an infinite period",
+                              "write times without T at E = 2");
+        }
+    }
+    return times;
+}
+
+bool is_partial_sum(trajectory_method method) {
+    return method == trajectory_method::series || method == trajectory_method::resummed;
+}
+
+trajectory_request choose(const trajectory_options& options) {
+    const trajectory_method method = read_method(options.method);
+    const exact step = number_of("--step", options.step);
+    if (step.coefficient <= 0) {
+        throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");
+    }
+    chosen_motion chosen = options.motion.choose();
+    const regime r = chosen.of.regime();
+    if (is_partial_sum(method) && !options.order) {
+        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power");
+    }
+    if (!is_partial_sum(method) && options.order) {
+        throw input_error("--order", *options.order, "has no meaning for --method " + options.method, "leave it out");
+    }
+    if (is_partial_sum(method) && at_critical_energy(r)) {
+        throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
+    }
+    const int order = options.order ? order_of("--order", *options.order) : 0;
+    return {std::move(chosen), options.arithmetic.choose(), method, order, step, read_times(options.times, r)};
+}
+
+// theta, omega (in the motion's units) and |theta - truth| at each time.
+struct trajectory_values {
+    std::vector<mpfr> motion;
+    std::vector<mpfr> errors;
+};
+
+// The formula of the paper for E = 2, from omega0 = +2 cos(theta0/2) and by reflection from the other sign; it is the
+// second route there, where the sum over separatrix solutions has one term.
+template <class T>
+T critical_formula(const motion& m, const exact& time) {
+    using std::atan;
+    using std::exp;
+    using std::tan;
+    const int d = m.direction();
+    const T turned = pi<T>() * 2 * from_rational<T>(rational(m.turns()));
+    const T start = (from_exact<T>(*m.theta0()) - turned) * d;
+    const T t = from_exact<T>(time) / time_unit<T>(m);
+    return turned + (atan(T(exp(t) * tan(T((start + pi<T>()) / 4)))) * 4 - pi<T>()) * d;
+}
+
+// theta by a route other than the Jacobi functions, in more digits.
+mpfr second_route(const motion& m, const exact& time, const std::optional<separatrix_sum<mpfr>>& sum,
+                  const exact_solution<mpfr>& solution) {
+    if (sum) {
+        return (*sum)(time).value;
+    }
+    return m.regime() == regime::separatrix ? critical_formula<mpfr>(m, time) : solution(time).theta;
+}
+
+// The values of any route that gives a jet at a time, against the truth in `digits` digits.
+template <class T, class Route>
+trajectory_values follow(const trajectory_request& request, const Route& route) {
+    const motion& m = request.chosen.of;
+    const mpfr seconds = widen(time_unit<T>(m));
+    const precision_scope more(decimal_digits(digits<T>()) + 25);
+    const exact_solution<mpfr> truth(m);
+    std::optional<separatrix_sum<mpfr>> sum;
+    const bool judged_by_sum = request.method == trajectory_method::exact && !at_critical_energy(m.regime()) &&
+                               m.regime() != regime::stable_equilibrium;
+    if (judged_by_sum) {
+        sum.emplace(m);
+    }
+    trajectory_values result;
+    for (const exact& time : request.times) {
+        const jet<mpfr> at = route(time);
+        const mpfr expected = request.method == trajectory_method::exact ? second_route(m, time, sum, truth)
+                                                                         : truth(time).theta;
+        result.motion.push_back(at.value);
+        result.motion.push_back(at.slope / seconds);
+        result.errors.push_back(abs(at.value - expected));
+    }
+    return result;
+}
+
+template <class T, class Function>
+trajectory_values follow_extension(const trajectory_request& request, Function on_descent) {
+    const periodic_extension<T, Function> extension(request.chosen.of, std::move(on_descent));
+    const long own_digits = decimal_digits(digits<T>());
+    return follow<T>(request, [&](const exact& time) {
+        const precision_scope scope(own_digits);
+        const jet<T> at = extension(time);
+        return jet<mpfr>{widen(at.value), widen(at.slope)};
+    });
+}
+
+template <class T>
+trajectory_values follow_exactly(const trajectory_request& request) {
+    const exact_solution<T> solution(request.chosen.of);
+    const long own_digits = decimal_digits(digits<T>());
+    return follow<T>(request, [&](const exact& time) {
+        const precision_scope scope(own_digits);
+        const pendulum_state<T> at = solution(time);
+        return jet<mpfr>{widen(at.theta), widen(at.omega)};
+    });
+}
+
+// A time as a number of T, dimensionless.
+template <class T>
+T time_value(const motion& m, const exact& time) {
+    if (time.measure != unit::period) {
+        return from_exact<T>(time) / time_unit<T>(m);
+    }
+    const int quarters = quarters_per_period(m.regime());
+    return effective_period(orbit_of<T>(m)) * from_rational<T>(rational(time.coefficient * quarters));
+}
+
+// Marches through the times in order of size, forwards and backwards from 0, so that each step is taken once.
+template <class T>
+trajectory_values follow_runge_kutta(const trajectory_request& request) {
+    const motion& m = request.chosen.of;
+    const pendulum_state<T> start = exact_solution<T>(m)(exact{});
+    std::vector<T> times;
+    for (const exact& time : request.times) {
+        times.push_back(time_value<T>(m, time));
+    }
+    std::vector<std::size_t> order(times.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        order[i] = i;
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+    std::vector<jet<T>> states(times.size(), jet<T>{T(0), T(0)});
+    progress shown("rk4, times", times.size());
+    const T step = from_exact<T>(request.step);
+    runge_kutta_march<T> forward({start.theta, start.omega}, step);
+    runge_kutta_march<T> backward({start.theta, start.omega}, step);
+    const auto march = [&](runge_kutta_march<T>& way, std::size_t i) {
+        states[i] = reading("--times", request.times[i].text, "choose nearer times or a larger --step",
+                            [&] { return way.advance_to(times[i]); });
+        shown.step();
+    };
+    for (const std::size_t i : order) {
+        if (times[i] >= 0) {
+            march(forward, i);
+        }
+    }
+    std::reverse(order.begin(), order.end());
+    for (const std::size_t i : order) {
+        if (times[i] < 0) {
+            march(backward, i);
+        }
+    }
+    std::size_t next = 0;
+    return follow<T>(request, [&](const exact& /*time*/) {
+        const jet<T>& at = states[next++];
+        return jet<mpfr>{widen(at.value), widen(at.slope)};
+    });
+}
+
+template <class T>
+trajectory_values follow_in(const trajectory_request& request) {
+    const motion& m = request.chosen.of;
+    switch (request.method) {
+        case trajectory_method::series:
+            return follow_extension<T>(request, series_from_top(descent_of<T>(m), request.order));
+        case trajectory_method::resummed:
+            return follow_extension<T>(request, resummation_from_top(descent_of<T>(m), request.order));
+        case trajectory_method::rk4: return follow_runge_kutta<T>(request);
+        default: return follow_exactly<T>(request);
+    }
+}
+
+trajectory_values values_of(const trajectory_request& request) {
+    const scalar_spec& scalar = request.numbers.scalar;
+    const auto compute = [&](long guard) {
+        return with_scalar(scalar, guard, [&]<class T>() { return follow_in<T>(request); });
+    };
+    // A march of millions of steps is not repeated; its rounding is far below its error.
+    if (scalar.kind != scalar_kind::arbitrary || request.method == trajectory_method::rk4) {
+        return compute(20);
+    }
+    trajectory_values result;
+    result.motion = agreed_values(scalar.digits, [&](long guard) {
+        result = compute(guard);
+        return result.motion;
+    });
+    return result;
+}
+
+constexpr long error_digits = 6;
+
+int run_trajectory(const trajectory_options& options) {
+    options.output.check();
+    const trajectory_request request = choose(options);
+    const trajectory_values values = values_of(request);
+    table data{{{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}}, {}};
+    for (std::size_t i = 0; i < request.times.size(); ++i) {
+        data.rows.push_back({request.times[i].text, to_decimal(values.motion[2 * i], request.numbers.digits),
+                             to_decimal(values.motion[2 * i + 1], request.numbers.digits),
+                             to_decimal(values.errors[i], error_digits)});
+    }
+    options.output.write(data);
+    return 0;
+}
+
+}  // namespace
+
+subcommand trajectory_command(CLI::App& program) {
+    const auto options = std::make_shared<trajectory_options>();
+    CLI::App* command = program.add_subcommand("trajectory", "theta and omega at a list of times");
+    options->motion.add_to(*command);
+    options->arithmetic.add_to(*command);
+    options->output.add_to(*command);
+    command->add_option("--method", options->method, "exact; series or resummed, with --order; rk4")
+        ->capture_default_str();
+    command->add_option("--order", options->order, "last power N of the series, last index of the resummation")
+        ->type_name("N");
+    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")
+        ->type_name("LIST")
+        ->required();
+    command->add_option("--step", options->step, "step of rk4 in dimensionless time")->capture_default_str();
+    return {command, [options] { return run_trajectory(*options); }};
+}
+
+}  // namespace libration

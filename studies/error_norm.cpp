@@ -1,0 +1,161 @@
+// How large is the error of the series and of its resummation on [0, T*] at each energy and order? [paper fig:error]
+#include "libration/pendulum/error_norm.hpp"
+
+#include <map>
+#include <stdexcept>
+
+#include "libration/scalar/decimal.hpp"
+#include "sweep/parallel.hpp"
+#include "sweep/study.hpp"
+
+namespace libration::studies {
+
+namespace {
+
+constexpr long guard_digits = 15;
+
+const std::vector<column>& columns() {
+    static const std::vector<column> all{
+        {"energy", "E, in units of m g l"},
+        {"order", "N, last power of the series; last index of the resummed series"},
+        {"method", "series | resummed"},
+        {"norm", "max of |approximation - theta| over [0, T*], radians"},
+        {"time_of_maximum", "dimensionless time since the top"},
+        {"scalar", "arithmetic of the approximation"},
+        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic"},
+        {"gap", "2 - E"},
+        {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold"},
+        {"log10_norm", "log10 of norm"},
+        {"log10_bound", "log10 of bound"},
+        {"log10_gap", "log10 of |2 - E|"},
+    };
+    return all;
+}
+
+std::string_view name_of(descent_method method) { return method == descent_method::series ? "series" : "resummed"; }
+
+std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), 12); }
+
+// The bounds hold from the first omitted power 4, and from N = 1, on.
+std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, descent_method method, int order) {
+    if (method == descent_method::series) {
+        return bounds.first_omitted(order) >= 4 ? std::optional(bounds.series_norm(order)) : std::nullopt;
+    }
+    return order >= 1 ? std::optional(bounds.resummation_norm(order)) : std::nullopt;
+}
+
+// Whether the second route finds the same norm to the digits printed.
+bool confirmed(const descent_errors& errors, descent_method method, int order, const norm_at<mpfr>& found, long digits) {
+    const mpfr other = errors.second_opinion(method, order, found.place);
+    return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
+}
+
+struct cell {
+    const sweep_energy& at;
+    int order;
+    descent_method method;
+};
+
+std::vector<std::string> row_of(const cell& c, const norm_at<mpfr>& found, const descent_errors& errors,
+                                const scalar_spec& scalar, bool two_method) {
+    const auto bound = bound_of(errors.bounds(), c.method, c.order);
+    const mpfr time = found.place * errors.bounds().effective_period;
+    return {c.at.energy,
+            std::to_string(c.order),
+            std::string(name_of(c.method)),
+            to_decimal(found.norm, scalar.digits),
+            to_decimal(time, scalar.digits),
+            scalar.name(),
+            two_method ? "two-method" : "heuristic",
+            c.at.gap,
+            bound ? to_decimal(*bound, 12) : "",
+            log10_text(found.norm),
+            bound ? log10_text(*bound) : "",
+            log10_text(abs(from_rational<mpfr>(rational(2 - c.at.value))))};
+}
+
+// All rows of one energy, in one table for each scalar.
+std::vector<std::vector<std::vector<std::string>>> rows_at(const sweep_energy& at, const std::vector<int>& orders,
+                                                           const std::vector<scalar_spec>& scalars) {
+    const motion m = motion::of_energy(at.value);
+    long digits = 0;
+    long below = 0;
+    for (const scalar_spec& scalar : scalars) {
+        digits = std::max(digits, scalar.digits);
+    }
+    for (const int order : orders) {
+        below = std::max(below, digits_below(m, order));
+    }
+    const precision_scope scope(digits + below + guard_digits);
+    descent_errors errors(m);
+    std::vector<std::vector<std::vector<std::string>>> tables(scalars.size());
+    for (const int order : orders) {
+        for (const auto method : {descent_method::series, descent_method::resummed}) {
+            const cell here{at, order, method};
+            const norm_at<mpfr> found = errors.norm(method, order);
+            const bool agreed = confirmed(errors, method, order, found, digits);
+            for (std::size_t i = 0; i < scalars.size(); ++i) {
+                const scalar_spec& scalar = scalars[i];
+                const auto norm = with_scalar(scalar, digits + below + guard_digits - scalar.digits, [&]<class T>() {
+                    if constexpr (fixed_scalar<T>) {
+                        return errors.norm_in<T>(method, order, m, found.place);
+                    } else {
+                        return found;
+                    }
+                });
+                const bool exact = scalar.kind == scalar_kind::arbitrary;
+                tables[i].push_back(row_of(here, norm, errors, scalar, exact && agreed));
+            }
+        }
+    }
+    return tables;
+}
+
+std::vector<scalar_spec> scalars_of(const study_request& request) {
+    if (request.scalar) {
+        return {*request.scalar};
+    }
+    return {read_scalar("mpfr:50"), read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
+}
+
+std::string suffix_of(const scalar_spec& scalar) {
+    return scalar.kind == scalar_kind::arbitrary ? "" : scalar.name();
+}
+
+std::vector<study_table> run(const study_request& request) {
+    for (const sweep_energy& at : request.energies) {
+        if (at.value == 0 || at.value == 2) {
+            throw std::domain_error("has the energy " + at.energy + ", where the series is " +
+                                    (at.value == 0 ? "the constant 0" : "not defined: the period is infinite"));
+        }
+    }
+    const auto scalars = scalars_of(request);
+    progress shown("error_norm, energies", request.energies.size());
+    const auto rows = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return rows_at(request.energies[i], request.orders, scalars);
+    });
+    std::vector<study_table> tables;
+    for (std::size_t i = 0; i < scalars.size(); ++i) {
+        study_table result{request.scalar ? "" : suffix_of(scalars[i]), scalars[i], {columns(), {}}};
+        for (const auto& at_energy : rows) {
+            result.data.rows.insert(result.data.rows.end(), at_energy[i].begin(), at_energy[i].end());
+        }
+        tables.push_back(std::move(result));
+    }
+    return tables;
+}
+
+}  // namespace
+
+const study& error_norm() {
+    static const study result{
+        "error_norm",
+        "How large is the error of the series and of its resummation on [0, T*], at each energy and order?",
+        {"1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26", "1e-2:1e-10:17log,-1e-2:-1e-10:17log", "5,10,20,40,80",
+         "mpfr:50, and double, long-double, quad for their floors"},
+        "10 s on two cores",
+        run};
+    return result;
+}
+
+}  // namespace libration::studies
