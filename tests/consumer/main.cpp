@@ -1,10 +1,12 @@
+// What a user's program looks like: the period of a pendulum in 50 digits and in quad.
 #include <iostream>
-
-#include <libration/scalar/constants.hpp>
+#include <libration/pendulum/period.hpp>
 #include <libration/scalar/decimal.hpp>
 
 int main() {
-    const libration::precision_scope digits(60);
-    std::cout << "pi = " << libration::to_decimal(libration::pi<libration::mpfr>(), 50) << '\n';
-    std::cout << "pi = " << libration::to_decimal(libration::pi<libration::quad>(), 30) << '\n';
+    using namespace libration;
+    const precision_scope digits(60);
+    const motion swing = motion::of_state(read_exact("90deg"), read_exact("0"));
+    std::cout << to_decimal(effective_period(orbit_of<mpfr>(swing)), 50) << '\n';
+    std::cout << to_decimal(effective_period(orbit_of<quad>(swing)), 30) << '\n';
 }

@@ -42,7 +42,7 @@ auto difference(const F& f, const G& g) {
 }
 
 /// Zeros of the slope of `difference` between neighbouring points where the slope changes sign, by the bracketing
-/// method of Alefeld, Potra and Shi (TOMS 748) to full working precision. `at_points` holds its jets at the points.
+/// method of [TOMS748] to full working precision. `at_points` holds its jets at the points.
 /// Two stationary points between the same neighbours stay unseen: choose the points dense enough.
 template <rounding_scalar T, class F>
 std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,

@@ -25,8 +25,8 @@ T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& cha
         const T bs = chain.b(n) * s;
         const T ac = chain.a(n) * c;
         const T principal = atan2(bs, ac);
-        const T turns = narrow<T>(mpfr(nearest_integer(widen(T((angle - principal) / (pi<T>() * 2))))));
-        angle += principal + turns * pi<T>() * 2;
+        const integer turns = nearest_integer(widen(T((angle - principal) / (pi<T>() * 2))));
+        angle += principal + from_rational<T>(rational(turns)) * pi<T>() * 2;
         const T scale = 1 / sqrt((bs * bs + ac * ac) * (s * s + c * c));
         const T next_s = s * c * (chain.a(n) + chain.b(n)) * scale;
         c = (c * ac - s * bs) * scale;

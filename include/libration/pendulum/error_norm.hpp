@@ -89,7 +89,7 @@ private:
         const integer quarter = nearest_integer(x);
         const mpfr offset = (x - from_rational<mpfr>(rational(quarter))) * descent_.effective_period;
         const integer top = exact_solution<mpfr>::top_quarter(truth_.of());
-        return canonical(second_route_.at({integer(top + quarter), offset, mpfr_sgn(handle(offset))}).value);
+        return canonical(second_route_.at({integer(top + quarter), offset, decided_sign(offset)}).value);
     }
 
     const std::vector<jet<mpfr>>& truth_at(const std::vector<double>& points) {

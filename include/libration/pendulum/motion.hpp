@@ -57,7 +57,7 @@ public:
         const proved_sign kinetic =
             sign_of_sum_with_cosine(rational(energy - 1), theta0, "E - 1 + cos(" + theta0.text + ")");
         if (kinetic.sign < 0) {
-            throw std::domain_error("the energy does not reach the angle " + theta0.text);
+            throw std::domain_error("is not reached with this energy");
         }
         result.omega0_sign_ = kinetic.sign * direction;
         result.direction_ = direction;

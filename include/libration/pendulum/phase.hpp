@@ -83,7 +83,7 @@ private:
             offset -= from_rational<W>(rational(more)) * start.effective_period;
             quarter += whole + more;
         }
-        const int side = mpfr_sgn(handle(offset));
+        const int side = decided_sign(offset);
         return {quarter, std::move(offset), side};
     }
 

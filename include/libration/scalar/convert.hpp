@@ -103,4 +103,7 @@ inline integer nearest_integer(const mpfr& x) {
     return result;
 }
 
+/// The sign of a wide value that decides a branch: -1, 0 or 1. A rounding scalar takes its value at its word.
+inline int decided_sign(const mpfr& x) { return mpfr_sgn(handle(x)); }
+
 }  // namespace libration
