@@ -39,7 +39,8 @@ expansion_point point_of(const coefficients_options& options, const chosen_motio
     }
     expansion_point point = reading("--at", *options.at, remedy, [&] { return read_expansion_point(*options.at); });
     if (critical && point.where == expansion_point::place::top) {
-        throw input_error("--at", *options.at, "is not a point of a motion with E = 2", "write bottom, start or a time");
+        throw input_error("--at", *options.at, "is not a point of a motion with E = 2",
+                          "write bottom, start or a time");
     }
     if (critical && point.time.measure == unit::period) {
         throw input_error("--at", *options.at, "is a multiple of an infinite period", "write a time without T");

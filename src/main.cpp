@@ -1,6 +1,6 @@
 // The command `libration`: data to stdout, messages to stderr; exit 0 done, 1 a check failed, 2 bad usage or input.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -20,14 +20,27 @@ int complain(const char* message, int code) {
     return code;
 }
 
+// The first word that nothing in the program expects.
+std::string unexpected_word(const CLI::App& program) {
+    const auto words = program.remaining(true);
+    for (const auto& word : words) {
+        if (word.starts_with("-")) {
+            return word;
+        }
+    }
+    return words.empty() ? "" : words.front();
+}
+
 // CLI11's own complaint as one line with a remedy.
 int complain_of_usage(const CLI::App& program, const CLI::ParseError& problem) {
-    std::string line = problem.what();
+    const std::string unexpected = unexpected_word(program);
+    std::string line = unexpected.empty() ? problem.what() : "'" + unexpected + "' is not understood";
     for (char& c : line) {
         c = c == '\n' ? ' ' : c;
     }
     const auto chosen = program.get_subcommands();
-    const std::string help = chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
+    const std::string help =
+        chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
     return complain(fmt::format("{}: see {}", line, help).c_str(), bad_input);
 }
 

@@ -57,7 +57,9 @@ void motion_options::add_to(CLI::App& command) {
     command.add_option("--energy", energy_, "energy E: starts at the top, (+arccos(1-E), 0) or (pi, +-sqrt(2E-4))")
         ->group(group)
         ->type_name("E");
-    command.add_option("--gap", gap_, "the energy as 2 - E, exact next to the separatrix")->group(group)->type_name("G");
+    command.add_option("--gap", gap_, "the energy as 2 - E, exact next to the separatrix")
+        ->group(group)
+        ->type_name("G");
     command.add_option("--theta0", theta0_, "angle at t = 0: 2.5, 3pi/4, 150deg")->group(group)->type_name("A");
     command.add_option("--omega0", omega0_, "angular velocity at t = 0 (with --theta0)")->group(group)->type_name("W");
     command.add_option("--direction", direction_, "sign of omega at t = 0 for motions given by energy: + or -")
@@ -117,8 +119,8 @@ chosen_motion motion_options::by_state() const {
     }
     const exact angle = angle_of("--theta0", *theta0_);
     const exact speed = number_of("--omega0", *omega0_);
-    motion of = reading("--omega0", *omega0_, number_remedy,
-                        [&] { return motion::of_state(angle, speed, stiffness()); });
+    motion of =
+        reading("--omega0", *omega0_, number_remedy, [&] { return motion::of_state(angle, speed, stiffness()); });
     std::optional<std::string> energy;
     std::optional<std::string> gap;
     if (of.energy()) {
@@ -219,13 +221,39 @@ energy_texts energy_texts_of(const chosen_motion& chosen, long digits) {
     return {to_decimal(pair.energy, digits), to_decimal(pair.gap, digits)};
 }
 
-void require_writable_folder(const std::string& option, const std::string& folder) {
+output_folder::output_folder(const std::string& option, std::string path) : path_(std::move(path)) {
+    namespace fs = std::filesystem;
+    std::vector<fs::path> missing;
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || ::access(folder.c_str(), W_OK) != 0 || !std::filesystem::is_directory(folder)) {
-        throw input_error(option, folder, "cannot be written" + (error ? " (" + error.message() + ")" : std::string()),
-                          "choose a folder that you may write in");
+    for (fs::path at = fs::absolute(path_); !fs::exists(at, error) && at.has_relative_path(); at = at.parent_path()) {
+        missing.push_back(at);
     }
+    std::string reason;
+    for (auto at = missing.rbegin(); at != missing.rend() && reason.empty(); ++at) {
+        if (fs::create_directory(*at, error)) {
+            made_.push_back(at->string());
+        } else if (error) {
+            reason = " (" + error.message() + ")";
+        }
+    }
+    if (!reason.empty() || !fs::is_directory(path_, error) || ::access(path_.c_str(), W_OK) != 0) {
+        take_away();
+        throw input_error(option, path_, "cannot be written" + reason, "choose a folder that you may write in");
+    }
+}
+
+output_folder::~output_folder() {
+    if (!kept_) {
+        take_away();
+    }
+}
+
+void output_folder::take_away() {
+    for (auto at = made_.rbegin(); at != made_.rend(); ++at) {
+        std::error_code not_empty;
+        std::filesystem::remove(*at, not_empty);
+    }
+    made_.clear();
 }
 
 }  // namespace libration

@@ -79,7 +79,25 @@ struct energy_texts {
 };
 energy_texts energy_texts_of(const chosen_motion& chosen, long digits);
 
-/// Makes the folder if it is missing and sees that files can be made in it; throws input_error.
-void require_writable_folder(const std::string& option, const std::string& folder);
+/// A folder that a command is about to fill, made with its parents where they are missing. Unless keep() is called, what
+/// was made and is still empty is taken away again, so that a failed command leaves nothing behind.
+class output_folder {
+public:
+    /// Throws input_error when the folder cannot be made or written.
+    output_folder(const std::string& option, std::string path);
+    output_folder(const output_folder&) = delete;
+    output_folder& operator=(const output_folder&) = delete;
+    ~output_folder();
+
+    void keep() { kept_ = true; }
+    const std::string& path() const { return path_; }
+
+private:
+    void take_away();
+
+    std::string path_;
+    std::vector<std::string> made_;  // innermost last
+    bool kept_ = false;
+};
 
 }  // namespace libration

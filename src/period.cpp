@@ -123,8 +123,7 @@ int run_period(const period_options& options) {
     }
     const std::string regime(name_of(m.regime()));
     const std::string order = request.order ? std::to_string(*request.order) : "";
-    const table data{period_columns,
-                     {{texts.energy, texts.gap, options.method, order, period, tstar, error, regime}}};
+    const table data{period_columns, {{texts.energy, texts.gap, options.method, order, period, tstar, error, regime}}};
     std::string text;
     for (std::size_t i = 0; i < data.columns.size(); ++i) {
         if (!data.rows[0][i].empty()) {

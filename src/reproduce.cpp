@@ -50,7 +50,8 @@ std::string index_of(const std::vector<const study*>& studies) {
     std::string text =
         "# Results\n\n"
         "Made by `./run reproduce`; do not edit. Each folder holds the tables of one study (CSV: one header line, one\n"
-        "observation a row), NAME.json with the command, the columns and their units and what it was made with, and the\n"
+        "observation a row), NAME.json with the command, the columns and their units and what it was made with, and "
+        "the\n"
         "figures drawn from the tables.\n\n"
         "| study | question | command |\n| --- | --- | --- |\n";
     for (const study* each : studies) {
@@ -63,7 +64,7 @@ int run_reproduce(const reproduce_options& options) {
     const auto studies = chosen(options);
     study_words words;
     words.jobs = options.jobs;
-    require_writable_folder("--out", options.out);
+    output_folder into("--out", options.out);
     std::vector<std::string> failures;
     for (const study* each : studies) {
         fmt::print(stderr, "libration: {} ({})\n", each->name, each->cost);
@@ -76,6 +77,7 @@ int run_reproduce(const reproduce_options& options) {
             failures.push_back(each->name + ": " + problem.what());
         }
     }
+    into.keep();
     if (!options.only && !options.skip) {
         write_whole_file((std::filesystem::path(options.out) / "README.md").string(), index_of(studies));
     }

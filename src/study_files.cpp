@@ -40,7 +40,8 @@ std::string description_of(const study_order& order, const std::vector<study_tab
                                          {"rows", part.data.rows.size()}});
     }
     description["note"] =
-        "mpfr tables depend on the parameters alone; in the others libm may move the last digit from machine to machine";
+        "mpfr tables depend on the parameters alone; in the others libm may move the last digit from machine to "
+        "machine";
     for (const auto& [name, version] : provenance()) {
         description["made with"][name] = version;
     }
@@ -97,9 +98,10 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 void write_study(const study_order& order, const std::string& folder) {
-    const std::string own = (fs::path(folder) / order.what->name).string();
-    require_writable_folder("--out", own);
+    output_folder into("--out", (fs::path(folder) / order.what->name).string());
+    const std::string& own = into.path();
     const auto tables = order.what->run(order.request);
+    into.keep();
     for (const study_table& part : tables) {
         write_into((fs::path(own) / (stem_of(*order.what, part) + ".csv")).string(), to_csv(part.data));
     }
@@ -113,7 +115,7 @@ void draw_study(const study& what, const std::string& folder) {
         throw input_error("--out", folder, "holds no " + what.name + "/" + what.name + ".csv",
                           "run 'libration study " + what.name + "' with the same --out first");
     }
-    require_writable_folder("--out", own.string());
+    const output_folder into("--out", own.string());
     // Figures are drawn beside and moved onto their names when all of them are whole.
     const fs::path beside = own / fmt::format(".drawing.{}", ::getpid());
     fs::create_directories(beside);

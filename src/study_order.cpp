@@ -70,8 +70,7 @@ study_order order_of(const study& what, const study_words& words) {
                      [](const sweep_energy& a, const sweep_energy& b) { return a.value < b.value; });
     const std::string orders = words.orders.value_or(what.defaults.orders);
     if (!orders.empty() || words.orders) {
-        request.orders =
-            reading("--orders", orders, orders_remedy, [&] { return read_counts(orders, largest_order); });
+        request.orders = reading("--orders", orders, orders_remedy, [&] { return read_counts(orders, largest_order); });
     }
     if (words.scalar) {
         request.scalar = reading("--scalar", *words.scalar, "write double, long-double, quad or mpfr:DIGITS",

@@ -140,8 +140,8 @@ trajectory_values follow(const trajectory_request& request, const Route& route) 
     trajectory_values result;
     for (const exact& time : request.times) {
         const jet<mpfr> at = route(time);
-        const mpfr expected = request.method == trajectory_method::exact ? second_route(m, time, sum, truth)
-                                                                         : truth(time).theta;
+        const mpfr expected =
+            request.method == trajectory_method::exact ? second_route(m, time, sum, truth) : truth(time).theta;
         result.motion.push_back(at.value);
         result.motion.push_back(at.slope / seconds);
         result.errors.push_back(abs(at.value - expected));

@@ -45,7 +45,8 @@ std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, descent_method meth
 }
 
 // Whether the second route finds the same norm to the digits printed.
-bool confirmed(const descent_errors& errors, descent_method method, int order, const norm_at<mpfr>& found, long digits) {
+bool confirmed(const descent_errors& errors, descent_method method, int order, const norm_at<mpfr>& found,
+               long digits) {
     const mpfr other = errors.second_opinion(method, order, found.place);
     return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
 }
@@ -118,9 +119,7 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
     return {read_scalar("mpfr:50"), read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
 }
 
-std::string suffix_of(const scalar_spec& scalar) {
-    return scalar.kind == scalar_kind::arbitrary ? "" : scalar.name();
-}
+std::string suffix_of(const scalar_spec& scalar) { return scalar.kind == scalar_kind::arbitrary ? "" : scalar.name(); }
 
 std::vector<study_table> run(const study_request& request) {
     for (const sweep_energy& at : request.energies) {

@@ -22,9 +22,9 @@ do for [kind in terminals] {
     set lmargin 9
     set xrange [0:8]
     set yrange [low:2]
-    set key at graph 0.97, 0.03 right bottom maxrows 3 title 'order N (thin dotted: proved bounds A, A2)'
+    set key at graph 0.97, 0.02 right bottom maxrows 2 title 'order N (thin dotted: proved bounds A, A2)'
     set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
-    set label 2 'E = 2' at 2.06, graph 0.03 textcolor rgb '#555555'
+    set label 2 'E = 2' at 2.08, graph 0.975 textcolor rgb '#555555'
     plot for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'series', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1] notitle, \
          for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'resummed', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1] notitle, \
          for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'series', column(10))) with lines lw 2 dt 2 lc rgb shade[(i-1)%6+1] notitle, \
@@ -56,14 +56,14 @@ present = system(sprintf("test -f '%s' && test -f '%s' && test -f '%s' && echo y
 if (present eq 'yes') {
     do for [kind in terminals] {
         eval use_terminal(kind, target.'/error_norm_scalars', 1180, 520)
-        set lmargin 8; set multiplot layout 1,3 title 'The same norms computed in each scalar: where rounding stops the convergence' font ',16' offset 0,-0.3
+        set lmargin 8; set multiplot layout 1,3 title 'The same norms computed in each scalar, series dashed, resummation solid: where rounding stops the convergence' font ',16' offset 0,-0.3
         set xrange [0:8]
         set yrange [-38:2]
         do for [s=1:3] {
             set title word(scalars, s)
             set xlabel 'energy E'
             if (s == 1) { set ylabel 'log_{10} max |error|, radians' offset -0.5 } else { unset ylabel }
-            if (s == 3) { set key at graph 0.98, 0.14 right bottom maxrows 3 title 'order N (series dashed, resummed solid)' } else { unset key }
+            if (s == 3) { set key at graph 0.98, 0.36 right center maxrows 5 title 'order N' } else { unset key }
             set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
             set arrow 2 from 0, (word(floors, s) + 0) to 8, (word(floors, s) + 0) nohead lc rgb '#555555' lw 1
             set label 2 'epsilon' at 7.9, (word(floors, s) + 0) right offset 0,-0.7 textcolor rgb '#555555'

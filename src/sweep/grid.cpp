@@ -26,14 +26,17 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     if (item == whole) {
         throw std::invalid_argument(reason);
     }
-    throw std::invalid_argument(item.empty() ? "has an empty item" : "has the item '" + std::string(item) + "', which " + reason);
+    throw std::invalid_argument(item.empty() ? "has an empty item"
+                                             : "has the item '" + std::string(item) + "', which " + reason);
 }
 
 // A multiple of a unit as text that read_exact takes: 3/4 of T is 3T/4.
 exact in_unit(const rational& coefficient, unit measure) {
     exact result{coefficient, measure, ""};
-    const std::string_view name =
-        measure == unit::pi ? "pi" : measure == unit::degree ? "deg" : measure == unit::period ? "T" : "";
+    const std::string_view name = measure == unit::pi       ? "pi"
+                                  : measure == unit::degree ? "deg"
+                                  : measure == unit::period ? "T"
+                                                            : "";
     const auto decimal = to_finite_decimal(coefficient);
     if (decimal) {
         result.text = *decimal + std::string(name);
@@ -53,8 +56,7 @@ std::vector<exact> even_range(const exact& first, const exact& last, long count)
     std::vector<exact> values;
     for (long i = 0; i < count; ++i) {
         const rational part = count == 1 ? rational(0) : rational(i, count - 1);
-        values.push_back(
-            in_unit(rational(first.coefficient + (last.coefficient - first.coefficient) * part), measure));
+        values.push_back(in_unit(rational(first.coefficient + (last.coefficient - first.coefficient) * part), measure));
     }
     return values;
 }

@@ -61,8 +61,8 @@ std::vector<T> stationary_points(const F& difference, const std::vector<double>&
             continue;
         }
         std::uintmax_t steps = 200;
-        const auto bracket = boost::math::tools::toms748_solve(slope, T(points[i]), T(points[i + 1]), left, right, close,
-                                                               steps);
+        const auto bracket =
+            boost::math::tools::toms748_solve(slope, T(points[i]), T(points[i + 1]), left, right, close, steps);
         places.push_back((bracket.first + bracket.second) / 2);
     }
     return places;

@@ -48,9 +48,7 @@ public:
     }
 
     /// k_N^2 at the last level, by which everything computed there is wrong at most: (a^2 - b^2)/a^2.
-    T last_parameter() const {
-        return (a_.back() - b_.back()) * (a_.back() + b_.back()) / (a_.back() * a_.back());
-    }
+    T last_parameter() const { return (a_.back() - b_.back()) * (a_.back() + b_.back()) / (a_.back() * a_.back()); }
 
 private:
     modulus<T> modulus_;

@@ -34,9 +34,7 @@ struct modulus {
     static modulus from_both(const T& k, const T& complement) { return {k, complement, source::complement}; }
 
     /// The modulus with k and k' exchanged.
-    modulus swapped() const {
-        return {complement, k, given == source::modulus ? source::complement : source::modulus};
-    }
+    modulus swapped() const { return {complement, k, given == source::modulus ? source::complement : source::modulus}; }
 };
 
 /// The same modulus in the wide arithmetic of T at the working precision in force: the given one of the pair exactly,

@@ -20,8 +20,6 @@ inline std::string_view name_of(regime r) {
 }
 
 /// E = 2 exactly: the period is infinite and there is no top to expand about.
-constexpr bool at_critical_energy(regime r) {
-    return r == regime::separatrix || r == regime::unstable_equilibrium;
-}
+constexpr bool at_critical_energy(regime r) { return r == regime::separatrix || r == regime::unstable_equilibrium; }
 
 }  // namespace libration

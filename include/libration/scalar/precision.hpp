@@ -29,7 +29,8 @@ class precision_scope {
 public:
     explicit precision_scope(long digits) : previous_(mpfr::thread_default_precision()) {
         if (digits < 1 || digits > maximum) {
-            throw std::invalid_argument("working precision of " + std::to_string(digits) + " digits is outside 1 .. 10^8");
+            throw std::invalid_argument("working precision of " + std::to_string(digits) +
+                                        " digits is outside 1 .. 10^8");
         }
         mpfr::thread_default_precision(static_cast<unsigned>(digits));
     }
