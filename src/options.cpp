@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -22,7 +23,7 @@ constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150de
 constexpr int largest_order = 1'000'000;
 
 exact angle_of(const std::string& option, const std::string& value) {
-    const exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
+    exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
     if (angle.measure == unit::period) {
         throw input_error(option, value, "is a time", angle_remedy);
     }
@@ -40,7 +41,7 @@ rational positive_of(const std::string& option, const std::string& value) {
 }  // namespace
 
 exact number_of(const std::string& option, const std::string& value) {
-    const exact number = reading(option, value, number_remedy, [&] { return read_exact(value); });
+    exact number = reading(option, value, number_remedy, [&] { return read_exact(value); });
     if (number.measure != unit::one) {
         throw input_error(option, value, "has a unit", number_remedy);
     }
@@ -229,11 +230,13 @@ output_folder::output_folder(const std::string& option, std::string path) : path
         missing.push_back(at);
     }
     std::string reason;
-    for (auto at = missing.rbegin(); at != missing.rend() && reason.empty(); ++at) {
-        if (fs::create_directory(*at, error)) {
-            made_.push_back(at->string());
+    std::reverse(missing.begin(), missing.end());
+    for (const fs::path& at : missing) {
+        if (fs::create_directory(at, error)) {
+            made_.push_back(at.string());
         } else if (error) {
             reason = " (" + error.message() + ")";
+            break;
         }
     }
     if (!reason.empty() || !fs::is_directory(path_, error) || ::access(path_.c_str(), W_OK) != 0) {

@@ -69,6 +69,7 @@ fs::path script_folder() {
 // Runs a program without a shell; its exit code, 127 when it is not found.
 int run_program(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) {
         arguments.push_back(const_cast<char*>(word.c_str()));
     }

@@ -93,7 +93,7 @@ std::vector<std::vector<std::vector<std::string>>> rows_at(const sweep_energy& a
     for (const int order : orders) {
         for (const auto method : {descent_method::series, descent_method::resummed}) {
             const cell here{at, order, method};
-            const norm_at<mpfr> found = errors.norm(method, order);
+            norm_at<mpfr> found = errors.norm(method, order);
             const bool agreed = confirmed(errors, method, order, found, digits);
             for (std::size_t i = 0; i < scalars.size(); ++i) {
                 const scalar_spec& scalar = scalars[i];

@@ -78,7 +78,7 @@ private:
     // theta of the canonical motion from that of a motion in any well and direction.
     mpfr canonical(const mpfr& theta) const {
         const motion& m = truth_.of();
-        const mpfr own = theta - pi<mpfr>() * from_rational<mpfr>(rational(m.turns())) * 2;
+        mpfr own = theta - pi<mpfr>() * from_rational<mpfr>(rational(m.turns())) * 2;
         if (m.regime() != regime::rotation || m.direction() > 0) {
             return own;
         }

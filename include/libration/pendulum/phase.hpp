@@ -25,7 +25,7 @@ class timeline {
     using W = wide_t<T>;
 
 public:
-    explicit timeline(const motion& m) : motion_(m), start_(start_at(bits_for(default_margin))) {}
+    explicit timeline(motion m) : motion_(std::move(m)), start_(start_at(bits_for(default_margin))) {}
 
     /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more digits
     /// as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a quarter.
