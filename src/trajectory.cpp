@@ -152,7 +152,7 @@ trajectory_values follow(const trajectory_request& request, const Route& route) 
 template <class T, class Function>
 trajectory_values follow_extension(const trajectory_request& request, Function on_descent) {
     const periodic_extension<T, Function> extension(request.chosen.of, std::move(on_descent));
-    const long own_digits = decimal_digits(digits<T>());
+    const long own_digits = working_digits();
     return follow<T>(request, [&](const exact& time) {
         const precision_scope scope(own_digits);
         const jet<T> at = extension(time);
@@ -163,7 +163,7 @@ trajectory_values follow_extension(const trajectory_request& request, Function o
 template <class T>
 trajectory_values follow_exactly(const trajectory_request& request) {
     const exact_solution<T> solution(request.chosen.of);
-    const long own_digits = decimal_digits(digits<T>());
+    const long own_digits = working_digits();
     return follow<T>(request, [&](const exact& time) {
         const precision_scope scope(own_digits);
         const pendulum_state<T> at = solution(time);

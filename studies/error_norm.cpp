@@ -123,9 +123,11 @@ std::string suffix_of(const scalar_spec& scalar) { return scalar.kind == scalar_
 
 std::vector<study_table> run(const study_request& request) {
     for (const sweep_energy& at : request.energies) {
-        if (at.value == 0 || at.value == 2) {
+        const bool at_rest = at.value == 0;
+        const bool critical = at.value == 2;
+        if (at_rest || critical) {
             throw std::domain_error("has the energy " + at.energy + ", where the series is " +
-                                    (at.value == 0 ? "the constant 0" : "not defined: the period is infinite"));
+                                    (at_rest ? "the constant 0" : "not defined: the period is infinite"));
         }
     }
     const auto scalars = scalars_of(request);

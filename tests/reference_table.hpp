@@ -37,7 +37,7 @@ inline std::vector<table_row> read_table(const std::string& path) {
     while (std::getline(file, line)) {
         const std::vector<std::string> cells = split_cells(line);
         if (cells.size() != names.size()) {
-            throw std::runtime_error(path + ": a row of " + std::to_string(cells.size()) + " cells: " + line);
+            throw std::runtime_error("not the columns of the table: " + line);
         }
         table_row row;
         for (std::size_t i = 0; i < names.size(); ++i) {

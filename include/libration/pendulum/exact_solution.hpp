@@ -26,7 +26,9 @@ struct pendulum_state {
 ///   separatrix  theta = 2 pi turns + direction 2 gd(s),         omega = direction 2/cosh s,   gd = 2 atan tanh(s/2)
 ///   equilibria  constant.
 /// Between the bottom and the top everything is computed from the nearer of the two. Absolute error a few epsilon times
-/// max(1, |theta|) in theta and a few epsilon relative to its maximum in omega, at times taken as exact.
+/// max(1, |theta|) in theta and a few epsilon relative to its maximum in omega, at times taken as exact. Everything is
+/// dimensionless, omega too: divide it by time_unit() for rad/s. Use it in the precision_scope it was made in; a wider
+/// one throws std::logic_error.
 template <scalar T>
 class exact_solution {
 public:
@@ -56,6 +58,7 @@ public:
 
     /// State at a phase.
     pendulum_state<T> at(const phase<T>& p) const {
+        born_.require();
         switch (motion_.regime()) {
             case regime::rotation: return rotating(p);
             case regime::separatrix: return on_separatrix(p);
@@ -104,6 +107,7 @@ private:
         return {theta, half_cosine * (2 * d), tanh(p.offset) * d, half_cosine};
     }
 
+    born_precision<T> born_;
     motion motion_;
     timeline<T> timeline_;
     std::optional<orbit<T>> orbit_;

@@ -117,10 +117,11 @@ public:
     /// gravity/length.
     const rational& stiffness() const { return stiffness_; }
     /// Where the motion starts exactly on a symmetric point: 0 bottom, 1 top, 2 the other way through the bottom, -1 or
-    /// 3 the opposite top; the phase of the start in units of T*.
+    /// 3 the opposite top; the phase of the start in units of T*, counted in the direction of motion (the clockwise
+    /// canonical rotation starts at -1).
     const std::optional<int>& start_quarter() const { return quarter_; }
     /// Bits that computing E, 2-E and the start from the typed numbers may cancel.
-    long condition_bits() const { return condition_bits_; }
+    long condition_bits() const { return condition_bits_ + turn_bits_; }
 
 private:
     motion() = default;
@@ -148,7 +149,7 @@ private:
         rest_ = wound.rest;
         note_condition(rest_.exponent);
         if (turns_ != 0) {
-            condition_bits_ += static_cast<long>(msb(integer(abs(turns_)))) + 4;
+            turn_bits_ = static_cast<long>(msb(integer(abs(turns_)))) + 4;
         }
     }
 
@@ -188,7 +189,8 @@ private:
     std::optional<rational> omega0_squared_;
     rational stiffness_ = 1;
     std::optional<int> quarter_;
-    long condition_bits_ = 0;
+    long condition_bits_ = 0;  // of E, 2-E, omega0 and theta0 - 2 pi turns
+    long turn_bits_ = 0;       // of the turns, which come on top of each of them
 };
 
 }  // namespace libration

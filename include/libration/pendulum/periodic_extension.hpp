@@ -25,6 +25,7 @@ public:
 
     /// At a phase.
     jet<T> at(const phase<T>& p) const {
+        born_.require();
         const bool top = quarter_of_four(p.quarter) % 2 != 0;
         const T away = p.offset * p.side / effective_period_;
         jet<T> part = f_(top ? away : T(1 - away));
@@ -52,6 +53,7 @@ private:
         return {whole_turns(integer(motion_.turns() + half_turns * d)) + value * d, part.slope * d};
     }
 
+    born_precision<T> born_;
     motion motion_;
     timeline<T> timeline_;
     T effective_period_;

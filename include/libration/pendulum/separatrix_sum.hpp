@@ -8,6 +8,7 @@
 // pairs around the nearest column by gd(a + z) - gd(a - z) = 2 atan(sinh z/cosh a), which does not cancel.
 #pragma once
 
+#include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/phase.hpp"
 #include "libration/series/jet.hpp"
 
@@ -35,6 +36,7 @@ public:
 
     /// At a phase. The remainder is at most the first pair left out over 1 - exp(-2 c T*), in libration the pair itself.
     jet<T> at(const phase<T>& p) const {
+        born_.require();
         // The nearest passage through the bottom is an even quarter: this one, or the one on our side of the top.
         const bool near_top = quarter_of_four(p.quarter) % 2 != 0;
         const int toward = near_top ? (p.side < 0 ? -1 : 1) : 0;
@@ -74,6 +76,7 @@ private:
         return {enclose(value, T(q * 4)), enclose(T(slope * rate_), T(cosine * 4 * rate_))};
     }
 
+    born_precision<T> born_;
     motion motion_;
     timeline<T> timeline_;
     T effective_period_ = T(0);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/phase.hpp"
 
 namespace libration {

@@ -43,6 +43,9 @@ private:
     unsigned previous_;
 };
 
+/// The working precision in force in this thread, in decimal digits.
+inline long working_digits() { return static_cast<long>(mpfr::thread_default_precision()); }
+
 /// The smallest number of decimal digits that holds `bits` bits: ceil(bits log10 2).
 constexpr long decimal_digits(long bits) { return bits <= 0 ? 1 : (bits * 30103 + 99'999) / 100'000; }
 
@@ -55,6 +58,23 @@ int digits() {
         return std::numeric_limits<T>::digits;
     }
 }
+
+/// Remembers the precision in which an object computed what it keeps, and refuses a use that asks for more: the digits
+/// would be there, and wrong.
+template <rounding_scalar T>
+class born_precision {
+public:
+    /// Throws std::logic_error where the working precision has grown since.
+    void require() const {
+        if (digits<T>() > digits_) {
+            throw std::logic_error("made with " + std::to_string(digits_) + " bits and used with " +
+                                   std::to_string(digits<T>()) + ": make it again in the wider precision_scope");
+        }
+    }
+
+private:
+    int digits_ = digits<T>();
+};
 
 /// Whether a number with this binary exponent (2^(e-1) <= |x| < 2^e) is neither below the normal range of T nor above it.
 /// The exponents of mpfr never end in practice.

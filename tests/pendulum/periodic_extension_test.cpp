@@ -1,0 +1,138 @@
+#include "libration/pendulum/periodic_extension.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "libration/pendulum/bounds.hpp"
+#include "scalars.hpp"
+#include "typed.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+template <class T>
+periodic_extension<T, endpoint_approximant<T>> resummed(const motion& m, int order) {
+    return {m, resummation_from_top(descent_of<T>(m), order)};
+}
+
+// Motions whose resummation converges quickly: every regime with a period, direction, well and kind of start.
+std::vector<named_motion> extended_motions() {
+    return {{"E = 1.71", with_energy("1.71")},
+            {"E = 2.02", with_energy("2.02")},
+            {"E = 2.02, clockwise", with_energy("2.02", -1)},
+            {"E = 1e-3", with_energy("1e-3")},
+            {"E = 10, clockwise", with_energy("10", -1)},
+            {"from (2.5, -0.3)", with_state("2.5", "-0.3")},
+            {"from (-1, 0.5)", with_state("-1", "0.5")},
+            {"from (9.0, 0.1)", with_state("9.0", "0.1")},
+            {"from (-50, -3)", with_state("-50", "-3")},
+            {"from (-7pi, -1)", with_state("-7pi", "-1")}};
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("the extension is within bound A2 of the exact solution at all times", "[periodic_extension]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    using std::abs;
+    std::mt19937 engine(1729);
+    std::uniform_int_distribution<int> hundredth(-5000, 5000);
+    for (const auto& [name, m] : extended_motions()) {
+        const exact_solution<T> solution(m);
+        const auto bounds = top_bounds<T>::of(orbit_of<T>(m));
+        for (const int order : {4, 15, 40}) {
+            const auto extension = resummed<T>(m, order);
+            for (int i = 0; i < 24; ++i) {
+                const exact time = libration::exactly(rational(hundredth(engine), 100));
+                INFO(name << " at " << time.text << ", N = " << order);
+                const T expected = solution(time).theta;
+                // Roundings of theta, of its whole turns, and of omega* T* on the way.
+                const T rounding = epsilon<T>() * (abs(expected) + bounds.effective_period + 4);
+                CHECK(abs(T(extension(time).value - expected)) <= bounds.resummation_norm(order) + rounding);
+            }
+        }
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("an extension of the exact descent is the exact solution", "[periodic_extension]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    using std::abs;
+    for (const auto& [name, m] : extended_motions()) {
+        const exact_solution<T> solution(m);
+        const motion canonical = motion::of_energy(m.energy().value_or(2));
+        if (!m.energy()) {
+            continue;  // the canonical motion of the same energy is known where that is rational
+        }
+        const exact_solution<T> descent(canonical);
+        const T period = effective_period(orbit_of<T>(m));
+        const auto on_descent = [&](const T& x) {
+            const auto s = descent.from_top(x);
+            return jet<T>{s.theta, s.omega * period};
+        };
+        const periodic_extension<T, decltype(on_descent)> extension(m, on_descent);
+        for (const std::string time :
+             {"0", "T/8", "-T/8", "T/3", "-T/3", "T/4", "-3T/4", "3T/2", "0.7", "-13.5", "1e12"}) {
+            INFO(name << " at " << time);
+            const auto expected = solution(read_exact(time));
+            const jet<T> at = extension(read_exact(time));
+            CHECK_THAT(at.value, near<T>(expected.theta, 3, T(abs(expected.theta) + 1)));
+            CHECK_THAT(at.slope, near<T>(expected.omega, 3, T(2 * orbit_of<T>(m).rate)));
+        }
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("the extension is continuous and smooth where its pieces meet", "[periodic_extension]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    using std::abs;
+    // A tiny step to both sides of tops and bottoms; N = 3 is far from converged, continuity is of the formula.
+    const rational step = fraction("1e-60");
+    for (const auto& [name, m] : extended_motions()) {
+        const auto extension = resummed<T>(m, 3);
+        const int quarters = quarters_per_period(m.regime());
+        for (int quarter = -5; quarter <= 5; ++quarter) {
+            INFO(name << " at quarter " << quarter);
+            const jet<T> before = extension(exact{rational(quarter, quarters) - step, unit::period, ""});
+            const jet<T> after = extension(exact{rational(quarter, quarters) + step, unit::period, ""});
+            // 2 step T |omega| is below 1e-57.
+            const T moved = from_rational<T>(rational(step * 1000)) + epsilon<T>() * 8 * (1 + abs(before.value));
+            CHECK(abs(T(after.value - before.value)) <= moved);
+            CHECK(abs(T(after.slope - before.slope)) <= moved * 4);
+        }
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("clockwise is the mirror image, and another well a shift", "[periodic_extension]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    for (const std::string time : {"0.3", "-2.2", "5T/7", "100"}) {
+        INFO(time);
+        const exact t = read_exact(time);
+        const jet<T> forward = resummed<T>(with_state("0.5", "3"), 12)(t);
+        const jet<T> mirrored = resummed<T>(with_state("-0.5", "-3"), 12)(t);
+        CHECK(mirrored.value == -forward.value);
+        CHECK(mirrored.slope == -forward.slope);
+        const jet<T> well = resummed<T>(with_state("pi/3", "1/2"), 12)(t);
+        const jet<T> other = resummed<T>(with_state("13pi/3", "1/2"), 12)(t);
+        CHECK_THAT(other.value, near<T>(T(well.value + pi<T>() * 4), 2));
+        CHECK_THAT(other.slope, near<T>(well.slope, 1, T(1)));
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("E = 2 has nothing to extend", "[periodic_extension]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const auto f = [](const T& x) { return jet<T>{x, T(1)}; };
+    using extension = periodic_extension<T, decltype(f)>;
+    CHECK_THROWS_AS(extension(with_energy("2"), f), std::domain_error);
+}
