@@ -21,15 +21,22 @@ struct study_options {
     std::optional<std::string> out;
 };
 
+// All rows under one header: the tables of a study have the same columns, and one of them is the scalar.
+table joined(const std::vector<study_table>& parts) {
+    table all{parts.front().data.columns, {}};
+    for (const study_table& part : parts) {
+        all.rows.insert(all.rows.end(), part.data.rows.begin(), part.data.rows.end());
+    }
+    return all;
+}
+
 int run_study(const study_options& options) {
     const study& what = study_named("study", options.name);
     const study_order order = order_of(what, options.words);
     try {
         if (!options.out) {
-            for (const study_table& part : what.run(order.request)) {
-                const std::string csv = to_csv(part.data);
-                std::fwrite(csv.data(), 1, csv.size(), stdout);
-            }
+            const std::string csv = to_csv(joined(what.run(order.request)));
+            std::fwrite(csv.data(), 1, csv.size(), stdout);
             return 0;
         }
         write_study(order, *options.out);
