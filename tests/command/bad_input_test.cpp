@@ -1,0 +1,272 @@
+// Bad input ends in exit code 2 and one line on stderr that names the option, the value and the remedy; nothing is on
+// stdout and no file is left behind.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "command/child_process.hpp"
+
+using namespace libration::tests;
+
+namespace {
+
+using words = std::vector<std::string>;
+
+words operator+(words first, const words& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+// The last sentence of a complaint tells what to do.
+bool has_remedy(const std::string& line) {
+    static const words verbs{"write ", "give ", "add ",   "use ", "choose ", "ask ",
+                             "make ",  "name ", "leave ", "run ", "see "};
+    const auto colon = line.rfind(": ");
+    return colon != std::string::npos && std::any_of(verbs.begin(), verbs.end(), [&](const std::string& verb) {
+               return line.compare(colon + 2, verb.size(), verb) == 0;
+           });
+}
+
+// The command line is refused, the complaint mentions all of `mentioned`, and the folder stays as it was.
+void check_refused(const words& line, const words& mentioned, const temporary_folder& folder) {
+    const auto before = folder.content();
+    const finished_process done = run_libration(line, folder.path());
+    INFO(command_line(line) << "\n" << done.err);
+    CHECK(done.exit_code == 2);
+    CHECK(done.out.empty());
+    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
+    CHECK(done.err.ends_with("\n"));
+    CHECK(done.err.starts_with("libration: "));
+    CHECK(has_remedy(done.err));
+    for (const std::string& mention : mentioned) {
+        INFO("should mention " << mention);
+        CHECK(done.err.find(mention) != std::string::npos);
+    }
+    CHECK(folder.content() == before);
+}
+
+void check_refused(const words& line, const words& mentioned) {
+    const temporary_folder folder;
+    check_refused(line, mentioned, folder);
+}
+
+// `before OPTION VALUE` is refused with OPTION and VALUE in the complaint.
+void check_value(const words& before, const std::string& option, const std::string& value) {
+    check_refused(before + words{option, value}, {option, "'" + value + "'"});
+}
+
+const words series_study{"study", "error_norm", "--orders", "5", "--scalar", "double"};
+
+}  // namespace
+
+TEST_CASE("an energy that is no number of 0 or more is refused", "[command][bad input]") {
+    for (const std::string value : {"abc",
+                                    "-1",
+                                    "-1e-300",
+                                    "1/0",
+                                    "1e999999999999",
+                                    "-1e999999999999",
+                                    "nan",
+                                    "inf",
+                                    "",
+                                    " 1",
+                                    "1 ",
+                                    "1,5",
+                                    "0x10",
+                                    "1e",
+                                    "--",
+                                    "pi",
+                                    "90deg",
+                                    "T",
+                                    "1.7.1",
+                                    "1/2/3"}) {
+        check_value({"period"}, "--energy", value);
+    }
+    for (const std::string value : {"abc", "3", "2.0000000000000000000000000001", "1/0", "pi"}) {
+        check_value({"period"}, "--gap", value);
+    }
+}
+
+TEST_CASE("a state that is no angle and no speed is refused", "[command][bad input]") {
+    for (const std::string value : {"nan", "inf", "x", "T/4", "pi/0", "90 deg"}) {
+        check_refused({"period", "--theta0", value, "--omega0", "0"}, {"--theta0", "'" + value + "'"});
+    }
+    for (const std::string value : {"nan", "inf", "x", "pi", "pi/2", "10deg", "T"}) {
+        check_value({"period", "--theta0", "1"}, "--omega0", value);
+    }
+}
+
+TEST_CASE("too few digits, too many and more than the scalar has are refused", "[command][bad input]") {
+    for (const std::string value : {"0", "-5", "1000000", "99999999999999999999", "abc", "5.5", ""}) {
+        check_value({"period", "--energy", "1"}, "--digits", value);
+    }
+    check_value({"period", "--energy", "1", "--scalar", "double"}, "--digits", "30");
+    check_value({"period", "--energy", "1", "--scalar", "mpfr:20"}, "--digits", "21");
+}
+
+TEST_CASE("a scalar that this program does not have is refused", "[command][bad input]") {
+    for (const std::string value :
+         {"mpfr:0", "mpfr:-1", "mpfr:", "mpfr", "mpfr:1000000", "mpfr:x", "float", "Double", "ball:50", ""}) {
+        check_value({"period", "--energy", "1"}, "--scalar", value);
+        check_value({"study", "error_norm", "--energies", "1"}, "--scalar", value);
+    }
+}
+
+TEST_CASE("an order that is no whole number of 0 or more is refused", "[command][bad input]") {
+    for (const std::string value : {"-3", "1000001", "99999999999999999999", "abc", "2.5", "+3", ""}) {
+        check_value({"coefficients", "--energy", "1"}, "--order", value);
+        check_value({"trajectory", "--energy", "1", "--times", "0", "--method", "series"}, "--order", value);
+        check_value({"period", "--energy", "1", "--method", "series"}, "--order", value);
+    }
+}
+
+TEST_CASE("times that are no list and no range are refused", "[command][bad input]") {
+    for (const std::string value :
+         {"0,,2", "0:1:0", "", ",", "0,", "0:1", "0:1:2:3", "0:1:-2", "0:1:x", "0:1:99999999999", "abc", "0,nan", "1/0",
+          "90deg", "0:90deg:3", "1:T:3", "0:1:5log", "T:2T:3log"}) {
+        check_value({"trajectory", "--energy", "1"}, "--times", value);
+    }
+}
+
+TEST_CASE("no motion, half a motion and two motions at once are refused", "[command][bad input]") {
+    for (const words& command :
+         {words{"period"}, words{"coefficients", "--order", "3"}, words{"trajectory", "--times", "0"}}) {
+        check_refused(command, {"--energy", "--gap", "--theta0", "--omega0"});
+        check_refused(command + words{"--theta0", "1"}, {"--theta0 '1'", "--omega0"});
+        check_refused(command + words{"--omega0", "2"}, {"--omega0 '2'", "--theta0"});
+        check_refused(command + words{"--energy", "1", "--gap", "0.5"}, {"--energy '1'", "--gap '0.5'"});
+        check_refused(command + words{"--energy", "1", "--omega0", "0.5"}, {"--energy", "--omega0 '0.5'"});
+        check_refused(command + words{"--gap", "1", "--theta0", "1", "--omega0", "0.5"}, {"--gap", "--omega0 '0.5'"});
+    }
+    check_refused({"period", "--theta0", "1", "--omega0", "1", "--direction", "-"}, {"--direction '-'", "--omega0"});
+}
+
+TEST_CASE("an angle that the energy does not reach is refused", "[command][bad input]") {
+    check_refused({"period", "--energy", "1", "--theta0", "3"}, {"--theta0 '3'"});
+    check_refused({"trajectory", "--energy", "0.5", "--theta0", "60.0000000001deg", "--times", "0"},
+                  {"--theta0 '60.0000000001deg'"});
+    check_refused({"period", "--gap", "1e-30", "--theta0", "pi"}, {"--theta0 'pi'"});
+}
+
+TEST_CASE("a direction, a length and a gravity that are none are refused", "[command][bad input]") {
+    for (const std::string value : {"up", "1", "+-", ""}) {
+        check_value({"period", "--energy", "3"}, "--direction", value);
+    }
+    check_refused({"period", "--energy", "3", "--length", "2"}, {"--length '2'", "--gravity"});
+    check_refused({"period", "--energy", "3", "--gravity", "9.81"}, {"--gravity '9.81'", "--length"});
+    for (const std::string value : {"0", "-1", "abc", "1/0", "pi"}) {
+        check_value({"period", "--energy", "3", "--gravity", "1"}, "--length", value);
+        check_value({"period", "--energy", "3", "--length", "1"}, "--gravity", value);
+    }
+}
+
+TEST_CASE("what does not exist at E = 2 is refused there", "[command][bad input]") {
+    const words states[] = {{"--energy", "2"},
+                            {"--gap", "0"},
+                            {"--theta0", "120deg", "--omega0", "1"},
+                            {"--theta0", "180deg", "--omega0", "0"}};
+    for (const words& state : states) {
+        const words trajectory = words{"trajectory"} + state;
+        for (const std::string method : {"series", "resummed"}) {
+            check_refused(trajectory + words{"--times", "0", "--method", method, "--order", "3"},
+                          {"--method '" + method});
+            check_refused(words{"period"} + state + words{"--method", method, "--order", "3"}, {"--method '" + method});
+        }
+        for (const std::string time : {"T", "0,T/4", "0:T:3"}) {
+            check_refused(trajectory + words{"--times", time}, {"--times '" + time + "'"});
+        }
+        check_refused(words{"coefficients"} + state + words{"--order", "3", "--at", "top"}, {"--at 'top'"});
+        check_refused(words{"coefficients"} + state + words{"--order", "3", "--at", "T/8"}, {"--at 'T/8'"});
+    }
+    check_refused(series_study + words{"--energies", "1,2"}, {"error_norm", "energy 2", "--energies"});
+    check_refused(series_study + words{"--gaps", "0"}, {"error_norm", "energy 2", "--gaps"});
+    check_refused(series_study + words{"--energies", "0"}, {"error_norm", "energy 0", "--energies"});
+}
+
+TEST_CASE("methods, points and formats that are none, or not in this version, are refused", "[command][bad input]") {
+    for (const std::string value : {"uniform", "agm", "Exact", ""}) {
+        check_value({"trajectory", "--energy", "1", "--times", "0"}, "--method", value);
+    }
+    check_value({"period", "--energy", "1"}, "--method", "exact");
+    for (const std::string value : {"left", "30deg", "", "1,2"}) {
+        check_value({"coefficients", "--energy", "1", "--order", "3"}, "--at", value);
+    }
+    for (const std::string value : {"xml", "CSV", ""}) {
+        check_value({"period", "--energy", "1"}, "--format", value);
+    }
+    check_refused({"trajectory", "--energy", "1", "--times", "0", "--method", "series"},
+                  {"--method 'series'", "--order"});
+    check_refused({"trajectory", "--energy", "1", "--times", "0", "--order", "3"}, {"--order '3'", "exact"});
+    check_refused({"period", "--energy", "1", "--method", "resummed"}, {"--method 'resummed'", "--order"});
+    check_refused({"period", "--energy", "1", "--order", "3"}, {"--order '3'", "agm"});
+}
+
+TEST_CASE("a Runge-Kutta step that is not positive, or that takes forever, is refused", "[command][bad input]") {
+    const words rk4{"trajectory", "--energy", "1", "--method", "rk4"};
+    for (const std::string value : {"0", "-1e-3", "x", "T/100"}) {
+        check_value(rk4 + words{"--times", "1"}, "--step", value);
+    }
+    check_value(rk4, "--times", "1e12");
+}
+
+TEST_CASE("words that nothing expects, and words that are missing, are refused", "[command][bad input]") {
+    check_refused({"--bogus"}, {"'--bogus'"});
+    check_refused({"bogus"}, {"'bogus'"});
+    check_refused({}, {"subcommand", "--help"});
+    check_refused({"period", "--energy", "1", "--bogus"}, {"'--bogus'"});
+    check_refused({"period", "--energy", "1", "--bogus", "7"}, {"'--bogus'"});
+    check_refused({"period", "--energy", "1", "extra"}, {"'extra'"});
+    check_refused({"period", "--energy"}, {"--energy", "missing"});
+    check_refused({"trajectory", "--energy", "1"}, {"--times", "required"});
+    check_refused({"coefficients", "--energy", "1"}, {"--order", "required"});
+    check_refused({"period", "--energy", "1", "--energy", "2"}, {"--energy"});
+    check_refused({"study"}, {"NAME"});
+}
+
+TEST_CASE("a study that there is not, and parameters that are none, are refused", "[command][bad input]") {
+    check_refused({"study", "nonsense"}, {"'nonsense'", "error_norm"});
+    check_refused({"study", "nonsense", "--out", "made"}, {"'nonsense'", "error_norm"});
+    check_refused({"figure", "nonsense"}, {"'nonsense'", "error_norm"});
+    check_refused({"figure", "error_norm", "--out", "empty"}, {"--out 'empty'", "libration study error_norm"});
+    check_refused({"reproduce", "--only", "nonsense", "--out", "made"}, {"--only 'nonsense'", "error_norm"});
+    check_refused({"reproduce", "--skip", "nonsense", "--out", "made"}, {"--skip 'nonsense'", "error_norm"});
+    for (const std::string value : {"abc", "-1", "0.5,,1", "1:2:0", "pi", "1/0", ""}) {
+        check_value({"study", "error_norm", "--out", "made"}, "--energies", value);
+    }
+    check_value({"study", "error_norm", "--out", "made"}, "--gaps", "3");
+    for (const std::string value : {"-3", "5,,10", "5,x", "99999999999", ""}) {
+        check_value({"study", "error_norm", "--out", "made"}, "--orders", value);
+    }
+    for (const std::string value : {"0", "-1", "many", "100000"}) {
+        check_value({"study", "error_norm", "--out", "made"}, "--jobs", value);
+    }
+    check_refused(series_study + words{"--energies", "1,2", "--out", "made/deep"}, {"energy 2"});
+}
+
+TEST_CASE("an --out that cannot be written is refused before anything is written", "[command][bad input]") {
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "file") << "kept";
+    std::filesystem::create_directory(folder.path() / "folder");
+    for (const words& command :
+         {words{"period", "--energy", "1"}, words{"coefficients", "--energy", "1", "--order", "3"},
+          words{"trajectory", "--energy", "1", "--times", "0"}}) {
+        for (const std::string target : {"file/x", "missing/x", "folder", "folder/", ".", "/proc/x", ""}) {
+            check_refused(command + words{"--out", target}, {"--out '" + target + "'"}, folder);
+        }
+    }
+    const words study = series_study + words{"--energies", "1"};
+    for (const std::string target : {"file", "file/deep", "/proc/x"}) {
+        check_refused(study + words{"--out", target}, {"--out '" + target}, folder);
+        check_refused({"reproduce", "--out", target}, {"--out '" + target}, folder);
+    }
+    CHECK(text_of_file(folder.path() / "file") == "kept");
+}
+
+TEST_CASE("an energy or a gap below the range of the scalar is refused with the scalar that holds it",
+          "[command][bad input]") {
+    check_refused({"period", "--energy", "1e-400", "--scalar", "double"}, {"energy E", "--scalar mpfr:DIGITS"});
+    check_refused({"period", "--gap", "1e-400", "--scalar", "double"}, {"gap 2 - E", "--scalar mpfr:DIGITS"});
+}

@@ -1,0 +1,81 @@
+// Runs the built program as a user does: another process, its two outputs apart, neither a terminal.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "command/temporary_folder.hpp"
+
+namespace libration::tests {
+
+/// What a finished process left.
+struct finished_process {
+    int exit_code;  ///< 128 + signal where a signal ended it
+    std::string out;
+    std::string err;
+};
+
+/// The words after `libration`, for messages of a failed test.
+inline std::string command_line(const std::vector<std::string>& words) {
+    std::string line = "libration";
+    for (const std::string& word : words) {
+        line += " " + word;
+    }
+    return line;
+}
+
+/// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it.
+inline finished_process run_libration(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+    const temporary_folder captured;
+    const std::string out = (captured.path() / "out").string();
+    const std::string err = (captured.path() / "err").string();
+    std::string program = LIBRATION_COMMAND;
+    std::vector<std::string> own = words;
+    std::vector<char*> arguments{program.data()};
+    for (std::string& word : own) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    std::fflush(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto redirect = [](const char* path, int flags, int descriptor) {
+            return ::dup2(::open(path, flags, 0600), descriptor) == descriptor;
+        };
+        if (redirect("/dev/null", O_RDONLY, STDIN_FILENO) && redirect(out.c_str(), O_WRONLY | O_CREAT, STDOUT_FILENO) &&
+            redirect(err.c_str(), O_WRONLY | O_CREAT, STDERR_FILENO) && ::chdir(folder.c_str()) == 0) {
+            ::alarm(60);
+            ::execv(arguments.front(), arguments.data());
+        }
+        ::_exit(127);
+    }
+    int status = 0;
+    if (child < 0 || ::waitpid(child, &status, 0) != child) {
+        throw std::runtime_error("cannot start " + command_line(words));
+    }
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of_file(out), text_of_file(err)};
+}
+
+/// The same in a folder of its own.
+inline finished_process run_libration(const std::vector<std::string>& words) {
+    const temporary_folder folder;
+    return run_libration(words, folder.path());
+}
+
+/// The data of a command that has to succeed in silence; throws std::runtime_error otherwise.
+inline std::string output_of(const std::vector<std::string>& words) {
+    const finished_process done = run_libration(words);
+    if (done.exit_code != 0 || !done.err.empty()) {
+        throw std::runtime_error(command_line(words) + " ended with " + std::to_string(done.exit_code) + ": " +
+                                 done.err);
+    }
+    return done.out;
+}
+
+}  // namespace libration::tests

@@ -1,0 +1,179 @@
+// The numbers of `libration trajectory` against the reference table, and its errors against a truth computed here.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "command/printed.hpp"
+#include "command/reference_motion.hpp"
+#include "libration/pendulum/bounds.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+using words = std::vector<std::string>;
+
+words operator+(words first, const words& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+std::vector<table_row> trajectory_of(const words& options) { return rows_of(words{"trajectory"} + options); }
+
+void check_state(const table_row& printed, const table_row& expected) {
+    INFO("t = " << expected.at("time"));
+    CHECK(printed.at("time") == expected.at("time"));
+    CHECK_THAT(printed.at("theta"), right_to_the_last_digit(expected.at("theta")));
+    CHECK_THAT(printed.at("omega"), right_to_the_last_digit(expected.at("omega")));
+}
+
+// Each printed error is |theta - truth| of the printed theta, the truth by the sum over separatrix solutions: to the
+// six digits printed and the rounding of theta. Returns the largest one.
+mpfr check_errors(const std::vector<table_row>& rows, const motion& m) {
+    const precision_scope scope(70);
+    const separatrix_sum<mpfr> truth(m);
+    mpfr largest(0);
+    for (const table_row& row : rows) {
+        INFO("t = " << row.at("time") << ", theta " << row.at("theta") << ", error " << row.at("error"));
+        const mpfr error = abs(number_of(row.at("theta")) - truth(read_exact(row.at("time"))).value);
+        CHECK(abs(error - number_of(row.at("error"))) <= last_place(row.at("error")) + last_place(row.at("theta")));
+        largest = error > largest ? error : largest;
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("every state of the reference table is printed to 50 right digits", "[command][trajectory]") {
+    std::size_t states = 0;
+    for (const reference_motion& motion : reference_motions()) {
+        INFO(command_line(motion.words));
+        const auto rows = trajectory_of(motion.words + words{motion.times(), "--digits", "50"});
+        REQUIRE(rows.size() == motion.rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            check_state(rows[i], motion.rows[i]);
+            ++states;
+        }
+    }
+    CHECK(states == 250);
+}
+
+TEST_CASE("from (2.5, -0.3) 60 digits are right after a million units of time back and 1e12 on",
+          "[command][trajectory]") {
+    // Made with Motion('', '', '2.5', '-0.3', '').state(time) of tests/reference/generate.py at 450 and 560 digits.
+    const std::vector<table_row> expected{
+        {{"time", "-1e6"},
+         {"theta", "2.56832318081403876605483889948819920623602454250553891949327"},
+         {"omega", "-0.109648978652718236460957523701493736594293295578092375383969"}},
+        {{"time", "0"}, {"theta", "2.5"}, {"omega", "-0.3"}},
+        {{"time", "1e12"},
+         {"theta", "-1.28977566036974826206862501873454425528011995252167718066505"},
+         {"omega", "-1.49898634884458713628342549286887911733377680699932312698501"}},
+        {{"time", "T/4"},
+         {"theta", "-0.991527648484907468634267310090394370456277310277234398118285"},
+         {"omega", "-1.66946439468732990645674263903525647872425123839236689559329"}},
+        {{"time", "T"}, {"theta", "2.5"}, {"omega", "-0.3"}},
+        {{"time", "-3T/4"},
+         {"theta", "-0.991527648484907468634267310090394370456277310277234398118285"},
+         {"omega", "-1.66946439468732990645674263903525647872425123839236689559329"}}};
+    const words state{"--theta0", "2.5", "--omega0", "-0.3", "--method", "exact"};
+    const auto rows = trajectory_of(state + words{"--times=-1e6,0,1e12,T/4,T,-3T/4", "--scalar", "mpfr:60"});
+    REQUIRE(rows.size() == expected.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CHECK(rows[i].at("time") == expected[i].at("time"));
+        for (const std::string name : {"theta", "omega"}) {
+            const std::string& printed = rows[i].at(name);
+            INFO(name << " at " << rows[i].at("time"));
+            CHECK(significant_digits(printed) == 60);
+            const precision_scope scope(100);
+            const std::string& right = expected[i].at(name);
+            const mpfr allowed = last_place(printed) * (right.size() > 10 ? 2 : 1);  // both are rounded
+            CHECK(abs(number_of(printed) - number_of(right)) <= allowed);
+        }
+    }
+}
+
+TEST_CASE("released from rest the pendulum passes the bottom at exactly T/4", "[command][trajectory]") {
+    for (const words& motion : {words{"--energy", "1.71"}, words{"--theta0", "90deg", "--omega0", "0"},
+                                words{"--theta0", "-2.5", "--omega0", "0"}, words{"--gap", "1e-40"}}) {
+        INFO(command_line(motion));
+        const words times{"--times=T/4,-3T/4,3T/4,1000001T/4,T/2,0"};
+        for (const words& method : {words{"--method", "exact"}, words{"--method", "resummed", "--order", "7"}}) {
+            const auto rows = trajectory_of(motion + times + method);
+            REQUIRE(rows.size() == 6);
+            for (std::size_t i = 0; i < 4; ++i) {
+                CHECK(rows[i].at("theta") == "0");
+            }
+            CHECK(rows[4].at("omega") == "0");
+            CHECK(rows[5].at("omega") == "0");
+        }
+    }
+}
+
+TEST_CASE("the resummation at 401 times is as far from the motion as it says, and within its bound",
+          "[command][trajectory]") {
+    struct shown {
+        std::string energy;
+        std::string direction;
+        int sign;
+    };
+    for (const shown& s : {shown{"1.71", "+", 1}, shown{"2.02", "+", 1}, shown{"2.02", "-", -1}}) {
+        INFO("E = " << s.energy << " " << s.direction);
+        const auto rows = trajectory_of({"--energy", s.energy, "--direction", s.direction, "--method", "resummed",
+                                         "--order", "20", "--times", "0:20:401"});
+        REQUIRE(rows.size() == 401);
+        CHECK(rows.front().at("time") == "0");
+        CHECK(rows[7].at("time") == "0.35");
+        CHECK(rows.back().at("time") == "20");
+        const motion m = motion::of_energy(read_exact(s.energy).coefficient, s.sign);
+        const precision_scope scope(50);
+        const mpfr largest = check_errors(rows, m);
+        const mpfr bound = top_bounds<mpfr>::of(orbit_of<mpfr>(m)).resummation_norm(20);
+        CHECK(largest <= bound);
+        CHECK(largest > bound / 10'000);  // an error of that order is there to be seen
+    }
+}
+
+TEST_CASE("the series and the Runge-Kutta solution are as far from the motion as they say", "[command][trajectory]") {
+    const words times{"--times=-3:20:24"};
+    for (const std::string energy : {"0.5", "1.71", "2.02", "4"}) {
+        INFO("E = " << energy);
+        const motion m = motion::of_energy(read_exact(energy).coefficient);
+        const words motion_words{"--energy", energy};
+        const precision_scope scope(50);
+        const mpfr bound = top_bounds<mpfr>::of(orbit_of<mpfr>(m)).series_norm(10);
+        const mpfr series =
+            check_errors(trajectory_of(motion_words + times + words{"--method", "series", "--order", "10"}), m);
+        CHECK(series <= bound);
+        CHECK(series > bound / 10'000);
+        const mpfr rk4 = check_errors(
+            trajectory_of(motion_words + times + words{"--method", "rk4", "--step", "1e-2", "--digits", "20"}), m);
+        CHECK(rk4 < mpfr("1e-6"));  // of the order step^4 times the time it took, 1e-8 * 20
+        CHECK(rk4 > mpfr("1e-12"));
+    }
+}
+
+TEST_CASE("from a state the approximations follow the shifted clock", "[command][trajectory]") {
+    const motion m = motion::of_state(read_exact("2.5"), read_exact("-0.3"));
+    const words state{"--theta0", "2.5", "--omega0", "-0.3", "--times=-7:7:15"};
+    check_errors(trajectory_of(state + words{"--method", "series", "--order", "12"}), m);
+    check_errors(trajectory_of(state + words{"--method", "resummed", "--order", "12"}), m);
+    check_errors(trajectory_of(state + words{"--method", "rk4", "--step", "1/50"}), m);
+}
+
+TEST_CASE("in double the exact motion is right to a few units, after a million periods too", "[command][trajectory]") {
+    const precision_scope scope(50);
+    const reference_motion motion = reference_motion_of("1.71");
+    const auto rows = trajectory_of(motion.words + words{motion.times(), "--scalar", "double"});
+    REQUIRE(rows.size() == motion.rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        INFO("t = " << rows[i].at("time"));
+        const mpfr error = abs(number_of(rows[i].at("theta")) - number_of(motion.rows[i].at("theta")));
+        // theta is below 2.4; the elliptic functions and the arctangent are a few units in the last place each.
+        CHECK(error <= mpfr("2.4") * ldexp(mpfr(1), -52) * 8);
+        CHECK(abs(error - number_of(rows[i].at("error"))) <=
+              last_place(rows[i].at("error")) + last_place(rows[i].at("theta")));
+    }
+}

@@ -1,0 +1,103 @@
+// Every study, with few parameters: it runs, it keeps the contract of its columns, and its bytes do not depend on the
+// number of threads. A new study is in here by itself.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sweep/study.hpp"
+
+using namespace libration;
+
+namespace {
+
+// An energy on each side of 2 and one order.
+study_request few_parameters(int jobs) {
+    study_request request;
+    request.energies = {energy_from(read_exact("1.71")), energy_from(read_exact("2.02"))};
+    request.orders = {6};
+    request.jobs = jobs;
+    return request;
+}
+
+// The first columns of each study by DESIGN section 4; those of other studies are free.
+std::string promised_columns(const std::string& name) {
+    static const std::map<std::string, std::string> promised{
+        {"error_norm", "energy,order,method,norm,time_of_maximum,scalar,rigour"},
+        {"period_error", "energy,order,method,error"}};
+    const auto found = promised.find(name);
+    return found == promised.end() ? "" : found->second;
+}
+
+std::set<std::string> stems_in_studies(const std::string& extension) {
+    std::set<std::string> stems;
+    for (const auto& entry : std::filesystem::directory_iterator(LIBRATION_SOURCE_DIR "/studies")) {
+        if (entry.path().extension() == extension) {
+            stems.insert(entry.path().stem().string());
+        }
+    }
+    return stems;
+}
+
+}  // namespace
+
+TEST_CASE("each studies/NAME.cpp is the study NAME, and no other is known", "[studies]") {
+    std::set<std::string> names;
+    for (const study* each : all_studies()) {
+        names.insert(each->name);
+    }
+    CHECK(names == stems_in_studies(".cpp"));
+    CHECK(names.size() == all_studies().size());
+    CHECK(names.contains("error_norm"));
+}
+
+TEST_CASE("each study has a figure script, a question and a cost", "[studies]") {
+    const auto scripts = stems_in_studies(".gp");
+    for (const study* each : all_studies()) {
+        INFO(each->name);
+        CHECK(scripts.contains(each->name));
+        CHECK(each->question.ends_with("?"));
+        CHECK_FALSE(each->cost.empty());
+    }
+}
+
+TEST_CASE("each study makes rectangular tables under the columns that it promised", "[studies]") {
+    for (const study* each : all_studies()) {
+        INFO(each->name);
+        const auto tables = each->run(few_parameters(2));
+        REQUIRE_FALSE(tables.empty());
+        std::set<std::string> suffixes;
+        for (const study_table& part : tables) {
+            suffixes.insert(part.suffix);
+            const std::string header = to_csv({part.data.columns, {}});
+            CHECK(header.starts_with(promised_columns(each->name)));
+            std::set<std::string> names;
+            for (const column& c : part.data.columns) {
+                names.insert(c.name);
+                CHECK_FALSE(c.meaning.empty());
+            }
+            CHECK(names.size() == part.data.columns.size());
+            CHECK_FALSE(part.data.rows.empty());
+            CHECK(std::all_of(part.data.rows.begin(), part.data.rows.end(),
+                              [&](const auto& row) { return row.size() == part.data.columns.size(); }));
+        }
+        CHECK(suffixes.size() == tables.size());  // each table has a file of its own
+        CHECK(suffixes.contains(""));             // and one of them is NAME.csv, which the figure reads
+    }
+}
+
+TEST_CASE("the bytes of a study do not depend on the number of jobs", "[studies]") {
+    for (const study* each : all_studies()) {
+        const auto one = each->run(few_parameters(1));
+        const auto two = each->run(few_parameters(2));
+        REQUIRE(one.size() == two.size());
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            INFO(each->name << " " << one[i].suffix);
+            CHECK(one[i].suffix == two[i].suffix);
+            CHECK(to_csv(one[i].data) == to_csv(two[i].data));
+        }
+    }
+}
