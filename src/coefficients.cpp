@@ -76,7 +76,8 @@ std::vector<mpfr> coefficient_values(const coefficients_request& request) {
 
 int run_coefficients(const coefficients_options& options) {
     options.output.check();
-    coefficients_request request{options.motion.choose(), options.arithmetic.choose(), {}, 0};
+    const arithmetic numbers = options.arithmetic.choose();
+    coefficients_request request{options.motion.choose_for(numbers.scalar), numbers, {}, 0};
     request.order = order_of("--order", options.order);
     request.at = point_of(options, request.chosen);
     table data{{{"n", ""}, {"coefficient", ""}}, {}};

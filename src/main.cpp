@@ -15,7 +15,11 @@ namespace {
 constexpr int failed = 1;
 constexpr int bad_input = 2;
 
-int complain(const char* message, int code) {
+// One line, whatever the message quotes.
+int complain(std::string message, int code) {
+    for (char& c : message) {
+        c = c == '\n' || c == '\r' ? ' ' : c;
+    }
     fmt::print(stderr, "libration: {}\n", message);
     return code;
 }
@@ -34,14 +38,11 @@ std::string unexpected_word(const CLI::App& program) {
 // CLI11's own complaint as one line with a remedy.
 int complain_of_usage(const CLI::App& program, const CLI::ParseError& problem) {
     const std::string unexpected = unexpected_word(program);
-    std::string line = unexpected.empty() ? problem.what() : "'" + unexpected + "' is not understood";
-    for (char& c : line) {
-        c = c == '\n' ? ' ' : c;
-    }
+    const std::string line = unexpected.empty() ? problem.what() : "'" + unexpected + "' is not understood";
     const auto chosen = program.get_subcommands();
     const std::string help =
         chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
-    return complain(fmt::format("{}: see {}", line, help).c_str(), bad_input);
+    return complain(fmt::format("{}: see {}", line, help), bad_input);
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ int main(int argc, char** argv) {
     } catch (const libration::input_error& problem) {
         return complain(problem.what(), bad_input);
     } catch (const std::range_error& problem) {
-        return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()).c_str(), bad_input);
+        return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
     } catch (const std::bad_alloc&) {
         return complain("out of memory: ask for fewer digits, powers or times", failed);
     } catch (const std::exception& problem) {

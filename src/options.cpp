@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* number_remedy = "write a number such as 1.71, 171/100 or 1e-30";
 constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150deg";
-constexpr int largest_order = 1'000'000;
+constexpr int largest_order = 100'000;
 
 exact angle_of(const std::string& option, const std::string& value) {
     exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
@@ -101,12 +101,17 @@ chosen_motion motion_options::by_energy() const {
     const sweep_energy texts = by_gap ? energy_from_gap(number) : energy_from(number);
     const int sense = direction();
     if (!theta0_) {
-        return {motion::of_energy(energy, sense).with_stiffness(stiffness()), false, texts.energy, texts.gap};
+        return {motion::of_energy(energy, sense).with_stiffness(stiffness()),
+                false,
+                option,
+                value,
+                texts.energy,
+                texts.gap};
     }
     const exact angle = angle_of("--theta0", *theta0_);
     motion of = reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
                         [&] { return motion::of_energy_from(energy, angle, sense); });
-    return {of.with_stiffness(stiffness()), false, texts.energy, texts.gap};
+    return {of.with_stiffness(stiffness()), false, option, value, texts.energy, texts.gap};
 }
 
 chosen_motion motion_options::by_state() const {
@@ -128,7 +133,7 @@ chosen_motion motion_options::by_state() const {
         energy = to_finite_decimal(*of.energy());
         gap = to_finite_decimal(rational(2 - *of.energy()));
     }
-    return {std::move(of), true, energy, gap};
+    return {std::move(of), true, "--omega0", *omega0_, energy, gap};
 }
 
 chosen_motion motion_options::choose() const {
@@ -144,6 +149,17 @@ chosen_motion motion_options::choose() const {
         throw input_error("no motion is given: add --energy E, --gap G, or --theta0 A with --omega0 W");
     }
     return energetic ? by_energy() : by_state();
+}
+
+chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
+    chosen_motion chosen = choose();
+    try {
+        with_scalar(scalar, 0, [&]<class T>() { energies<T>(chosen.of); });
+    } catch (const std::range_error&) {
+        throw input_error(chosen.option, chosen.value, "is outside the range of " + scalar.name(),
+                          "use --scalar mpfr:DIGITS");
+    }
+    return chosen;
 }
 
 void arithmetic_options::add_to(CLI::App& command) {
@@ -202,7 +218,7 @@ void output_options::write(const table& data, const std::optional<std::string>& 
                                 : format_ == "json" ? to_json(data)
                                                     : text.value_or(to_text(data));
     if (!out_) {
-        std::fwrite(content.data(), 1, content.size(), stdout);
+        write_to_stdout(content);
         return;
     }
     try {
@@ -224,6 +240,9 @@ energy_texts energy_texts_of(const chosen_motion& chosen, long digits) {
 
 output_folder::output_folder(const std::string& option, std::string path) : path_(std::move(path)) {
     namespace fs = std::filesystem;
+    if (path_.empty()) {
+        throw input_error(option, path_, "is no folder", "name one");
+    }
     std::vector<fs::path> missing;
     std::error_code error;
     for (fs::path at = fs::absolute(path_); !fs::exists(at, error) && at.has_relative_path(); at = at.parent_path()) {

@@ -15,7 +15,9 @@ namespace libration {
 /// A motion with the texts that stand for it in the output.
 struct chosen_motion {
     motion of;
-    bool by_state;  ///< given by theta0 and omega0
+    bool by_state;       ///< given by theta0 and omega0
+    std::string option;  ///< the option that gave the energy, and its value
+    std::string value;
     std::optional<std::string> energy;
     std::optional<std::string> gap;
 };
@@ -24,10 +26,11 @@ struct chosen_motion {
 class motion_options {
 public:
     void add_to(CLI::App& command);
-    /// Throws input_error.
-    chosen_motion choose() const;
+    /// Throws input_error, also where the scalar cannot hold E or 2 - E.
+    chosen_motion choose_for(const scalar_spec& scalar) const;
 
 private:
+    chosen_motion choose() const;
     chosen_motion by_energy() const;
     chosen_motion by_state() const;
     int direction() const;

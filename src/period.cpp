@@ -58,7 +58,8 @@ period_request choose(const period_options& options) {
     if (method != period_method::agm && !order) {
         throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power being k^(2N)");
     }
-    period_request request{options.motion.choose(), options.arithmetic.choose(), method, order};
+    const arithmetic numbers = options.arithmetic.choose();
+    period_request request{options.motion.choose_for(numbers.scalar), numbers, method, order};
     if (method != period_method::agm && at_critical_energy(request.chosen.of.regime())) {
         throw input_error("--method", options.method, "has no sum at E = 2, where the period is infinite",
                           "use --method agm");
@@ -75,16 +76,13 @@ T tstar_by(const orbit<T>& o, const period_request& request) {
     }
 }
 
-// T, T* in the motion's units, and |T* - truth|, the truth from the mean in mpfr with 20 digits more.
+// T and T* in the motion's units.
 template <class T>
 std::vector<mpfr> period_values(const period_request& request) {
     const motion& m = request.chosen.of;
     const T seconds = time_unit<T>(m);
     const T tstar = tstar_by(orbit_of<T>(m), request) * seconds;
-    const T period = tstar * quarters_per_period(m.regime());
-    const precision_scope more(decimal_digits(digits<T>()) + 20);
-    const mpfr truth = effective_period(orbit_of<mpfr>(m)) * time_unit<mpfr>(m);
-    return {widen(period), widen(tstar), abs(widen(tstar) - truth)};
+    return {widen(T(tstar * quarters_per_period(m.regime()))), widen(tstar)};
 }
 
 std::vector<mpfr> period_values(const period_request& request) {
@@ -95,16 +93,17 @@ std::vector<mpfr> period_values(const period_request& request) {
     if (scalar.kind != scalar_kind::arbitrary) {
         return compute(0);
     }
-    // The error is a difference of its own precision; only the period has digits to agree on.
-    std::vector<mpfr> values = agreed_values(scalar.digits, [&](long guard) {
-        const auto all = compute(guard);
-        return std::vector<mpfr>{all[0], all[1]};
-    });
-    values.push_back(compute(20)[2]);
-    return values;
+    return agreed_values(scalar.digits, compute);
 }
 
 constexpr long error_digits = 6;
+
+// |T* as printed - truth|, the truth by the mean with more digits.
+std::string error_of(const std::string& tstar, const period_request& request) {
+    const precision_scope more(request.numbers.scalar.digits + 30);
+    const mpfr truth = effective_period(orbit_of<mpfr>(request.chosen.of)) * time_unit<mpfr>(request.chosen.of);
+    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(tstar)) - truth)), error_digits);
+}
 
 int run_period(const period_options& options) {
     options.output.check();
@@ -119,7 +118,7 @@ int run_period(const period_options& options) {
         const auto values = period_values(request);
         period = to_decimal(values[0], digits);
         tstar = to_decimal(values[1], digits);
-        error = to_decimal(values[2], error_digits);
+        error = error_of(tstar, request);
     }
     const std::string regime(name_of(m.regime()));
     const std::string order = request.order ? std::to_string(*request.order) : "";

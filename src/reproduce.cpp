@@ -64,12 +64,17 @@ int run_reproduce(const reproduce_options& options) {
     const auto studies = chosen(options);
     study_words words;
     words.jobs = options.jobs;
+    std::vector<study_order> orders;
+    for (const study* each : studies) {
+        orders.push_back(order_of(*each, words));
+    }
     output_folder into("--out", options.out);
     std::vector<std::string> failures;
-    for (const study* each : studies) {
+    for (const study_order& order : orders) {
+        const study* each = order.what;
         fmt::print(stderr, "libration: {} ({})\n", each->name, each->cost);
         try {
-            write_study(order_of(*each, words), options.out);
+            write_study(order, options.out);
             draw_study(*each, options.out);
         } catch (const input_error&) {
             throw;

@@ -36,10 +36,14 @@ int run_study(const study_options& options) {
     try {
         if (!options.out) {
             const std::string csv = to_csv(joined(what.run(order.request)));
-            std::fwrite(csv.data(), 1, csv.size(), stdout);
+            write_to_stdout(csv);
             return 0;
         }
         write_study(order, *options.out);
+    } catch (const std::range_error& problem) {
+        throw input_error("--scalar", options.words.scalar.value_or("double"),
+                          std::string("cannot hold an energy of the list (") + problem.what() + ")",
+                          "use --scalar mpfr:DIGITS");
     } catch (const std::domain_error& problem) {
         throw input_error("study", what.name, problem.what(), "leave that value out of --energies and --gaps");
     }

@@ -99,6 +99,9 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 void write_study(const study_order& order, const std::string& folder) {
+    if (folder.empty()) {
+        throw input_error("--out", folder, "is no folder", "name one");
+    }
     output_folder into("--out", (fs::path(folder) / order.what->name).string());
     const std::string& own = into.path();
     const auto tables = order.what->run(order.request);

@@ -80,7 +80,8 @@ trajectory_request choose(const trajectory_options& options) {
     if (step.coefficient <= 0) {
         throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");
     }
-    chosen_motion chosen = options.motion.choose();
+    const arithmetic numbers = options.arithmetic.choose();
+    chosen_motion chosen = options.motion.choose_for(numbers.scalar);
     const regime r = chosen.of.regime();
     if (is_partial_sum(method) && !options.order) {
         throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power");
@@ -92,13 +93,13 @@ trajectory_request choose(const trajectory_options& options) {
         throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
     }
     const int order = options.order ? order_of("--order", *options.order) : 0;
-    return {std::move(chosen), options.arithmetic.choose(), method, order, step, read_times(options.times, r)};
+    return {std::move(chosen), numbers, method, order, step, read_times(options.times, r)};
 }
 
-// theta, omega (in the motion's units) and |theta - truth| at each time.
+// theta, omega (in the motion's units) and the true theta at each time.
 struct trajectory_values {
     std::vector<mpfr> motion;
-    std::vector<mpfr> errors;
+    std::vector<mpfr> truth;
 };
 
 // The formula of the paper for E = 2, from omega0 = +2 cos(theta0/2) and by reflection from the other sign; it is the
@@ -140,11 +141,10 @@ trajectory_values follow(const trajectory_request& request, const Route& route) 
     trajectory_values result;
     for (const exact& time : request.times) {
         const jet<mpfr> at = route(time);
-        const mpfr expected =
-            request.method == trajectory_method::exact ? second_route(m, time, sum, truth) : truth(time).theta;
         result.motion.push_back(at.value);
         result.motion.push_back(at.slope / seconds);
-        result.errors.push_back(abs(at.value - expected));
+        result.truth.push_back(request.method == trajectory_method::exact ? second_route(m, time, sum, truth)
+                                                                          : truth(time).theta);
     }
     return result;
 }
@@ -171,24 +171,44 @@ trajectory_values follow_exactly(const trajectory_request& request) {
     });
 }
 
-// A time as a number of T, dimensionless.
+// A number as T; refuses what T rounds to 0 or infinity.
 template <class T>
-T time_value(const motion& m, const exact& time) {
+T held_by(const mpfr& value, const std::string& option, const std::string& text, const scalar_spec& scalar) {
+    const long exponent = binary_exponent(value);
+    if (exponent != exponent_of_zero && !holds_exponent<T>(exponent)) {
+        throw input_error(option, text, "is outside the range of " + scalar.name(), "use --scalar mpfr:DIGITS");
+    }
+    return narrow<T>(value);
+}
+
+// A time in dimensionless units.
+mpfr time_value(const motion& m, const exact& time) {
     if (time.measure != unit::period) {
-        return from_exact<T>(time) / time_unit<T>(m);
+        return from_exact<mpfr>(time) / time_unit<mpfr>(m);
     }
     const int quarters = quarters_per_period(m.regime());
-    return effective_period(orbit_of<T>(m)) * from_rational<T>(rational(time.coefficient * quarters));
+    return effective_period(orbit_of<mpfr>(m)) * from_rational<mpfr>(rational(time.coefficient * quarters));
 }
 
 // Marches through the times in order of size, forwards and backwards from 0, so that each step is taken once.
 template <class T>
 trajectory_values follow_runge_kutta(const trajectory_request& request) {
     const motion& m = request.chosen.of;
+    const scalar_spec& scalar = request.numbers.scalar;
     const pendulum_state<T> start = exact_solution<T>(m)(exact{});
+    std::vector<mpfr> exact_times;
+    mpfr exact_step;
+    {
+        const precision_scope more(decimal_digits(digits<T>()) + 20);
+        exact_step = from_exact<mpfr>(request.step);
+        for (const exact& time : request.times) {
+            exact_times.push_back(time_value(m, time));
+        }
+    }
+    const T step = held_by<T>(exact_step, "--step", request.step.text, scalar);
     std::vector<T> times;
-    for (const exact& time : request.times) {
-        times.push_back(time_value<T>(m, time));
+    for (std::size_t i = 0; i < exact_times.size(); ++i) {
+        times.push_back(held_by<T>(exact_times[i], "--times", request.times[i].text, scalar));
     }
     std::vector<std::size_t> order(times.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -197,7 +217,6 @@ trajectory_values follow_runge_kutta(const trajectory_request& request) {
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
     std::vector<jet<T>> states(times.size(), jet<T>{T(0), T(0)});
     progress shown("rk4, times", times.size());
-    const T step = from_exact<T>(request.step);
     runge_kutta_march<T> forward({start.theta, start.omega}, step);
     runge_kutta_march<T> backward({start.theta, start.omega}, step);
     const auto march = [&](runge_kutta_march<T>& way, std::size_t i) {
@@ -255,15 +274,21 @@ trajectory_values values_of(const trajectory_request& request) {
 
 constexpr long error_digits = 6;
 
+// |theta as printed - truth|.
+std::string error_of(const std::string& theta, const mpfr& truth) {
+    const precision_scope scope(decimal_digits(mpfr_get_prec(handle(truth))));
+    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(theta)) - truth)), error_digits);
+}
+
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     const trajectory_request request = choose(options);
     const trajectory_values values = values_of(request);
     table data{{{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}}, {}};
     for (std::size_t i = 0; i < request.times.size(); ++i) {
-        data.rows.push_back({request.times[i].text, to_decimal(values.motion[2 * i], request.numbers.digits),
-                             to_decimal(values.motion[2 * i + 1], request.numbers.digits),
-                             to_decimal(values.errors[i], error_digits)});
+        const std::string theta = to_decimal(values.motion[2 * i], request.numbers.digits);
+        const std::string omega = to_decimal(values.motion[2 * i + 1], request.numbers.digits);
+        data.rows.push_back({request.times[i].text, theta, omega, error_of(theta, values.truth[i])});
     }
     options.output.write(data);
     return 0;

@@ -1,9 +1,11 @@
 #include "sweep/grid.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
 #include "libration/scalar/decimal.hpp"
+#include "libration/scalar/enclose.hpp"
 
 namespace libration {
 
@@ -65,7 +67,11 @@ std::vector<exact> log_range(const exact& first, const exact& last, long count) 
     if (first.measure != unit::one || last.measure != unit::one || first.coefficient * last.coefficient <= 0) {
         throw std::invalid_argument("has ends that are no numbers of one sign, as a logarithmic range needs");
     }
-    const precision_scope scope(60);
+    const precision_scope rough(20);
+    const mpfr relative_step = abs(from_rational<mpfr>(rational(last.coefficient / first.coefficient - 1))) / count;
+    const long step_digits = std::max(0L, decimal_digits(-binary_exponent(relative_step))) + 3;
+    const long digits = std::max(6L, relative_step == 0 ? 0L : step_digits);
+    const precision_scope scope(digits + 50);
     const mpfr a = from_exact<mpfr>(first);
     const mpfr b = from_exact<mpfr>(last);
     std::vector<exact> values;
@@ -75,7 +81,7 @@ std::vector<exact> log_range(const exact& first, const exact& last, long count) 
             continue;
         }
         const mpfr between = a * exp(log(b / a) * i / (count - 1));
-        values.push_back(read_exact(*to_finite_decimal(read_exact(to_decimal(between, 6)).coefficient)));
+        values.push_back(read_exact(*to_finite_decimal(read_exact(to_decimal(between, digits)).coefficient)));
     }
     return values;
 }

@@ -14,7 +14,8 @@ inline constexpr long most_grid_values = 10'000'000;
 
 /// Reads LIST, that is items with commas between them, each an exact number or a range:
 ///   a:b:count      count values from a to b, both included, evenly spaced and exact
-///   a:b:COUNTlog   evenly spaced in the logarithm: a and b exact, those between rounded to 6 digits and exact from then on
+///   a:b:COUNTlog   evenly spaced in the logarithm: a and b exact, those between rounded (to 6 digits or to
+///                  a thousandth of a step, whichever is finer) and exact from then on
 /// Throws std::invalid_argument saying which item is wrong and why.
 std::vector<exact> read_grid(std::string_view text);
 

@@ -8,8 +8,13 @@ namespace libration {
 
 namespace {
 
-// A fraction whose decimals do not end stays a fraction.
-std::string exact_text(const rational& value) { return to_finite_decimal(value).value_or(value.str()); }
+std::string derived_text(const rational& value) {
+    if (const auto finite = to_finite_decimal(value)) {
+        return *finite;
+    }
+    const precision_scope scope(60);
+    return to_decimal(from_rational<mpfr>(value), 50);
+}
 
 void require_energy(const exact& number, const rational& energy) {
     if (number.measure != unit::one) {
@@ -24,13 +29,13 @@ void require_energy(const exact& number, const rational& energy) {
 
 sweep_energy energy_from(const exact& energy) {
     require_energy(energy, energy.coefficient);
-    return {energy.text, exact_text(rational(2 - energy.coefficient)), energy.coefficient};
+    return {energy.text, derived_text(rational(2 - energy.coefficient)), energy.coefficient};
 }
 
 sweep_energy energy_from_gap(const exact& gap) {
     const rational energy = 2 - gap.coefficient;
     require_energy(gap, energy);
-    return {exact_text(energy), gap.text, energy};
+    return {derived_text(energy), gap.text, energy};
 }
 
 }  // namespace libration

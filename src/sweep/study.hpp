@@ -14,7 +14,7 @@ namespace libration {
 
 /// An energy of a sweep as it was typed: E itself, or the gap 2 - E.
 struct sweep_energy {
-    std::string energy;  ///< exact text, derived where the gap was typed
+    std::string energy;  ///< as typed, or 2 - gap: exact where its decimals end within 1000 digits, to 50 otherwise
     std::string gap;     ///< likewise
     rational value;      ///< E
 };

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,16 @@ std::string csv_cell(const std::string& cell) {
         quoted += c == '"' ? "\"\"" : std::string(1, c);
     }
     return quoted + '"';
+}
+
+void write_through(const std::string& path, const std::string& content) {
+    errno = 0;
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file << content;
+    file.close();
+    if (!file) {
+        throw std::runtime_error(errno != 0 ? std::strerror(errno) : "writing failed");
+    }
 }
 
 }  // namespace
@@ -83,22 +94,31 @@ std::string to_text(const table& data) {
 }
 
 void write_whole_file(const std::string& path, const std::string& content) {
-    const std::string beside = fmt::format("{}.{}.part", path, ::getpid());
-    errno = 0;
-    {
-        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-        file << content;
-        file.close();
-        if (!file) {
-            const std::string reason = errno != 0 ? std::strerror(errno) : "writing failed";
-            std::remove(beside.c_str());
-            throw std::runtime_error(reason);
-        }
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const std::string target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error).string() : path;
+    if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
+        write_through(target, content);
+        return;
     }
-    if (std::rename(beside.c_str(), path.c_str()) != 0) {
-        const std::string reason = std::strerror(errno);
-        std::remove(beside.c_str());
-        throw std::runtime_error(reason);
+    const std::string beside = fmt::format("{}.{}.part", target, ::getpid());
+    try {
+        write_through(beside, content);
+        fs::rename(beside, target);
+    } catch (const fs::filesystem_error& problem) {
+        fs::remove(beside, error);
+        throw std::runtime_error(problem.code().message());
+    } catch (const std::runtime_error&) {
+        fs::remove(beside, error);
+        throw;
+    }
+}
+
+void write_to_stdout(const std::string& content) {
+    errno = 0;
+    const bool written = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
+    if (!written || std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("stdout cannot be written ({})", std::strerror(errno)));
     }
 }
 

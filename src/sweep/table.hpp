@@ -27,8 +27,12 @@ std::string to_json(const table& data);
 /// Aligned columns for a terminal.
 std::string to_text(const table& data);
 
-/// Writes the whole file or nothing: beside the target first, then renamed onto it.
+/// Writes the whole file or nothing: beside the target first, then renamed onto it. A symbolic link is followed; what
+/// exists and is no regular file (a pipe, a device) is written to as it is.
 /// Throws std::runtime_error with the reason; nothing is left behind then.
 void write_whole_file(const std::string& path, const std::string& content);
+
+/// Writes to stdout and sees that it arrives. Throws std::runtime_error with the reason.
+void write_to_stdout(const std::string& content);
 
 }  // namespace libration
