@@ -12,6 +12,10 @@ std::string derived_text(const rational& value) {
     if (const auto finite = to_finite_decimal(value)) {
         return *finite;
     }
+    constexpr std::size_t longest_fraction = 50;
+    if (std::string fraction = value.str(); fraction.size() <= longest_fraction) {
+        return fraction;
+    }
     const precision_scope scope(60);
     return to_decimal(from_rational<mpfr>(value), 50);
 }

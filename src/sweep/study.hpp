@@ -14,7 +14,7 @@ namespace libration {
 
 /// An energy of a sweep as it was typed: E itself, or the gap 2 - E.
 struct sweep_energy {
-    std::string energy;  ///< as typed, or 2 - gap: exact where its decimals end within 1000 digits, to 50 otherwise
+    std::string energy;  ///< as typed, or 2 - gap: exact as a decimal or a short fraction, else to 50 digits
     std::string gap;     ///< likewise
     rational value;      ///< E
 };

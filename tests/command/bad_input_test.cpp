@@ -267,6 +267,24 @@ TEST_CASE("an --out that cannot be written is refused before anything is written
 
 TEST_CASE("an energy or a gap below the range of the scalar is refused with the scalar that holds it",
           "[command][bad input]") {
-    check_refused({"period", "--energy", "1e-400", "--scalar", "double"}, {"energy E", "--scalar mpfr:DIGITS"});
-    check_refused({"period", "--gap", "1e-400", "--scalar", "double"}, {"gap 2 - E", "--scalar mpfr:DIGITS"});
+    check_refused({"period", "--energy", "1e-400", "--scalar", "double"},
+                  {"--energy '1e-400'", "range of double", "--scalar mpfr:DIGITS"});
+    check_refused({"period", "--gap", "1e-400", "--scalar", "double"},
+                  {"--gap '1e-400'", "range of double", "--scalar mpfr:DIGITS"});
+}
+
+TEST_CASE("a time or a step that the scalar rounds to 0 or infinity is refused", "[command][bad input]") {
+    const words march{"trajectory", "--energy", "1", "--method", "rk4", "--scalar", "double"};
+    check_refused(march + words{"--times", "1e400"}, {"--times '1e400'", "range of double"});
+    check_refused(march + words{"--times", "1", "--step", "1e400"}, {"--step '1e400'", "range of double"});
+    check_refused(march + words{"--times", "1", "--step", "1e-400"}, {"--step '1e-400'", "range of double"});
+}
+
+TEST_CASE("a line end in a value does not break the one line of the message", "[command][bad input]") {
+    check_refused({"period", "--energy", "1\n2"}, {"--energy '1 2'"});
+}
+
+TEST_CASE("reproduce refuses its parameters before it says what it runs", "[command][bad input]") {
+    const temporary_folder folder;
+    check_refused({"reproduce", "--jobs", "0", "--out", (folder.path() / "out").string()}, {"--jobs '0'"}, folder);
 }

@@ -1,6 +1,7 @@
 // The contract of the output (DESIGN section 4): columns, formats, texts echoed as typed, signs, units and files.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -170,7 +171,7 @@ TEST_CASE("negative lists go with an equals sign or without, and --time is --tim
     CHECK(output_of(fall + words{"--time", "-1e6,0"}) == expected);
 }
 
-TEST_CASE("--direction - mirrors a rotation and does nothing to a pendulum at rest", "[command][output]") {
+TEST_CASE("option --direction mirrors a rotation and does nothing to a pendulum at rest", "[command][output]") {
     const words times{"--times", "0,1,T/3", "--digits", "30"};
     CHECK(output_of(turn + times + words{"--direction", "+"}) == output_of(turn + times));
     CHECK(output_of(fall + times + words{"--direction", "-"}) == output_of(fall + times));
@@ -284,7 +285,7 @@ TEST_CASE("as many significant digits are printed as were asked for", "[command]
           8);
 }
 
-TEST_CASE("--out writes the whole file, over an old one too, and nothing to stdout", "[command][output]") {
+TEST_CASE("option --out writes the whole file, over an old one too, and nothing to stdout", "[command][output]") {
     const temporary_folder folder;
     std::ofstream(folder.path() / "table.csv") << std::string(100'000, 'x');
     for (const contract& c : contracts()) {
@@ -302,7 +303,7 @@ TEST_CASE("--out writes the whole file, over an old one too, and nothing to stdo
     }
 }
 
-TEST_CASE("--version names the libraries and whether MPFR is thread-safe", "[command][output]") {
+TEST_CASE("option --version names the libraries and whether MPFR is thread-safe", "[command][output]") {
     const std::string text = output_of({"--version"});
     const auto lines = lines_of(text);
     const auto has = [&](const std::string& start, const std::string& rest) {
@@ -323,4 +324,25 @@ TEST_CASE("help goes to stdout and succeeds", "[command][output]") {
         CHECK(output_of({command, "--help"}).find("Usage: libration " + command) != std::string::npos);
     }
     CHECK(output_of({"trajectory", "--help"}).find("--omega0") != std::string::npos);
+}
+
+TEST_CASE("a full disk behind stdout is noticed", "[command][output]") {
+    // The shell is there only for the redirection.
+    const std::string line = std::string("'") + LIBRATION_COMMAND + "' period --energy 1 > /dev/full 2> /dev/null";
+    const int status = std::system(line.c_str());
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 1);
+}
+
+TEST_CASE("option --out writes through a link and into a device", "[command][output]") {
+    const temporary_folder folder;
+    const auto target = folder.path() / "target.txt";
+    const auto link = folder.path() / "link.txt";
+    std::ofstream(target) << "old";
+    std::filesystem::create_symlink(target, link);
+    CHECK(run_libration({"period", "--energy", "1", "--out", link.string()}, folder.path()).exit_code == 0);
+    CHECK(std::filesystem::is_symlink(link));
+    CHECK(text_of_file(target).starts_with("energy  1"));
+    CHECK(run_libration({"period", "--energy", "1", "--out", "/dev/null"}, folder.path()).exit_code == 0);
+    CHECK(std::filesystem::is_character_file("/dev/null"));
 }
