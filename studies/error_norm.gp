@@ -63,7 +63,7 @@ if (present eq 'yes') {
             set title word(scalars, s)
             set xlabel 'energy E'
             if (s == 1) { set ylabel 'log_{10} max |error|, radians' offset -0.5 } else { unset ylabel }
-            if (s == 3) { set key at graph 0.98, 0.36 right center maxrows 5 title 'order N' } else { unset key }
+            if (s == 1) { set key at graph 0.98, 0.14 right bottom maxrows 5 title 'order N' } else { unset key }
             set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
             set arrow 2 from 0, (word(floors, s) + 0) to 8, (word(floors, s) + 0) nohead lc rgb '#555555' lw 1
             set label 2 'epsilon' at 7.9, (word(floors, s) + 0) right offset 0,-0.7 textcolor rgb '#555555'
