@@ -110,7 +110,7 @@ T critical_formula(const motion& m, const exact& time) {
     using std::exp;
     using std::tan;
     const int d = m.direction();
-    const T turned = pi<T>() * 2 * from_rational<T>(rational(m.turns()));
+    const T turned = whole_turns<T>(m.turns());
     const T start = (from_exact<T>(*m.theta0()) - turned) * d;
     const T t = from_exact<T>(time) / time_unit<T>(m);
     return turned + (atan(T(exp(t) * tan(T((start + pi<T>()) / 4)))) * 4 - pi<T>()) * d;
@@ -149,26 +149,29 @@ trajectory_values follow(const trajectory_request& request, const Route& route) 
     return result;
 }
 
+// theta and omega of either form of state.
+template <class T>
+jet<mpfr> widened(const jet<T>& at) {
+    return {widen(at.value), widen(at.slope)};
+}
+template <class T>
+jet<mpfr> widened(const pendulum_state<T>& at) {
+    return {widen(at.theta), widen(at.omega)};
+}
+
+// A function of exact times, evaluated in the precision that is in force now.
 template <class T, class Function>
-trajectory_values follow_extension(const trajectory_request& request, Function on_descent) {
-    const periodic_extension<T, Function> extension(request.chosen.of, std::move(on_descent));
+trajectory_values follow_function(const trajectory_request& request, const Function& function) {
     const long own_digits = working_digits();
     return follow<T>(request, [&](const exact& time) {
         const precision_scope scope(own_digits);
-        const jet<T> at = extension(time);
-        return jet<mpfr>{widen(at.value), widen(at.slope)};
+        return widened(function(time));
     });
 }
 
-template <class T>
-trajectory_values follow_exactly(const trajectory_request& request) {
-    const exact_solution<T> solution(request.chosen.of);
-    const long own_digits = working_digits();
-    return follow<T>(request, [&](const exact& time) {
-        const precision_scope scope(own_digits);
-        const pendulum_state<T> at = solution(time);
-        return jet<mpfr>{widen(at.theta), widen(at.omega)};
-    });
+template <class T, class Function>
+trajectory_values follow_extension(const trajectory_request& request, Function on_descent) {
+    return follow_function<T>(request, periodic_extension<T, Function>(request.chosen.of, std::move(on_descent)));
 }
 
 // A number as T; refuses what T rounds to 0 or infinity.
@@ -236,10 +239,7 @@ trajectory_values follow_runge_kutta(const trajectory_request& request) {
         }
     }
     std::size_t next = 0;
-    return follow<T>(request, [&](const exact& /*time*/) {
-        const jet<T>& at = states[next++];
-        return jet<mpfr>{widen(at.value), widen(at.slope)};
-    });
+    return follow<T>(request, [&](const exact& /*time*/) { return widened(states[next++]); });
 }
 
 template <class T>
@@ -251,7 +251,7 @@ trajectory_values follow_in(const trajectory_request& request) {
         case trajectory_method::resummed:
             return follow_extension<T>(request, resummation_from_top(descent_of<T>(m), request.order));
         case trajectory_method::rk4: return follow_runge_kutta<T>(request);
-        default: return follow_exactly<T>(request);
+        default: return follow_function<T>(request, exact_solution<T>(m));
     }
 }
 

@@ -13,13 +13,6 @@ using namespace libration::tests;
 
 namespace {
 
-using words = std::vector<std::string>;
-
-words operator+(words first, const words& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-}
-
 // The last sentence of a complaint tells what to do.
 bool has_remedy(const std::string& line) {
     static const words verbs{"write ", "give ", "add ",   "use ", "choose ", "ask ",

@@ -14,6 +14,14 @@
 
 namespace libration::tests {
 
+/// A command line in words.
+using words = std::vector<std::string>;
+
+inline words operator+(words first, const words& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
 /// What a finished process left.
 struct finished_process {
     int exit_code;  ///< 128 + signal where a signal ended it
@@ -22,21 +30,21 @@ struct finished_process {
 };
 
 /// The words after `libration`, for messages of a failed test.
-inline std::string command_line(const std::vector<std::string>& words) {
+inline std::string command_line(const words& given) {
     std::string line = "libration";
-    for (const std::string& word : words) {
+    for (const std::string& word : given) {
         line += " " + word;
     }
     return line;
 }
 
 /// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it.
-inline finished_process run_libration(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+inline finished_process run_libration(const words& given, const std::filesystem::path& folder) {
     const temporary_folder captured;
     const std::string out = (captured.path() / "out").string();
     const std::string err = (captured.path() / "err").string();
     std::string program = LIBRATION_COMMAND;
-    std::vector<std::string> own = words;
+    words own = given;
     std::vector<char*> arguments{program.data()};
     for (std::string& word : own) {
         arguments.push_back(word.data());
@@ -57,22 +65,22 @@ inline finished_process run_libration(const std::vector<std::string>& words, con
     }
     int status = 0;
     if (child < 0 || ::waitpid(child, &status, 0) != child) {
-        throw std::runtime_error("cannot start " + command_line(words));
+        throw std::runtime_error("cannot start " + command_line(given));
     }
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of_file(out), text_of_file(err)};
 }
 
 /// The same in a folder of its own.
-inline finished_process run_libration(const std::vector<std::string>& words) {
+inline finished_process run_libration(const words& given) {
     const temporary_folder folder;
-    return run_libration(words, folder.path());
+    return run_libration(given, folder.path());
 }
 
 /// The data of a command that has to succeed in silence; throws std::runtime_error otherwise.
-inline std::string output_of(const std::vector<std::string>& words) {
-    const finished_process done = run_libration(words);
+inline std::string output_of(const words& given) {
+    const finished_process done = run_libration(given);
     if (done.exit_code != 0 || !done.err.empty()) {
-        throw std::runtime_error(command_line(words) + " ended with " + std::to_string(done.exit_code) + ": " +
+        throw std::runtime_error(command_line(given) + " ended with " + std::to_string(done.exit_code) + ": " +
                                  done.err);
     }
     return done.out;

@@ -15,13 +15,6 @@ using namespace libration::tests;
 
 namespace {
 
-using words = std::vector<std::string>;
-
-words operator+(words first, const words& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-}
-
 struct contract {
     words command;
     std::string columns;  // later ones may be added behind them

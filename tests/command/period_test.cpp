@@ -65,8 +65,8 @@ TEST_CASE("a gap of 1e-30 costs no digit", "[command][period]") {
 TEST_CASE("every motion of the reference table has its period to 50 digits", "[command][period]") {
     std::size_t motions = 0;
     for (const reference_motion& motion : reference_motions()) {
-        INFO(command_line(motion.words));
-        const table_row row = period_of(motion.words);
+        INFO(command_line(motion.options));
+        const table_row row = period_of(motion.options);
         CHECK_THAT(row.at("period"), right_to_the_last_digit(motion.rows.front().at("period")));
         CHECK_THAT(row.at("tstar"), right_to_the_last_digit(motion.rows.front().at("tstar")));
         ++motions;

@@ -45,9 +45,9 @@ inline std::vector<table_row> csv_rows(const std::string& csv) {
 }
 
 /// The rows that a command prints with --format csv.
-inline std::vector<table_row> rows_of(std::vector<std::string> words) {
-    words.insert(words.end(), {"--format", "csv"});
-    return csv_rows(output_of(words));
+inline std::vector<table_row> rows_of(words line) {
+    line.insert(line.end(), {"--format", "csv"});
+    return csv_rows(output_of(line));
 }
 
 /// Significant digits of a printed number other than 0.

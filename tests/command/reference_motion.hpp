@@ -9,9 +9,9 @@
 
 namespace libration::tests {
 
-/// A motion in words, and its rows: one a time, all with the same period.
+/// A motion as options, and its rows: one a time, all with the same period.
 struct reference_motion {
-    std::vector<std::string> words;
+    std::vector<std::string> options;
     std::vector<table_row> rows;
 
     /// --times with the times of all rows.
@@ -28,14 +28,14 @@ struct reference_motion {
 inline std::vector<reference_motion> reference_motions() {
     std::vector<reference_motion> motions;
     for (const table_row& row : reference_table("motions.csv")) {
-        std::vector<std::string> words;
+        std::vector<std::string> options;
         for (const std::string name : {"energy", "gap", "theta0", "omega0", "direction"}) {
             if (!row.at(name).empty()) {
-                words.insert(words.end(), {"--" + name, row.at(name)});
+                options.insert(options.end(), {"--" + name, row.at(name)});
             }
         }
-        if (motions.empty() || motions.back().words != words) {
-            motions.push_back({words, {}});
+        if (motions.empty() || motions.back().options != options) {
+            motions.push_back({options, {}});
         }
         motions.back().rows.push_back(row);
     }
@@ -45,7 +45,7 @@ inline std::vector<reference_motion> reference_motions() {
 /// The motion given by this energy alone; throws std::runtime_error when the table has none.
 inline reference_motion reference_motion_of(const std::string& energy) {
     for (const reference_motion& motion : reference_motions()) {
-        if (motion.words == std::vector<std::string>{"--energy", energy}) {
+        if (motion.options == std::vector<std::string>{"--energy", energy}) {
             return motion;
         }
     }

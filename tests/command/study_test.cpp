@@ -10,16 +10,7 @@
 
 using namespace libration::tests;
 
-namespace {
-
-using words = std::vector<std::string>;
-
-words operator+(words first, const words& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a study with --out writes its table, its description and its figures", "[command][study]") {
     const words order{"study",    "error_norm",    "--energies", "0.5,1.71,1.9998,2.02",

@@ -13,13 +13,6 @@ using namespace libration::tests;
 
 namespace {
 
-using words = std::vector<std::string>;
-
-words operator+(words first, const words& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-}
-
 std::vector<table_row> trajectory_of(const words& options) { return rows_of(words{"trajectory"} + options); }
 
 void check_state(const table_row& printed, const table_row& expected) {
@@ -49,8 +42,8 @@ mpfr check_errors(const std::vector<table_row>& rows, const motion& m) {
 TEST_CASE("every state of the reference table is printed to 50 right digits", "[command][trajectory]") {
     std::size_t states = 0;
     for (const reference_motion& motion : reference_motions()) {
-        INFO(command_line(motion.words));
-        const auto rows = trajectory_of(motion.words + words{motion.times(), "--digits", "50"});
+        INFO(command_line(motion.options));
+        const auto rows = trajectory_of(motion.options + words{motion.times(), "--digits", "50"});
         REQUIRE(rows.size() == motion.rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
             check_state(rows[i], motion.rows[i]);
@@ -166,7 +159,7 @@ TEST_CASE("from a state the approximations follow the shifted clock", "[command]
 TEST_CASE("in double the exact motion is right to a few units, after a million periods too", "[command][trajectory]") {
     const precision_scope scope(50);
     const reference_motion motion = reference_motion_of("1.71");
-    const auto rows = trajectory_of(motion.words + words{motion.times(), "--scalar", "double"});
+    const auto rows = trajectory_of(motion.options + words{motion.times(), "--scalar", "double"});
     REQUIRE(rows.size() == motion.rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         INFO("t = " << rows[i].at("time"));

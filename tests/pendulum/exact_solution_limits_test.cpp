@@ -12,15 +12,6 @@
 using namespace libration;
 using namespace libration::tests;
 
-namespace {
-
-template <class T>
-pendulum_state<T> state_of(const motion& m, const std::string& time) {
-    return exact_solution<T>(m)(read_exact(time));
-}
-
-}  // namespace
-
 TEMPLATE_LIST_TEST_CASE("a Taylor series of the differential equation carries one state to the next",
                         "[exact_solution]", all_scalars) {
     using T = typename TestType::type;

@@ -13,11 +13,6 @@ using namespace libration::tests;
 namespace {
 
 template <class T>
-pendulum_state<T> state_of(const motion& m, const std::string& time) {
-    return exact_solution<T>(m)(read_exact(time));
-}
-
-template <class T>
 T at_least_one(const T& x) {
     using std::abs;
     return abs(x) > 1 ? T(abs(x)) : T(1);

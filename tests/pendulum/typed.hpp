@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/motion.hpp"
+#include "libration/pendulum/exact_solution.hpp"
 #include "reference_table.hpp"
 
 namespace libration::tests {
@@ -36,6 +36,11 @@ inline motion motion_of(const table_row& row) {
     const int direction = cell("direction") == "-" ? -1 : 1;
     return cell("theta0").empty() ? motion::of_energy(energy, direction)
                                   : motion::of_energy_from(energy, read_exact(cell("theta0")), direction);
+}
+
+template <class T>
+pendulum_state<T> state_of(const motion& m, const std::string& time) {
+    return exact_solution<T>(m)(read_exact(time));
 }
 
 /// A motion and its name, for lists of them.

@@ -4,11 +4,16 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "libration/scalar/decimal.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {
@@ -20,9 +25,18 @@ struct norm_at {
     T place;
 };
 
+/// The scalars whose stationary points are sought. Boost 1.81's TOMS 748 does not compile on float128 in strict C++20;
+/// norms of a fixed scalar take the stationary points of mpfr anyway, where its rounding does not hide them.
+template <class T>
+concept bracketed_scalar = rounding_scalar<T> && !std::same_as<T, quad>;
+
 /// count >= 2 Chebyshev points of [0, 1], ends included: (1 - cos(j pi/(count-1)))/2 rounded to double, so that every
 /// scalar holds them exactly.
+/// Throws std::invalid_argument when count < 2.
 inline std::vector<double> chebyshev_points(int count) {
+    if (count < 2) {
+        throw std::invalid_argument(std::to_string(count) + " points between two ends");
+    }
     std::vector<double> points;
     for (int j = 0; j < count; ++j) {
         const double half_angle = j * std::numbers::pi / (2 * (count - 1));
@@ -33,8 +47,8 @@ inline std::vector<double> chebyshev_points(int count) {
 
 /// The difference of two functions that return jets.
 template <class F, class G>
-auto difference(const F& f, const G& g) {
-    return [&f, &g]<class T>(const T& x) {
+auto difference(F f, G g) {
+    return [f = std::move(f), g = std::move(g)]<class T>(const T& x) {
         const jet<T> a = f(x);
         const jet<T> b = g(x);
         return jet<T>{a.value - b.value, a.slope - b.slope};
@@ -44,7 +58,7 @@ auto difference(const F& f, const G& g) {
 /// Zeros of the slope of `difference` between neighbouring points where the slope changes sign, by the bracketing
 /// method of [TOMS748] to full working precision. `at_points` holds its jets at the points.
 /// Two stationary points between the same neighbours stay unseen: choose the points dense enough.
-template <rounding_scalar T, class F>
+template <bracketed_scalar T, class F>
 std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,
                                  const std::vector<jet<T>>& at_points) {
     const auto slope = [&](const T& x) { return difference(x).slope; };
@@ -69,13 +83,16 @@ std::vector<T> stationary_points(const F& difference, const std::vector<double>&
 }
 
 /// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
-/// them.
-template <rounding_scalar T, class F>
+/// them. Throws std::domain_error where the difference is not a number.
+template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
                            const std::vector<jet<T>>& at_points) {
     using std::abs;
     norm_at<T> largest{T(0), T(points.front())};
     const auto consider = [&](const T& value, const T& place) {
+        if (value != value) {
+            throw std::domain_error("the difference is not a number at " + to_decimal(place, 20));
+        }
         if (abs(value) > largest.norm) {
             largest = {abs(value), place};
         }
@@ -90,7 +107,7 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
 }
 
 /// The same with the jets computed here.
-template <rounding_scalar T, class F>
+template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points) {
     std::vector<jet<T>> at_points;
     for (const double x : points) {

@@ -78,8 +78,9 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
     return {wide.quarter, narrow<T>(wide.offset)};
 }
 
-/// sn, cn, dn at any real u: a few units in the last place each, given u and the modulus as exact.
-/// Throws std::domain_error at k = 1.
+/// sn, cn, dn at any real u, given u and the modulus as exact: a few units in the last place each, times the condition
+/// |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' = 1e-100, K is
+/// 232). Throws std::domain_error at k = 1.
 template <scalar T>
 jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     const auto reduced = reduce_argument(u, m);
@@ -87,17 +88,19 @@ jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     return advance_quarters(near, quarter_of_four(reduced.quarter), m.complement);
 }
 
-/// am(u, k), unwrapped: am(u + 2K) = am(u) + pi. With u = quarter K + offset and h = quarter div 2 it is
-/// h pi + atan2(sn, cn) at the rest, all of it without cancellation.
+/// am(u, k), unwrapped and odd: am(u + 2K) = am(u) + pi. With u = quarter K + offset, quarter >= 0 and h = quarter div 2
+/// it is h pi + atan2(sn, cn) at the rest, all of it without cancellation. A few units in the last place.
 template <scalar T>
 T amplitude(const T& u, const modulus<T>& m) {
     using std::atan2;
     const auto reduced = reduce_argument(u, m);
-    const auto near = jacobi_at(reduced.offset, landen_chain<T>(m));
-    const int odd = quarter_of_four(reduced.quarter) % 2;
+    const int sign = reduced.quarter < 0 ? -1 : 1;
+    const integer quarter = abs(reduced.quarter);
+    const int odd = quarter_of_four(quarter) % 2;
+    const auto near = jacobi_at(T(reduced.offset * sign), landen_chain<T>(m));
     const auto rest = advance_quarters(near, odd, m.complement);
-    const integer halves = (reduced.quarter - odd) / 2;
-    return from_rational<T>(rational(halves)) * pi<T>() + atan2(rest.sn, rest.cn);
+    const integer halves = (quarter - odd) / 2;
+    return (from_rational<T>(rational(halves)) * pi<T>() + atan2(rest.sn, rest.cn)) * sign;
 }
 
 }  // namespace libration

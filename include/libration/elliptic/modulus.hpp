@@ -30,8 +30,11 @@ struct modulus {
         using std::sqrt;
         return {sqrt((1 - complement) * (1 + complement)), complement, source::complement};
     }
-    /// From both, when both are known: k = 1e-20 with k' = 1, say.
-    static modulus from_both(const T& k, const T& complement) { return {k, complement, source::complement}; }
+    /// From both, when both are known: k = 1e-20 with k' = 1, say. The smaller one is the one that tells.
+    static modulus from_both(const T& k, const T& complement) {
+        const bool k_tells = binary_exponent(k) < binary_exponent(complement);
+        return {k, complement, k_tells ? source::modulus : source::complement};
+    }
 
     /// The modulus with k and k' exchanged.
     modulus swapped() const { return {complement, k, given == source::modulus ? source::complement : source::modulus}; }

@@ -52,10 +52,8 @@ template <scalar T>
 power_series<T> taylor_by_sine_cosine(const taylor_start<T>& start, int order, const T& scale) {
     require_taylor_order(order);
     const pendulum_state<T>& at = start.state;
-    const T sine = at.half_sine * at.half_cosine * 2;
-    const T cosine = (at.half_cosine - at.half_sine) * (at.half_cosine + at.half_sine);
     const T scale_squared = scale * scale;
-    sine_cosine_recurrence<T> recurrence(sine, cosine, start.of_theta);
+    sine_cosine_recurrence<T> recurrence(at.sine(), at.cosine(), start.of_theta);
     auto a = power_series<T>::zero(order);
     a[0] = at.theta;
     if (order >= 1) {
@@ -78,8 +76,8 @@ template <scalar T>
 power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start, int order, const T& scale) {
     require_taylor_order(order);
     const pendulum_state<T>& at = start.state;
-    const T sine = at.half_sine * at.half_cosine * 2;
-    const T cosine = (at.half_cosine - at.half_sine) * (at.half_cosine + at.half_sine);
+    const T sine = at.sine();
+    const T cosine = at.cosine();
     const T h = scale * scale;
     const T constant = (sine * sine - cosine * at.omega * at.omega) * h;
     const T linear = (start.pair.gap - start.pair.energy - cosine * 6) * h;

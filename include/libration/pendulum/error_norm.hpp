@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -78,7 +79,7 @@ private:
     // theta of the canonical motion from that of a motion in any well and direction.
     mpfr canonical(const mpfr& theta) const {
         const motion& m = truth_.of();
-        mpfr own = theta - pi<mpfr>() * from_rational<mpfr>(rational(m.turns())) * 2;
+        mpfr own = theta - whole_turns<mpfr>(m.turns());
         if (m.regime() != regime::rotation || m.direction() > 0) {
             return own;
         }
@@ -110,7 +111,7 @@ private:
             differences.push_back({value.value - truth[i].value, value.slope - truth[i].slope});
         }
         const auto exactly = [this](const mpfr& x) { return exact(x); };
-        return difference_norm<mpfr>(difference(approximation, exactly), points, differences);
+        return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
     }
 
     template <fixed_scalar T, class F>

@@ -17,6 +17,10 @@ struct pendulum_state {
     T omega;
     T half_sine;
     T half_cosine;
+
+    /// sin theta and cos theta, relative next to the zeros of sin theta; no cancellation that the halves do not have.
+    T sine() const { return half_sine * half_cosine * 2; }
+    T cosine() const { return (half_cosine - half_sine) * (half_cosine + half_sine); }
 };
 
 /// With s = time since the bottom, u = s * rate and sn, cn, dn of modulus k at u [paper (subcritical), (supercritical),
@@ -73,8 +77,6 @@ public:
     }
 
 private:
-    T whole_turns(const integer& turns) const { return from_rational<T>(rational(turns * 2)) * pi<T>(); }
-
     jacobi_values<T> values(const phase<T>& p, int quarter) const {
         return advance_quarters(jacobi_at(T(p.offset * orbit_->rate), *chain_), quarter, orbit_->shape.complement);
     }
@@ -83,7 +85,8 @@ private:
         using std::atan2;
         const auto v = values(p, quarter_of_four(p.quarter));
         const T half_sine = orbit_->shape.k * v.sn;
-        return {whole_turns(motion_.turns()) + atan2(half_sine, v.dn) * 2, orbit_->shape.k * v.cn * 2, half_sine, v.dn};
+        return {whole_turns<T>(motion_.turns()) + atan2(half_sine, v.dn) * 2, orbit_->shape.k * v.cn * 2, half_sine,
+                v.dn};
     }
 
     pendulum_state<T> rotating(const phase<T>& p) const {
@@ -92,7 +95,7 @@ private:
         const auto v = values(p, odd);
         const int d = motion_.direction();
         const integer half_turns = (p.quarter - odd) / 2;
-        const T theta = whole_turns(integer(motion_.turns() + half_turns * d)) + atan2(v.sn, v.cn) * (2 * d);
+        const T theta = whole_turns<T>(integer(motion_.turns() + half_turns * d)) + atan2(v.sn, v.cn) * (2 * d);
         return {theta, v.dn * orbit_->rate * (2 * d), v.sn * d, v.cn};
     }
 
@@ -103,7 +106,7 @@ private:
         using std::tanh;
         const int d = motion_.direction();
         const T half_cosine = 1 / cosh(p.offset);
-        const T theta = whole_turns(motion_.turns()) + atan(tanh(p.offset / 2)) * (4 * d);
+        const T theta = whole_turns<T>(motion_.turns()) + atan(tanh(p.offset / 2)) * (4 * d);
         return {theta, half_cosine * (2 * d), tanh(p.offset) * d, half_cosine};
     }
 

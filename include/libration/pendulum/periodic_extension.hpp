@@ -38,11 +38,9 @@ public:
     }
 
 private:
-    T whole_turns(const integer& turns) const { return from_rational<T>(rational(turns * 2)) * pi<T>(); }
-
     jet<T> librating(const jet<T>& part, const integer& top, bool after) const {
         const int sign = quarter_of_four(top) == 1 ? 1 : -1;
-        return {whole_turns(motion_.turns()) + part.value * sign, part.slope * (after ? sign : -sign)};
+        return {whole_turns<T>(motion_.turns()) + part.value * sign, part.slope * (after ? sign : -sign)};
     }
 
     // Counterclockwise the top of quarter 2 i + 1 is at theta = 2 pi i + pi.
@@ -50,7 +48,7 @@ private:
         const int d = motion_.direction();
         const integer half_turns = (top - 1) / 2;
         const T value = after ? part.value : T(pi<T>() * 2 - part.value);
-        return {whole_turns(integer(motion_.turns() + half_turns * d)) + value * d, part.slope * d};
+        return {whole_turns<T>(integer(motion_.turns() + half_turns * d)) + value * d, part.slope * d};
     }
 
     born_precision<T> born_;

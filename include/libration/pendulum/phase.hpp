@@ -19,6 +19,12 @@ struct phase {
     int side = 0;  ///< sign of the offset, 0 only where the motion is exactly at the quarter
 };
 
+/// 2 pi turns.
+template <scalar T>
+T whole_turns(const integer& turns) {
+    return from_rational<T>(rational(turns * 2)) * pi<T>();
+}
+
 /// The clock of one motion.
 template <scalar T>
 class timeline {
@@ -103,8 +109,7 @@ private:
     void place_start(origin& start) const {
         using std::cos;
         using std::sin;
-        const W turned = pi<W>() * from_rational<W>(rational(motion_.turns())) * 2;
-        const W half = (from_exact<W>(*motion_.theta0()) - turned) / 2;
+        const W half = (from_exact<W>(*motion_.theta0()) - whole_turns<W>(motion_.turns())) / 2;
         const W sine = sin(half);
         const W cosine = cos(half);
         if (motion_.regime() == regime::separatrix) {

@@ -45,15 +45,13 @@ public:
         const integer turns = motion_.turns();
         if (motion_.regime() == regime::rotation) {
             const int d = motion_.direction();
-            return {whole_turns(integer(turns + passage * d)) + part.value * d, part.slope * d};
+            return {whole_turns<T>(integer(turns + passage * d)) + part.value * d, part.slope * d};
         }
         const int sign = passage % 2 == 0 ? 1 : -1;
-        return {whole_turns(turns) + part.value * sign, part.slope * sign};
+        return {whole_turns<T>(turns) + part.value * sign, part.slope * sign};
     }
 
 private:
-    T whole_turns(const integer& turns) const { return from_rational<T>(rational(turns * 2)) * pi<T>(); }
-
     // The sum at r and its derivative with respect to r.
     jet<T> around_bottom(const T& r) const {
         using std::atan;

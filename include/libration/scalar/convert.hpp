@@ -1,7 +1,7 @@
 // Conversions between scalars without a detour through double: exact to wide, correctly rounded to narrow.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "libration/scalar/constants.hpp"
@@ -19,16 +19,23 @@ struct wide_scalar<T> {
 template <class T>
 using wide_t = typename wide_scalar<T>::type;
 
-/// x in the wide arithmetic of its type, exactly (whatever the working precision).
+/// x in the wide arithmetic of its type, exactly, and in no less than the working precision: Boost computes `widen(x) - y`
+/// in the precision of the temporary.
 template <rounding_scalar T>
 mpfr widen(const T& x) {
     if constexpr (std::same_as<T, mpfr>) {
-        return x;
+        mpfr result;
+        if (mpfr_get_prec(handle(x)) >= mpfr_get_prec(handle(result))) {
+            return x;
+        }
+        mpfr_set(handle(result), handle(x), MPFR_RNDN);
+        return result;
     } else if constexpr (std::same_as<T, quad>) {
-        const precision_scope exact(decimal_digits(3 * std::numeric_limits<double>::digits));
         if (!(boost::multiprecision::isfinite)(x)) {
             return mpfr(static_cast<double>(x));
         }
+        const precision_scope enough(
+            std::max(working_digits(), decimal_digits(3 * std::numeric_limits<double>::digits)));
         int exponent = 0;
         quad rest = frexp(x, &exponent);
         mpfr sum(0);
@@ -39,12 +46,13 @@ mpfr widen(const T& x) {
         }
         return ldexp(sum, exponent);
     } else {
-        const precision_scope exact(decimal_digits(std::numeric_limits<T>::digits));
+        const precision_scope enough(std::max(working_digits(), decimal_digits(std::numeric_limits<T>::digits)));
         return mpfr(x);
     }
 }
 
-/// x rounded to nearest in T; to mpfr of the working precision where T is mpfr.
+/// x rounded to nearest in T; to mpfr of the working precision where T is mpfr. Below the normal range of quad it is
+/// rounded twice.
 template <rounding_scalar T>
 T narrow(const mpfr& x) {
     if constexpr (std::same_as<T, mpfr>) {

@@ -57,8 +57,11 @@ std::string to_decimal(const T& x, long count) {
 /// x with as many digits as reading it back needs to give x again: 1 + ceil(digits log10 2).
 template <rounding_scalar T>
 std::string to_round_trip(const T& x) {
-    const long bits = static_cast<long>(mpfr_get_prec(handle(widen(x))));
-    return to_decimal(x, 1 + decimal_digits(std::same_as<T, mpfr> ? bits : digits<T>()));
+    if constexpr (std::same_as<T, mpfr>) {
+        return to_decimal(x, 1 + decimal_digits(static_cast<long>(mpfr_get_prec(handle(x)))));
+    } else {
+        return to_decimal(x, 1 + decimal_digits(digits<T>()));
+    }
 }
 
 /// The decimal expansion of a fraction where it ends within `longest` significant digits.

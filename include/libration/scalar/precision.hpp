@@ -46,7 +46,7 @@ private:
 /// The working precision in force in this thread, in decimal digits.
 inline long working_digits() { return static_cast<long>(mpfr::thread_default_precision()); }
 
-/// The smallest number of decimal digits that holds `bits` bits: ceil(bits log10 2).
+/// A number of decimal digits that holds `bits` bits: bits log10 2, rounded up.
 constexpr long decimal_digits(long bits) { return bits <= 0 ? 1 : (bits * 30103 + 99'999) / 100'000; }
 
 /// Significand bits of T; of mpfr, those of the working precision in force here.

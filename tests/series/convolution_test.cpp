@@ -1,0 +1,78 @@
+#include "libration/series/convolution.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "scalars.hpp"
+#include "series/random_series.hpp"
+
+using namespace libration;
+using libration::tests::all_scalars;
+
+TEMPLATE_LIST_TEST_CASE("a convolution is the double sum over index pairs", "[series][convolution]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    tests::random_series random;
+    const auto a = random.of_order<T>(9, 2);
+    const auto b = random.of_order<T>(9, -1);
+    for (int n = 0; n <= 9; ++n) {
+        T whole(0);
+        T inner(0);
+        for (int i = 0; i <= 9; ++i) {
+            for (int j = 0; j <= 9; ++j) {
+                whole += i + j == n ? T(a[i] * b[j]) : T(0);
+                inner += i + j == n && 2 <= i && i <= 7 ? T(a[i] * b[j]) : T(0);
+            }
+        }
+        CHECK(product_coefficient(a, b, n) == whole);
+        CHECK(convolution(a, b, n, 2, std::min(n, 7)) == inner);
+    }
+    CHECK(convolution(a, b, 5, 4, 3) == 0);
+}
+
+TEMPLATE_LIST_TEST_CASE("the coefficient of a square is that of a product", "[series][convolution]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    tests::random_series random;
+    const auto p = GENERATE(parity::any, parity::even, parity::odd);
+    const auto a = random.of_order<T>(13, p == parity::odd ? 0 : 3, p);
+    for (int n = 0; n <= 13; ++n) {
+        INFO(n);
+        CHECK(square_coefficient(a, n) == product_coefficient(a, a, n));
+        CHECK(square_coefficient(a, n, p) == product_coefficient(a, a, n));
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("a known parity saves products and changes nothing", "[series][convolution]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    tests::random_series random;
+    const auto b = random.of_order<T>(12, 1);
+    const auto p = GENERATE(parity::even, parity::odd);
+    const auto a = random.of_order<T>(12, p == parity::odd ? 0 : 3, p);
+    for (int n = 0; n <= 12; ++n) {
+        CHECK(product_coefficient(a, b, n, p) == product_coefficient(a, b, n));
+        for (int first = 0; first <= n; ++first) {
+            CHECK(convolution(a, b, n, first, n, p) == convolution(a, b, n, first, n));
+        }
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("parity counts terms and does not look at values", "[series][convolution]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const power_series<T> ones(std::vector<T>(8, T(1)));
+    CHECK(product_coefficient(ones, ones, 7) == 8);
+    CHECK(product_coefficient(ones, ones, 7, parity::even) == 4);
+    CHECK(product_coefficient(ones, ones, 6, parity::even) == 4);
+    CHECK(product_coefficient(ones, ones, 6, parity::odd) == 3);
+    CHECK(square_coefficient(ones, 6, parity::odd) == 3);
+}
+
+TEST_CASE("mpfr adds a product with one rounding", "[series][convolution]") {
+    const precision_scope scope(40);
+    // (1 + e)(1 - e) - 1 = -e^2, lost when the product is rounded before the sum.
+    const mpfr e = epsilon<mpfr>();
+    mpfr sum(-1);
+    add_product(sum, mpfr(1 + e), mpfr(1 - e));
+    CHECK(sum == -e * e);
+}
