@@ -271,11 +271,10 @@ output_folder::~output_folder() {
 }
 
 void output_folder::take_away() {
-    for (auto at = made_.rbegin(); at != made_.rend(); ++at) {
+    for (; !made_.empty(); made_.pop_back()) {
         std::error_code not_empty;
-        std::filesystem::remove(*at, not_empty);
+        std::filesystem::remove(made_.back(), not_empty);
     }
-    made_.clear();
 }
 
 }  // namespace libration

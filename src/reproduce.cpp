@@ -65,6 +65,7 @@ int run_reproduce(const reproduce_options& options) {
     study_words words;
     words.jobs = options.jobs;
     std::vector<study_order> orders;
+    orders.reserve(studies.size());
     for (const study* each : studies) {
         orders.push_back(order_of(*each, words));
     }

@@ -56,7 +56,7 @@ present = system(sprintf("test -f '%s' && test -f '%s' && test -f '%s' && echo y
 if (present eq 'yes') {
     do for [kind in terminals] {
         eval use_terminal(kind, target.'/error_norm_scalars', 1180, 520)
-        set lmargin 8; set multiplot layout 1,3 title 'The same norms computed in each scalar, series dashed, resummation solid: where rounding stops the convergence' font ',16' offset 0,-0.3
+        set lmargin 8; set multiplot layout 1,3 title 'The same norms in each scalar (series dashed, resummation solid)' font ',16' offset 0,-0.3
         set xrange [0:8]
         set yrange [-38:2]
         do for [s=1:3] {

@@ -83,15 +83,16 @@ std::vector<T> stationary_points(const F& difference, const std::vector<double>&
 }
 
 /// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
-/// them. Throws std::domain_error where the difference is not a number.
+/// them. Throws std::domain_error where the difference is not finite.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
                            const std::vector<jet<T>>& at_points) {
     using std::abs;
+    using std::isfinite;
     norm_at<T> largest{T(0), T(points.front())};
     const auto consider = [&](const T& value, const T& place) {
-        if (value != value) {
-            throw std::domain_error("the difference is not a number at " + to_decimal(place, 20));
+        if (!isfinite(value)) {
+            throw std::domain_error("the difference is not finite at " + to_decimal(place, 20));
         }
         if (abs(value) > largest.norm) {
             largest = {abs(value), place};
