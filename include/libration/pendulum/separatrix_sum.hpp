@@ -4,7 +4,7 @@
 // With c = pi/(2 K~'), gd(z) = atan sinh z and r the time since the nearest passage through the bottom, a_i = 2 i c T*,
 //     libration  theta = (-1)^j [2 gd(c r) + sum_{i>=1} (-1)^i 4 atan(sinh(c r)/cosh a_i)]
 //     rotation   theta = 2 pi j + 2 gd(c r) + sum_{i>=1} 4 atan(sinh(c r)/cosh a_i)
-// where j counts the passages. This is the sum over columns (-1)^j 2 gd(c (s - 2 j T*)) of DESIGN section 3, taken in
+// where j counts the passages. This is the sum over columns (-1)^j 2 gd(c (s - 2 j T*)) over all passages j, taken in
 // pairs around the nearest column by gd(a + z) - gd(a - z) = 2 atan(sinh z/cosh a), which does not cancel.
 #pragma once
 
@@ -34,7 +34,8 @@ public:
     /// At an exact time.
     jet<T> operator()(const exact& time) const { return at(timeline_.at(time)); }
 
-    /// At a phase. The remainder is at most the first pair left out over 1 - exp(-2 c T*), in libration the pair itself.
+    /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the pairs left
+    /// out sum to at most the last one kept over cosh d - 1, for theta and for omega.
     jet<T> at(const phase<T>& p) const {
         born_.require();
         // The nearest passage through the bottom is an even quarter: this one, or the one on our side of the top.
@@ -64,14 +65,18 @@ private:
         T slope = 2 / cosine;
         int sign = alternate;
         T q = sine;
+        T last = 2 / cosine;
         for (long i = 1; i <= pairs_; ++i) {
             const T inverse = 1 / cosh(rate_ * effective_period_ * static_cast<int>(2 * i));
             q = sine * inverse;
             value += atan(q) * (4 * sign);
-            slope += cosine * inverse / (1 + q * q) * (4 * sign);
+            last = cosine * inverse * 4;
+            slope += last / (1 + q * q) * sign;
             sign *= alternate;
         }
-        return {enclose(value, T(q * 4)), enclose(T(slope * rate_), T(cosine * 4 * rate_))};
+        const T half = sinh(rate_ * effective_period_);
+        const T growth = half * half * 2;  // cosh d - 1
+        return {enclose(value, T(q * 4 / growth)), enclose(T(slope * rate_), T(last * rate_ / growth))};
     }
 
     born_precision<T> born_;
