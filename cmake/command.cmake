@@ -31,7 +31,9 @@ endforeach()
 list(JOIN study_entries ", " study_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
-file(GLOB sweep_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/sweep/*.cpp)
+file(GLOB sweep_sources CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/src/sweep/*.cpp
+    ${PROJECT_SOURCE_DIR}/src/claims/*.cpp)
 file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 
 # A library of its own, so that tests can run a study or a sweep without starting the program.

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "agreement.hpp"
-#include "input_error.hpp"
 #include "libration/pendulum/expansion.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
 #include "subcommand.hpp"
+#include "sweep/input_error.hpp"
 
 namespace libration {
 

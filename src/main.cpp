@@ -6,9 +6,9 @@
 #include <exception>
 #include <vector>
 
-#include "input_error.hpp"
 #include "provenance.hpp"
 #include "subcommand.hpp"
+#include "sweep/input_error.hpp"
 
 namespace {
 
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
         libration::period_command(program),     libration::coefficients_command(program),
         libration::trajectory_command(program), libration::study_command(program),
         libration::studies_command(program),    libration::figure_command(program),
-        libration::reproduce_command(program)};
+        libration::claims_command(program),     libration::reproduce_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "input_error.hpp"
 #include "libration/pendulum/energy.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "sweep/grid.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/study.hpp"
 
 namespace libration {

@@ -6,16 +6,14 @@
 #include <memory>
 
 #include "agreement.hpp"
-#include "input_error.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
 #include "subcommand.hpp"
+#include "sweep/input_error.hpp"
 
 namespace libration {
 
 namespace {
-
-enum class period_method { agm, series, resummed };
 
 struct period_options {
     motion_options motion;
@@ -67,21 +65,12 @@ period_request choose(const period_options& options) {
     return request;
 }
 
-template <class T>
-T tstar_by(const orbit<T>& o, const period_request& request) {
-    switch (request.method) {
-        case period_method::series: return effective_period_series(o, *request.order);
-        case period_method::resummed: return effective_period_resummed(o, *request.order);
-        default: return effective_period(o);
-    }
-}
-
 // T and T* in the motion's units.
 template <class T>
 std::vector<mpfr> period_values(const period_request& request) {
     const motion& m = request.chosen.of;
     const T seconds = time_unit<T>(m);
-    const T tstar = tstar_by(orbit_of<T>(m), request) * seconds;
+    const T tstar = effective_period_by({request.method, request.order.value_or(0)}, orbit_of<T>(m)) * seconds;
     return {widen(T(tstar * quarters_per_period(m.regime()))), widen(tstar)};
 }
 

@@ -1,4 +1,4 @@
-// libration reproduce: every study with its own parameters, then the list of what was made.
+// libration reproduce: every study with its own parameters, the claims, then the report.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +7,12 @@
 #include <memory>
 #include <sstream>
 
-#include "input_error.hpp"
+#include "claims/claim.hpp"
 #include "options.hpp"
 #include "study_files.hpp"
-#include "study_order.hpp"
 #include "subcommand.hpp"
+#include "sweep/input_error.hpp"
+#include "sweep/study_order.hpp"
 
 namespace libration {
 
@@ -45,6 +46,22 @@ std::vector<const study*> chosen(const reproduce_options& options) {
     return studies;
 }
 
+// Their orders, each knowing its place in the whole work.
+std::vector<study_order> orders_of(const std::vector<const study*>& studies, int jobs) {
+    std::vector<study_order> orders;
+    orders.reserve(studies.size());
+    double seconds_after = 0;
+    for (const study* each : studies) {
+        seconds_after += each->seconds;
+    }
+    for (const study* each : studies) {
+        orders.push_back(order_of(*each, {}, jobs));
+        seconds_after -= each->seconds;
+        orders.back().request.shown = {fmt::format("study {} of {}, ", orders.size(), studies.size()), seconds_after};
+    }
+    return orders;
+}
+
 // What is in the folder, for a reader who comes to it first.
 std::string index_of(const std::vector<const study*>& studies) {
     std::string text =
@@ -62,18 +79,12 @@ std::string index_of(const std::vector<const study*>& studies) {
 
 int run_reproduce(const reproduce_options& options) {
     const auto studies = chosen(options);
-    study_words words;
-    words.jobs = options.jobs;
-    std::vector<study_order> orders;
-    orders.reserve(studies.size());
-    for (const study* each : studies) {
-        orders.push_back(order_of(*each, words));
-    }
+    const auto orders = orders_of(studies, jobs_of(options.jobs));
     output_folder into("--out", options.out);
     std::vector<std::string> failures;
     for (const study_order& order : orders) {
         const study* each = order.what;
-        fmt::print(stderr, "libration: {} ({})\n", each->name, each->cost);
+        fmt::print(stderr, "libration: {}{} (about {:.1f} s)\n", order.request.shown.before, each->name, each->seconds);
         try {
             write_study(order, options.out);
             draw_study(*each, options.out);

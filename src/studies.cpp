@@ -10,17 +10,13 @@ namespace {
 
 int list_studies() {
     for (const study* each : all_studies()) {
-        fmt::print("{}\n    {}\n", each->name, each->question);
-        const auto line = [](const char* name, const std::string& value) {
-            if (!value.empty()) {
-                fmt::print("    {:<11}{}\n", name, value);
-            }
-        };
-        line("--energies", each->defaults.energies);
-        line("--gaps", each->defaults.gaps);
-        line("--orders", each->defaults.orders);
-        line("--scalar", each->defaults.scalars);
-        line("cost", each->cost);
+        fmt::print("{}{}\n    {}\n", each->name, each->label.empty() ? "" : "  [paper " + each->label + "]",
+                   each->question);
+        for (const study_parameter& parameter : each->parameters) {
+            fmt::print("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
+                       parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
+        }
+        fmt::print("    {:<12} {:.1f} s on two cores\n", "cost", each->seconds);
     }
     return 0;
 }

@@ -11,9 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "input_error.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
+#include "sweep/input_error.hpp"
+#include "sweep/latex.hpp"
 
 namespace libration {
 
@@ -34,10 +35,19 @@ std::string description_of(const study_order& order, const std::vector<study_tab
         description["columns"][c.name] = c.meaning;
     }
     for (const study_table& part : tables) {
-        description["tables"].push_back({{"file", stem_of(*order.what, part) + ".csv"},
-                                         {"scalar", part.scalar.name()},
-                                         {"digits", part.scalar.digits},
-                                         {"rows", part.data.rows.size()}});
+        nlohmann::ordered_json entry{{"file", stem_of(*order.what, part) + ".csv"},
+                                     {"scalar", part.scalar.name()},
+                                     {"digits", part.scalar.digits},
+                                     {"rows", part.data.rows.size()}};
+        if (&part != &tables.front()) {
+            for (const column& c : part.data.columns) {
+                entry["columns"][c.name] = c.meaning;
+            }
+        }
+        if (part.timed) {
+            entry["note"] = "times of the machine that made it";
+        }
+        description["tables"].push_back(std::move(entry));
     }
     description["note"] =
         "mpfr tables depend on the parameters alone; in the others libm may move the last digit from machine to "
@@ -107,7 +117,10 @@ void write_study(const study_order& order, const std::string& folder) {
     const auto tables = order.what->run(order.request);
     into.keep();
     for (const study_table& part : tables) {
-        write_into((fs::path(own) / (stem_of(*order.what, part) + ".csv")).string(), to_csv(part.data));
+        const std::string stem = stem_of(*order.what, part);
+        write_into((fs::path(own) / (stem + ".csv")).string(), to_csv(part.data));
+        write_into((fs::path(own) / (stem + ".tex")).string(),
+                   to_latex(part.data, {latex_text(order.what->title + ". Made by " + order.command + "."), stem}));
     }
     write_into((fs::path(own) / (order.what->name + ".json")).string(), description_of(order, tables));
 }

@@ -1,22 +1,16 @@
-// The files of a study: CSV, the JSON beside it, and the figures drawn from the CSV.
+// The files of a study: CSV and LaTeX tables, the JSON beside them, and the figures drawn from the CSV.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "sweep/study.hpp"
+#include "sweep/study_order.hpp"
 
 namespace libration {
 
-/// A study with the words of its canonical command, without --out and --jobs.
-struct study_order {
-    const study* what;
-    study_request request;
-    std::string command;
-};
-
-/// Runs the study and writes DIR/NAME/NAME[_SUFFIX].csv and DIR/NAME/NAME.json. Throws input_error when DIR cannot be
-/// written.
+/// Runs the study and writes DIR/NAME/NAME[_SUFFIX].csv, the same as .tex, and DIR/NAME/NAME.json. Throws input_error
+/// when DIR cannot be written.
 void write_study(const study_order& order, const std::string& folder);
 
 /// Draws DIR/NAME/*.svg and *.png from the CSV with studies/NAME.gp. Throws input_error when the CSV or gnuplot is missing.

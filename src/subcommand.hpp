@@ -18,6 +18,7 @@ subcommand trajectory_command(CLI::App& program);
 subcommand study_command(CLI::App& program);
 subcommand studies_command(CLI::App& program);
 subcommand figure_command(CLI::App& program);
+subcommand claims_command(CLI::App& program);
 subcommand reproduce_command(CLI::App& program);
 
 }  // namespace libration

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "agreement.hpp"
-#include "input_error.hpp"
+#include "libration/pendulum/critical_formula.hpp"
 #include "libration/pendulum/exact_solution.hpp"
 #include "libration/pendulum/periodic_extension.hpp"
 #include "libration/pendulum/runge_kutta.hpp"
@@ -14,6 +14,7 @@
 #include "options.hpp"
 #include "subcommand.hpp"
 #include "sweep/grid.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/progress.hpp"
 
 namespace libration {
@@ -102,27 +103,14 @@ struct trajectory_values {
     std::vector<mpfr> truth;
 };
 
-// The formula of the paper for E = 2, from omega0 = +2 cos(theta0/2) and by reflection from the other sign; it is the
-// second route there, where the sum over separatrix solutions has one term.
-template <class T>
-T critical_formula(const motion& m, const exact& time) {
-    using std::atan;
-    using std::exp;
-    using std::tan;
-    const int d = m.direction();
-    const T turned = whole_turns<T>(m.turns());
-    const T start = (from_exact<T>(*m.theta0()) - turned) * d;
-    const T t = from_exact<T>(time) / time_unit<T>(m);
-    return turned + (atan(T(exp(t) * tan(T((start + pi<T>()) / 4)))) * 4 - pi<T>()) * d;
-}
-
 // theta by a route other than the Jacobi functions, in more digits.
 mpfr second_route(const motion& m, const exact& time, const std::optional<separatrix_sum<mpfr>>& sum,
                   const exact_solution<mpfr>& solution) {
     if (sum) {
         return (*sum)(time).value;
     }
-    return m.regime() == regime::separatrix ? critical_formula<mpfr>(m, time) : solution(time).theta;
+    return m.regime() == regime::separatrix ? critical_formula(m, from_exact<mpfr>(time) / time_unit<mpfr>(m))
+                                            : solution(time).theta;
 }
 
 // The values of any route that gives a jet at a time, against the truth in `digits` digits.

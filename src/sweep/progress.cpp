@@ -8,8 +8,8 @@
 
 namespace libration {
 
-progress::progress(std::string what, std::size_t steps)
-    : what_(std::move(what)), steps_(steps), watched_(::isatty(STDERR_FILENO) != 0) {}
+progress::progress(std::string what, std::size_t steps, progress_context context)
+    : what_(std::move(what)), steps_(steps), context_(std::move(context)), watched_(::isatty(STDERR_FILENO) != 0) {}
 
 progress::~progress() {
     if (shown_) {
@@ -32,7 +32,10 @@ void progress::show() {
     shown_ = true;
     const double elapsed = std::chrono::duration<double>(last_shown_ - start_).count();
     const double left = elapsed / static_cast<double>(done_) * static_cast<double>(steps_ - done_);
-    fmt::print(stderr, "\r\033[K{}: {} of {}, about {:.0f} s left", what_, done_, steps_, left);
+    fmt::print(stderr, "\r\033[K{}{}: {} of {}, about {:.0f} s left", context_.before, what_, done_, steps_, left);
+    if (context_.seconds_after > 0) {
+        fmt::print(stderr, ", {:.0f} s for all", left + context_.seconds_after);
+    }
     std::fflush(stderr);
 }
 

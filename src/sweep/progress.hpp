@@ -8,10 +8,16 @@
 
 namespace libration {
 
+/// What a progress line says around its own part: the steps of a larger work.
+struct progress_context {
+    std::string before;        ///< "study 3 of 15, "
+    double seconds_after = 0;  ///< expected for what comes later
+};
+
 /// Counts finished steps of a known number and shows how far and how long still. Safe to call from several threads.
 class progress {
 public:
-    progress(std::string what, std::size_t steps);
+    progress(std::string what, std::size_t steps, progress_context context = {});
     progress(const progress&) = delete;
     progress& operator=(const progress&) = delete;
     /// Takes the line away again.
@@ -24,6 +30,7 @@ private:
 
     std::string what_;
     std::size_t steps_;
+    progress_context context_;
     std::size_t done_ = 0;
     bool watched_;
     bool shown_ = false;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "libration/scalar/decimal.hpp"
+#include "sweep/grid.hpp"
 
 namespace libration {
 
@@ -40,6 +41,20 @@ sweep_energy energy_from_gap(const exact& gap) {
     const rational energy = 2 - gap.coefficient;
     require_energy(gap, energy);
     return {derived_text(energy), gap.text, energy};
+}
+
+sweep_period_rule read_period_rule(std::string_view text) {
+    constexpr int largest_order = 100'000;
+    if (text == "agm") {
+        return {{period_method::agm, 0}, std::string(text)};
+    }
+    const auto colon = text.find(':');
+    const std::string_view method = text.substr(0, colon);
+    if (colon == std::string_view::npos || (method != "series" && method != "resummed")) {
+        throw std::invalid_argument("has '" + std::string(text) + "', which is not agm, series:N or resummed:N");
+    }
+    const auto way = method == "series" ? period_method::series : period_method::resummed;
+    return {{way, read_count(text.substr(colon + 1), largest_order)}, std::string(text)};
 }
 
 }  // namespace libration

@@ -26,7 +26,8 @@ TEST_CASE("a study with --out writes its table, its description and its figures"
                       "out/error_norm/error_norm.csv",
                       "out/error_norm/error_norm.json",
                       "out/error_norm/error_norm.png",
-                      "out/error_norm/error_norm.svg"};
+                      "out/error_norm/error_norm.svg",
+                      "out/error_norm/error_norm.tex"};
     REQUIRE(folder.content() == files);
 
     const auto own = folder.path() / "out" / "error_norm";
@@ -88,7 +89,7 @@ TEST_CASE("all scalars of a study are one table on stdout, with one header line"
 TEST_CASE("studies are listed with question, parameters and cost", "[command][study]") {
     const std::string list = output_of({"studies"});
     for (const std::string part :
-         {"error_norm\n", "?\n", "--energies ", "--gaps ", "--orders ", "--scalar ", "cost "}) {
+         {"error_norm  [paper fig:error]\n", "?\n", "--energies ", "--gaps ", "--orders ", "--scalar ", "cost "}) {
         INFO(part);
         CHECK(list.find(part) != std::string::npos);
     }

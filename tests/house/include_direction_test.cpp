@@ -27,7 +27,7 @@ using complaints = std::vector<std::string>;
 // The folder that the order speaks of; "include/libration" is a header that gathers others.
 std::string room(const std::string& path) {
     const auto folder = fs::path(path).parent_path().generic_string();
-    for (const std::string top : {"src/sweep", "src", "studies"})
+    for (const std::string top : {"src/sweep", "src/claims", "src", "studies"})
         if (folder == top || folder.starts_with(top + "/")) return top;
     return folder;
 }
@@ -52,8 +52,9 @@ const std::map<std::string, std::set<std::string>>& order() {
         {pendulum, {scalar, series, approximant, convergence, elliptic, pendulum}},
         {gathering, library_and({})},
         {"src/sweep", library_and({"src/sweep"})},
+        {"src/claims", library_and({"src/sweep", "src/claims"})},
         {"studies", library_and({"src/sweep", "studies"})},
-        {"src", library_and({"src/sweep", "studies", "src"})},
+        {"src", library_and({"src/sweep", "src/claims", "studies", "src"})},
     };
     return allowed;
 }

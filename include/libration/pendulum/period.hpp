@@ -25,6 +25,25 @@ T effective_period_resummed(const orbit<T>& o, int order) {
     return complete_integral_resummed(o.shape, order) / o.rate;
 }
 
+/// Ways to T*: the arithmetic-geometric mean, or a partial sum of (Kold) or (Knew) up to k^(2N).
+enum class period_method { agm, series, resummed };
+
+/// A way to T* with its order N, which the mean has no use for.
+struct period_rule {
+    period_method method = period_method::agm;
+    int order = 0;
+};
+
+/// T* by a rule.
+template <scalar T>
+T effective_period_by(const period_rule& rule, const orbit<T>& o) {
+    switch (rule.method) {
+        case period_method::series: return effective_period_series(o, rule.order);
+        case period_method::resummed: return effective_period_resummed(o, rule.order);
+        default: return effective_period(o);
+    }
+}
+
 /// How many T* make a period: 4 for libration (and the limit E = 0), 2 for rotation.
 constexpr int quarters_per_period(regime r) { return r == regime::rotation ? 2 : 4; }
 

@@ -1,0 +1,7 @@
+#include "claims/claim.hpp"
+
+namespace libration {
+
+std::vector<claim> claims_of_background() { return {}; }
+
+}  // namespace libration
