@@ -61,4 +61,4 @@ install(TARGETS libration-command RUNTIME COMPONENT command)
 install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}
     COMPONENT command
-    FILES_MATCHING PATTERN "*.gp")
+    FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")

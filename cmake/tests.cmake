@@ -61,3 +61,13 @@ add_test(NAME readme_example
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
 set_tests_properties(consumer readme_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
+
+# The reader of our tables in docs/ that Debian can run.
+if(LIBRATION_BUILD_COMMAND)
+    add_test(NAME python_reader
+        COMMAND ${CMAKE_COMMAND}
+            -D LIBRATION=$<TARGET_FILE:libration-command>
+            -D READER=${PROJECT_SOURCE_DIR}/docs/readers/read_table.py
+            -D WORK=${PROJECT_BINARY_DIR}
+            -P ${PROJECT_SOURCE_DIR}/cmake/check_reader.cmake)
+endif()

@@ -12,6 +12,7 @@
 #include "libration/scalar/decimal.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/input_error.hpp"
+#include "sweep/latex.hpp"
 #include "sweep/study.hpp"
 
 namespace libration {
@@ -188,13 +189,13 @@ arithmetic arithmetic_options::choose() const {
 }
 
 void output_options::add_to(CLI::App& command) {
-    command.add_option("--format", format_, "text, csv or json")->type_name("FORMAT")->capture_default_str();
+    command.add_option("--format", format_, "text, csv, json or latex")->type_name("FORMAT")->capture_default_str();
     command.add_option("--out", out_, "write to this file instead of stdout")->type_name("FILE");
 }
 
 void output_options::check() const {
-    if (format_ != "text" && format_ != "csv" && format_ != "json") {
-        throw input_error("--format", format_, "is no format", "write text, csv or json");
+    if (format_ != "text" && format_ != "csv" && format_ != "json" && format_ != "latex") {
+        throw input_error("--format", format_, "is no format", "write text, csv, json or latex");
     }
     if (!out_) {
         return;
@@ -214,9 +215,10 @@ void output_options::check() const {
 }
 
 void output_options::write(const table& data, const std::optional<std::string>& text) const {
-    const std::string content = format_ == "csv"    ? to_csv(data)
-                                : format_ == "json" ? to_json(data)
-                                                    : text.value_or(to_text(data));
+    const std::string content = format_ == "csv"     ? to_csv(data)
+                                : format_ == "json"  ? to_json(data)
+                                : format_ == "latex" ? to_latex(data)
+                                                     : text.value_or(to_text(data));
     if (!out_) {
         write_to_stdout(content);
         return;

@@ -9,6 +9,7 @@
 
 #include "claims/claim.hpp"
 #include "options.hpp"
+#include "report.hpp"
 #include "study_files.hpp"
 #include "subcommand.hpp"
 #include "sweep/input_error.hpp"
@@ -23,27 +24,40 @@ struct reproduce_options {
     std::optional<std::string> only, skip, jobs;
 };
 
-// The studies that a list of names means.
-std::vector<const study*> named(const char* option, const std::string& list) {
+// What a run of reproduce consists of: studies, and the claims, which --only and --skip call by that name.
+struct work {
     std::vector<const study*> studies;
+    bool claims = true;
+};
+
+constexpr const char* claims_name = "claims";
+
+work named(const char* option, const std::string& list) {
+    work result{{}, false};
     std::istringstream names(list);
     for (std::string name; std::getline(names, name, ',');) {
-        studies.push_back(&study_named(option, name));
-    }
-    if (studies.empty()) {
-        throw input_error(option, list, "names no study", "write names with commas between them");
-    }
-    return studies;
-}
-
-std::vector<const study*> chosen(const reproduce_options& options) {
-    auto studies = options.only ? named("--only", *options.only) : all_studies();
-    if (options.skip) {
-        for (const study* left_out : named("--skip", *options.skip)) {
-            std::erase(studies, left_out);
+        if (name == claims_name) {
+            result.claims = true;
+        } else {
+            result.studies.push_back(&study_named(option, name));
         }
     }
-    return studies;
+    if (result.studies.empty() && !result.claims) {
+        throw input_error(option, list, "names no study", "write names with commas between them");
+    }
+    return result;
+}
+
+work chosen(const reproduce_options& options) {
+    work result = options.only ? named("--only", *options.only) : work{all_studies(), true};
+    if (options.skip) {
+        const work left_out = named("--skip", *options.skip);
+        for (const study* each : left_out.studies) {
+            std::erase(result.studies, each);
+        }
+        result.claims = result.claims && !left_out.claims;
+    }
+    return result;
 }
 
 // Their orders, each knowing its place in the whole work.
@@ -62,46 +76,45 @@ std::vector<study_order> orders_of(const std::vector<const study*>& studies, int
     return orders;
 }
 
-// What is in the folder, for a reader who comes to it first.
-std::string index_of(const std::vector<const study*>& studies) {
-    std::string text =
-        "# Results\n\n"
-        "Made by `./run reproduce`; do not edit. Each folder holds the tables of one study (CSV: one header line, one\n"
-        "observation a row), NAME.json with the command, the columns and their units and what it was made with, and "
-        "the\n"
-        "figures drawn from the tables.\n\n"
-        "| study | question | command |\n| --- | --- | --- |\n";
-    for (const study* each : studies) {
-        text += fmt::format("| [{0}]({0}) | {1} | `./run study {0}` |\n", each->name, each->question);
+// Runs one part; its failure becomes a line and does not stop the others.
+template <class Part>
+void attempt(const std::string& name, std::vector<std::string>& failures, const Part& part) {
+    try {
+        part();
+    } catch (const std::exception& problem) {
+        failures.push_back(name + ": " + problem.what());
     }
-    return text;
+}
+
+void make_claims(const std::string& folder, int jobs) {
+    const auto claims = all_claims();
+    write_into((std::filesystem::path(folder) / "claims.csv").string(), to_csv(claims_table(judge(claims, jobs))));
 }
 
 int run_reproduce(const reproduce_options& options) {
-    const auto studies = chosen(options);
-    const auto orders = orders_of(studies, jobs_of(options.jobs));
+    const work chosen_work = chosen(options);
+    const int jobs = jobs_of(options.jobs);
+    const auto orders = orders_of(chosen_work.studies, jobs);
     output_folder into("--out", options.out);
     std::vector<std::string> failures;
     for (const study_order& order : orders) {
         const study* each = order.what;
         fmt::print(stderr, "libration: {}{} (about {:.1f} s)\n", order.request.shown.before, each->name, each->seconds);
-        try {
+        attempt(each->name, failures, [&] {
             write_study(order, options.out);
             draw_study(*each, options.out);
-        } catch (const input_error&) {
-            throw;
-        } catch (const std::exception& problem) {
-            failures.push_back(each->name + ": " + problem.what());
-        }
+        });
     }
     into.keep();
-    if (!options.only && !options.skip) {
-        write_whole_file((std::filesystem::path(options.out) / "README.md").string(), index_of(studies));
+    if (chosen_work.claims) {
+        fmt::print(stderr, "libration: claims\n");
+        attempt(claims_name, failures, [&] { make_claims(options.out, jobs); });
     }
+    attempt("report", failures, [&] { write_report(options.out); });
     for (const std::string& failure : failures) {
         fmt::print(stderr, "libration: failed: {}\n", failure);
     }
-    fmt::print(stderr, "libration: wrote {}\n", options.out);
+    fmt::print(stderr, "libration: wrote {0}; open {0}/index.html\n", options.out);
     return failures.empty() ? 0 : 1;
 }
 
@@ -109,10 +122,11 @@ int run_reproduce(const reproduce_options& options) {
 
 subcommand reproduce_command(CLI::App& program) {
     const auto options = std::make_shared<reproduce_options>();
-    CLI::App* command = program.add_subcommand("reproduce", "run every study with its own parameters");
+    CLI::App* command = program.add_subcommand(
+        "reproduce", "run every study with its own parameters, judge the claims, write the report");
     command->add_option("--out", options->out, "the folder to write")->type_name("DIR")->capture_default_str();
-    command->add_option("--only", options->only, "these studies only")->type_name("NAMES");
-    command->add_option("--skip", options->skip, "all but these studies")->type_name("NAMES");
+    command->add_option("--only", options->only, "these studies only (and 'claims')")->type_name("NAMES");
+    command->add_option("--skip", options->skip, "all but these studies (or 'claims')")->type_name("NAMES");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_reproduce(*options); }};
 }

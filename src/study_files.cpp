@@ -58,24 +58,6 @@ std::string description_of(const study_order& order, const std::vector<study_tab
     return description.dump(2) + '\n';
 }
 
-void write_into(const std::string& path, const std::string& content) {
-    try {
-        write_whole_file(path, content);
-    } catch (const std::runtime_error& problem) {
-        throw input_error("--out", path, fmt::format("cannot be written ({})", problem.what()),
-                          "choose a folder that you may write in");
-    }
-}
-
-// The figure scripts of the source tree, or of the installed program.
-fs::path script_folder() {
-    if (fs::exists(LIBRATION_STUDIES_DIR)) {
-        return LIBRATION_STUDIES_DIR;
-    }
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path() / LIBRATION_INSTALLED_STUDIES_DIR;
-}
-
 // Runs a program without a shell; its exit code, 127 when it is not found.
 int run_program(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
@@ -108,6 +90,23 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+void write_into(const std::string& path, const std::string& content) {
+    try {
+        write_whole_file(path, content);
+    } catch (const std::runtime_error& problem) {
+        throw input_error("--out", path, fmt::format("cannot be written ({})", problem.what()),
+                          "choose a folder that you may write in");
+    }
+}
+
+std::string studies_folder() {
+    if (fs::exists(LIBRATION_STUDIES_DIR)) {
+        return LIBRATION_STUDIES_DIR;
+    }
+    std::error_code error;
+    return (fs::read_symlink("/proc/self/exe", error).parent_path() / LIBRATION_INSTALLED_STUDIES_DIR).string();
+}
+
 void write_study(const study_order& order, const std::string& folder) {
     if (folder.empty()) {
         throw input_error("--out", folder, "is no folder", "name one");
@@ -127,7 +126,7 @@ void write_study(const study_order& order, const std::string& folder) {
 
 void draw_study(const study& what, const std::string& folder) {
     const fs::path own = fs::path(folder) / what.name;
-    const fs::path script = script_folder() / (what.name + ".gp");
+    const fs::path script = fs::path(studies_folder()) / (what.name + ".gp");
     if (!fs::exists(own / (what.name + ".csv"))) {
         throw input_error("--out", folder, "holds no " + what.name + "/" + what.name + ".csv",
                           "run 'libration study " + what.name + "' with the same --out first");

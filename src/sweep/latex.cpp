@@ -25,6 +25,27 @@ std::string in_math(const std::string& decimal) {
     return "$" + decimal.substr(0, e) + power + "$";
 }
 
+// Columns named log10_... serve the figures.
+std::vector<std::size_t> shown_columns(const table& data) {
+    std::vector<std::size_t> shown;
+    shown.reserve(data.columns.size());
+    for (std::size_t i = 0; i < data.columns.size(); ++i) {
+        if (!data.columns[i].name.starts_with("log10_")) {
+            shown.push_back(i);
+        }
+    }
+    return shown;
+}
+
+template <class Cell>
+std::string line_of(const std::vector<std::size_t>& shown, const Cell& cell) {
+    std::string line;
+    for (const std::size_t i : shown) {
+        line += (i == shown.front() ? "" : " & ") + cell(i);
+    }
+    return line + " \\\\\n";
+}
+
 }  // namespace
 
 std::string latex_text(const std::string& text) {
@@ -59,31 +80,32 @@ std::string latex_cell(const std::string& cell, long digits) {
 }
 
 std::string to_latex(const table& data, const latex_frame& frame) {
-    std::vector<std::size_t> shown;
+    const auto shown = shown_columns(data);
     std::string out =
         "% \\usepackage{booktabs,longtable}. Numbers are rounded to 8 digits; the CSV beside this has all.\n";
-    std::string heads;
-    for (std::size_t i = 0; i < data.columns.size(); ++i) {
-        const column& c = data.columns[i];
-        if (c.name.starts_with("log10_")) {
-            continue;
-        }
-        out += "% " + c.name + ": " + c.meaning + "\n";
-        heads += (shown.empty() ? "" : " & ") + latex_text(c.name);
-        shown.push_back(i);
+    for (const std::size_t i : shown) {
+        out += "% " + data.columns[i].name + ": " + data.columns[i].meaning + "\n";
     }
-    heads += " \\\\\n";
+    const std::string heads = line_of(shown, [&](std::size_t i) { return latex_text(data.columns[i].name); });
     out += "\\begin{longtable}{" + std::string(shown.size(), 'l') + "}\n";
     out += "\\caption{" + frame.caption + "}\\label{tab:" + frame.label + "}\\\\\n";
     out += "\\toprule\n" + heads + "\\midrule\n\\endfirsthead\n";
     out += "\\toprule\n" + heads + "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n";
     for (const auto& row : data.rows) {
-        for (std::size_t i = 0; i < shown.size(); ++i) {
-            out += (i > 0 ? " & " : "") + latex_cell(row[shown[i]]);
-        }
-        out += " \\\\\n";
+        out += line_of(shown, [&](std::size_t i) { return latex_cell(row[i]); });
     }
     return out + "\\end{longtable}\n";
+}
+
+std::string to_latex(const table& data) {
+    const auto shown = shown_columns(data);
+    constexpr long all_digits = 1'000'000;
+    std::string out = "\\begin{tabular}{" + std::string(shown.size(), 'l') + "}\n\\toprule\n";
+    out += line_of(shown, [&](std::size_t i) { return latex_text(data.columns[i].name); }) + "\\midrule\n";
+    for (const auto& row : data.rows) {
+        out += line_of(shown, [&](std::size_t i) { return latex_cell(row[i], all_digits); });
+    }
+    return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
 }  // namespace libration

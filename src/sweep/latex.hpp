@@ -20,6 +20,9 @@ struct latex_frame {
     std::string label;    ///< the table is \ref{tab:LABEL}
 };
 
+/// The same without a frame, every digit kept: a tabular for short tables. Needs \usepackage{booktabs}.
+std::string to_latex(const table& data);
+
 /// A longtable: needs \usepackage{booktabs,longtable}. Columns named log10_... are left out: they serve the figures.
 std::string to_latex(const table& data, const latex_frame& frame);
 

@@ -56,6 +56,47 @@ std::string to_csv(const table& data) {
     return out;
 }
 
+table from_csv(const std::string& text) {
+    table data;
+    std::vector<std::string> cells{""};
+    std::size_t line = 1;
+    bool quoted = false;
+    const auto finish_row = [&] {
+        if (data.columns.empty()) {
+            for (const std::string& name : cells) {
+                data.columns.push_back({name, ""});
+            }
+        } else if (cells.size() != data.columns.size()) {
+            throw std::runtime_error(
+                fmt::format("line {} has {} cells, not {}", line, cells.size(), data.columns.size()));
+        } else {
+            data.rows.push_back(cells);
+        }
+        cells = {""};
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') {
+            // Within quotes a doubled quote is one.
+            const bool doubled = quoted && i + 1 < text.size() && text[i + 1] == '"';
+            cells.back() += doubled ? "\"" : "";
+            quoted = doubled || !quoted;
+            i += doubled ? 1 : 0;
+        } else if (c == ',' && !quoted) {
+            cells.emplace_back();
+        } else if (c == '\n' && !quoted) {
+            finish_row();
+            ++line;
+        } else {
+            cells.back() += c;
+        }
+    }
+    if (quoted || cells.size() > 1 || !cells.back().empty()) {
+        throw std::runtime_error(fmt::format("line {} does not end", line));
+    }
+    return data;
+}
+
 std::string to_json(const table& data) {
     auto out = nlohmann::ordered_json::array();
     for (const auto& row : data.rows) {

@@ -142,3 +142,19 @@ TEST_CASE("where the disk ends in the middle the old file stays and no part is l
     CHECK(folder.content() == words{"table.csv"});
     CHECK(text_of_file(path) == "old");
 }
+
+TEST_CASE("a table read back from its CSV is the same table", "[sweep][table]") {
+    const table data{{{"a", ""}, {"b", ""}},
+                     {{"1.5", "two words"}, {"", "with, comma"}, {"\"quoted\"", "two\nlines"}, {"x", ""}, {"", ""}}};
+    const table back = from_csv(to_csv(data));
+    REQUIRE(back.columns.size() == 2);
+    CHECK(back.columns[1].name == "b");
+    CHECK(back.rows == data.rows);
+    CHECK(from_csv("a,b\n").rows.empty());
+}
+
+TEST_CASE("a CSV with a short row, or cut off, is refused by its line", "[sweep][table]") {
+    CHECK_THROWS_WITH(from_csv("a,b\n1,2\n3\n"), Catch::Contains("line 3") && Catch::Contains("1 cells, not 2"));
+    CHECK_THROWS_WITH(from_csv("a,b\n1,2"), Catch::Contains("line 2") && Catch::Contains("does not end"));
+    CHECK_THROWS_WITH(from_csv("a,b\n\"1,2\n"), Catch::Contains("does not end"));
+}

@@ -1,0 +1,20 @@
+// Parts of a self-contained HTML page.
+#pragma once
+
+#include <string>
+
+namespace libration {
+
+/// Text as HTML shows it.
+std::string html_text(const std::string& text);
+
+/// The same, with what stands between backticks as code.
+std::string html_prose(const std::string& text);
+
+/// A file's content as a data: URI, so that the page needs no other file to show it.
+std::string data_uri(const std::string& media_type, const std::string& content);
+
+/// A whole page: title, style and body.
+std::string html_page(const std::string& title, const std::string& body);
+
+}  // namespace libration

@@ -1,0 +1,43 @@
+// What a results folder holds, read back from its files: the report and the index are made of this alone, so that they
+// also fit a folder of which only a part was made again.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "claims/claim.hpp"
+#include "sweep/study.hpp"
+
+namespace libration {
+
+/// The files of one study, relative to the folder, and what its JSON says of them.
+struct published_study {
+    const study* what;
+    std::string command;
+    std::string commit;                ///< of the program that made it
+    std::vector<std::string> tables;   ///< CSV files
+    std::vector<std::string> figures;  ///< SVG files; the one that has the study's name comes first
+};
+
+/// A row of claims.csv.
+struct published_claim {
+    std::string name, label, statement, verdict, number, measured, correction, command;
+};
+
+/// A results folder. Studies are in the order of the paper's figures; those that belong to no figure come behind, by name.
+struct published {
+    std::string folder;
+    std::vector<published_study> studies;
+    std::vector<published_claim> claims;  ///< in the order of the paper; empty where they were not judged
+};
+
+/// Reads the folder. Throws std::runtime_error where a file of it is not what this program writes.
+published read_published(const std::string& folder);
+
+/// Those with a verdict.
+std::vector<published_claim> claims_with(const std::vector<published_claim>& claims, verdict judged);
+
+/// The whole text of a file. Throws std::runtime_error.
+std::string text_of(const std::string& path);
+
+}  // namespace libration
