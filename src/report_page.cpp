@@ -39,7 +39,7 @@ std::string opening(const published& results) {
             "<a href=\"#confirmed\">What holds</a>";
     }
     return text +
-           "<a href=\"#figures\">Figures</a><a href=\"#words\">Words and symbols</a>"
+           "<a href=\"#words\">Words and symbols</a><a href=\"#figures\">Figures</a>"
            "<a href=\"#provenance\">How it was made</a></nav>\n</div></header>\n";
 }
 
@@ -126,6 +126,17 @@ std::string study_part(const published& results, const published_study& each) {
                               html_text(each.command.substr(each.command.find(' ') + 1)));
 }
 
+// The figures by title: the paper's first, in its order.
+std::string contents(const published& results) {
+    std::string text = "<ol>\n";
+    for (const published_study& each : results.studies) {
+        const std::string& label = each.what->label;
+        text += fmt::format("<li><a href=\"#{}\">{}</a>{}</li>\n", each.what->name, html_text(each.what->title),
+                            label.empty() ? "" : " <span class=\"soft\">the paper's " + html_text(label) + "</span>");
+    }
+    return text + "</ol>\n";
+}
+
 constexpr const char* words_part =
     "<h2 id=\"words\">Words and symbols</h2>\n<div class=\"scroll\"><table>\n"
     "<tr><th>E</th><td>energy over m g l: below 2 the pendulum swings (libration), above it overturns (rotation), at 2 "
@@ -167,14 +178,14 @@ std::string report_page(const published& results) {
     if (!results.claims.empty()) {
         body += verdict_part(results);
     }
-    body += "<h2 id=\"figures\">Figures</h2>\n";
+    body += words_part;
+    body += "<h2 id=\"figures\">Figures</h2>\n" + contents(results);
     for (const published_study& each : results.studies) {
         body += study_part(results, each);
     }
     if (!results.claims.empty()) {
         body += claims_part(results);
     }
-    body += words_part;
     body += provenance_part(results);
     body +=
         "</main>\n<footer>Figures open alone when they are clicked. Written by <code>libration "
