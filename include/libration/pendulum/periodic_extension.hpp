@@ -13,12 +13,19 @@ namespace libration {
 /// With x the time since the nearest top over T*, before or after it, f the descent and i whole turns:
 ///   libration  theta - 2 pi turns = f near the top +theta_max, -f near the top -theta_max
 ///   rotation   theta = 2 pi (turns + d i) + d f after a top, 2 pi - f before it (d the direction).
+///
+/// T* is exact, or that of a rule: then it is the T* of everything, of the modulo, of the mirrors at T*, 2 T* and 3 T*
+/// and of the shift of the origin by whole T*, and f has to be made with the same one (descent_of with the rule). A T*
+/// that is off by dT* puts the motion out of step by 4 dT* (rotation 2 dT*) in every period.
 template <scalar T, class F>
 class periodic_extension {
 public:
     /// Throws std::domain_error at E = 2.
-    periodic_extension(const motion& m, F on_descent)
-        : motion_(m), timeline_(m), effective_period_(effective_period(orbit_of<T>(m))), f_(std::move(on_descent)) {}
+    periodic_extension(const motion& m, F on_descent, const period_rule& by = {})
+        : motion_(m),
+          timeline_(m, by),
+          effective_period_(effective_period_by(by, orbit_of<T>(m))),
+          f_(std::move(on_descent)) {}
 
     /// At an exact time.
     jet<T> operator()(const exact& time) const { return at(timeline_.at(time)); }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "libration/elliptic/incomplete_integral.hpp"
-#include "libration/pendulum/period.hpp"
+#include "libration/pendulum/dimensionless_time.hpp"
 #include "libration/scalar/inverse_hyperbolic.hpp"
 
 namespace libration {
@@ -25,13 +25,15 @@ T whole_turns(const integer& turns) {
     return from_rational<T>(rational(turns * 2)) * pi<T>();
 }
 
-/// The clock of one motion.
+/// The clock of one motion. Its T* is exact, or the approximation of a rule, as the paper's modulo uses it; the time from
+/// the nearest quarter to a start between the quarters is exact either way, and so is the T of a time 3T/4.
 template <scalar T>
 class timeline {
     using W = wide_t<T>;
 
 public:
-    explicit timeline(motion m) : motion_(std::move(m)), start_(start_at(bits_for(default_margin))) {}
+    explicit timeline(motion m, period_rule by = {})
+        : motion_(std::move(m)), by_(by), start_(start_at(bits_for(default_margin))) {}
 
     /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more digits
     /// as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a quarter.
@@ -59,29 +61,27 @@ private:
     long bits_for(long margin) const { return digits<T>() + motion_.condition_bits() + margin; }
 
     phase<W> wide_at(const exact& time) const {
-        if (time.measure == unit::period) {
-            if (at_critical_energy(motion_.regime())) {
-                throw std::domain_error("is a multiple of an infinite period");
-            }
+        if (time.measure == unit::period && at_critical_energy(motion_.regime())) {
+            throw std::domain_error("is a multiple of an infinite period");
+        }
+        if (time.measure == unit::period && by_.method == period_method::agm) {
             return advance(exact{}, rational(time.coefficient * quarters_per_period(motion_.regime())),
                            bits_for(default_margin));
         }
         long before_point = 0;
         if (!time.is_zero()) {
             const precision_scope rough(20);
-            before_point = std::max(0L, binary_exponent(dimensionless(time)));
+            before_point = std::max(0L, binary_exponent(dimensionless_time<W>(motion_, time)));
         }
         return advance(time, 0, bits_for(default_margin + 2 * before_point));
     }
-
-    W dimensionless(const exact& time) const { return from_exact<W>(time) / time_unit<W>(motion_); }
 
     // Start + elapsed + quarters * T*, reduced.
     phase<W> advance(const exact& elapsed, const rational& quarters, long bits) const {
         const origin start = bits > start_.bits ? start_at(bits) : start_;
         const precision_scope scope(decimal_digits(bits));
         integer quarter = start.quarter;
-        W offset = start.offset + dimensionless(elapsed);
+        W offset = start.offset + dimensionless_time<W>(motion_, elapsed);
         if (!at_critical_energy(motion_.regime())) {
             const integer whole = nearest_integer(quarters);
             offset += from_rational<W>(rational(quarters - rational(whole))) * start.effective_period;
@@ -97,7 +97,7 @@ private:
         const precision_scope scope(decimal_digits(bits));
         origin start{bits, motion_.start_quarter().value_or(0), W(0), W(0)};
         if (!at_critical_energy(motion_.regime())) {
-            start.effective_period = libration::effective_period(orbit_of<W>(motion_));
+            start.effective_period = effective_period_by(by_, orbit_of<W>(motion_));
         }
         if (!motion_.start_quarter() && motion_.regime() != regime::unstable_equilibrium) {
             place_start(start);
@@ -139,6 +139,7 @@ private:
     }
 
     motion motion_;
+    period_rule by_;
     origin start_;
 };
 

@@ -20,12 +20,14 @@ struct descent {
     jet<T> bottom;  ///< theta* and omega*
 };
 
+/// With the T* of a rule that is not exact, what is made of the descent is what the paper's formulas make with that T*:
+/// the resummation has theta* and omega* there, though the motion has them at another time.
 /// Throws std::domain_error at E = 2.
 template <scalar T>
-descent<T> descent_of(const motion& m) {
+descent<T> descent_of(const motion& m, const period_rule& by = {}) {
     using std::atan2;
     const orbit<T> o = orbit_of<T>(m);
-    const T duration = effective_period(o);
+    const T duration = effective_period_by(by, o);
     if (m.regime() == regime::rotation) {
         const T slowest = o.rate * o.shape.complement * 2;
         return {o, duration, {pi<T>(), slowest, T(1), T(0)}, {pi<T>() * 2, o.rate * 2}};

@@ -1,0 +1,30 @@
+// How well does the series from the top, extended periodically, follow a swinging pendulum? [paper fig:librationfixed]
+#include "extension.hpp"
+
+namespace libration::studies {
+
+const study& libration_series() {
+    static const study result{
+        .name = "libration_series",
+        .title = "The series from the top over two periods of libration",
+        .label = "fig:librationfixed",
+        .question = "How well does the series from the top, extended periodically, follow a swinging pendulum?",
+        .reading =
+            "Dashed: the series about the top cut after the power N, on a quarter of a period T* and mirrored from "
+            "there; "
+            "thin line: the exact solution; circles: the numerical solution by the Runge-Kutta method in double. "
+            "About the top the series converges on all of [0, T*], so every further power brings the dashed curves "
+            "nearer to the "
+            "circles; they meet with a jump at the passages through the bottom, T* after each top, where the error is "
+            "largest. The "
+            "panel below shows the error of each curve, and the small one of the numerical solution.",
+        .parameters = extension_parameters("1.71", "2,4,6", "N, last power of the series"),
+        .quick = {{"--energies", "1.71", ""}, {"--orders", "2", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
+        .seconds = 2,
+        .run = [](const study_request& request) {
+            return run_extension("libration_series", descent_method::series, request);
+        }};
+    return result;
+}
+
+}  // namespace libration::studies

@@ -1,0 +1,33 @@
+// How well does the series from the top follow a pendulum that almost stops upside down? [paper fig:librationseries]
+#include "extension.hpp"
+
+namespace libration::studies {
+
+const study& near_separatrix_series() {
+    static const study result{
+        .name = "near_separatrix_series",
+        .title = "The series from the top near the separatrix",
+        .label = "fig:librationseries",
+        .question = "How well does the series from the top follow a pendulum that almost stops upside down?",
+        .reading =
+            "Dashed: the series about the top cut after the power N, on a quarter of a period T* and mirrored from "
+            "there; thin "
+            "line: the exact solution; circles: the numerical solution in double. So near to the separatrix the "
+            "pendulum spends "
+            "most of its time close to the top, and T* is 0.97 of the radius of convergence: at N = 20 the series is "
+            "still off "
+            "by more than a radian at the bottom. The next study shows what the resummation makes of the same "
+            "coefficients.",
+        .parameters = extension_parameters("1.9998", "5,10,20", "N, last power of the series"),
+        .quick = {{"--energies", "1.9998", ""},
+                  {"--orders", "5", ""},
+                  {"--times", "0:T:9", ""},
+                  {"--step", "1e-3", ""}},
+        .seconds = 2,
+        .run = [](const study_request& request) {
+            return run_extension("near_separatrix_series", descent_method::series, request);
+        }};
+    return result;
+}
+
+}  // namespace libration::studies
