@@ -28,7 +28,8 @@ inline const std::vector<column>& extension_columns() {
         {"omega", "angular velocity in dimensionless time, radians"},
         {"error", "|theta - exact|, radians; empty for exact"},
         {"log10_error", "log10 of error"},
-        {"periods", "time over the period T"},
+        {"periods", "time over the period T, 12 digits"},
+        {"gap", "2 - E"},
     };
     return all;
 }
@@ -143,8 +144,8 @@ inline std::vector<time_cells> cells_of(const motion& m, const std::vector<exact
     std::vector<time_cells> cells;
     cells.reserve(times.size());
     for (const exact& time : times) {
-        cells.push_back({to_decimal(dimensionless_time<mpfr>(m, time), digits),
-                         to_decimal(elapsed_periods<mpfr>(m, time), digits)});
+        cells.push_back(
+            {to_decimal(dimensionless_time<mpfr>(m, time), digits), to_decimal(elapsed_periods<mpfr>(m, time), 12)});
     }
     return cells;
 }
@@ -169,7 +170,7 @@ inline extension_rows extension_at(const sweep_energy& energy, const study_reque
             const bool judges = name != "exact";
             rows.push_back({energy.energy, order, name, at[i].time, to_decimal(v.theta, digits),
                             to_decimal(v.omega, digits), judges ? to_decimal(v.error, digits) : "",
-                            judges ? log10_text(v.error) : "", at[i].periods});
+                            judges ? log10_text(v.error) : "", at[i].periods, energy.gap});
         }
     };
     extension_rows result;

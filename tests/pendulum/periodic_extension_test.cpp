@@ -129,6 +129,65 @@ TEMPLATE_LIST_TEST_CASE("clockwise is the mirror image, and another well a shift
     }
 }
 
+namespace {
+
+// The paper's (newseries) as printed, with any T*, from the top at time 0 and counterclockwise.
+template <class T, class F>
+T as_printed(const F& f, const T& t, const T& effective_period, bool rotates) {
+    using std::floor;
+    const T period = effective_period * (rotates ? 2 : 4);
+    const T rest = t - floor(T(t / period)) * period;
+    const auto tilde = [&](const T& s) { return f(T(s / effective_period)).value; };
+    if (rotates) {
+        const T turned = pi<T>() * 2 / period * (t - rest);
+        return rest <= effective_period ? T(turned + tilde(rest))
+                                        : T(turned - tilde(effective_period * 2 - rest) + pi<T>() * 4);
+    }
+    if (rest <= effective_period) {
+        return tilde(rest);
+    }
+    if (rest <= effective_period * 3) {
+        return rest <= effective_period * 2 ? T(-tilde(effective_period * 2 - rest))
+                                            : T(-tilde(rest - effective_period * 2));
+    }
+    return tilde(effective_period * 4 - rest);
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("with the T* of a rule the extension is the paper's with that T*", "[periodic_extension]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    for (const std::string energy : {"1.71", "2.02"}) {
+        const bool rotates = energy == "2.02";
+        const motion m = with_energy(energy);
+        for (const period_rule& by : {period_rule{period_method::series, 3}, period_rule{period_method::resummed, 1}}) {
+            const T effective_period = effective_period_by(by, orbit_of<T>(m));
+            const auto f = resummation_from_top(descent_of<T>(m, by), 8);
+            CHECK(f(T(1)).value == (rotates ? T(pi<T>() * 2) : T(0)));
+            using extension = periodic_extension<T, endpoint_approximant<T>>;
+            const extension from_top(m, f, by);
+            const extension from_bottom(motion::of_energy_from(fraction(energy), exact{}), f, by);
+            for (const std::string time : {"0.5", "3", "7.7", "40"}) {
+                INFO("E = " << energy << " at " << time << ", T* by " << static_cast<int>(by.method));
+                const T t = from_exact<T>(read_exact(time));
+                const T expected = as_printed<T>(f, t, effective_period, rotates);
+                // t/T* up to 20 in theta and omega, and the turns.
+                CHECK_THAT(from_top(read_exact(time)).value, near<T>(expected, 100, T(2)));
+                // At the bottom, rising, three quarters after the top; in rotation half a period, at 2 pi.
+                const T later = t + effective_period * (rotates ? 1 : 3);
+                const T shifted = as_printed<T>(f, later, effective_period, rotates) - pi<T>() * (rotates ? 2 : 0);
+                CHECK_THAT(from_bottom(read_exact(time)).value, near<T>(shifted, 100, T(2)));
+            }
+            // A multiple of T is one of the true period.
+            const T period = dimensionless_time<T>(m, read_exact("3T"));
+            CHECK_THAT(from_top(read_exact("3T")).value,
+                       near<T>(as_printed<T>(f, period, effective_period, rotates), 100, T(2)));
+        }
+    }
+}
+
 TEMPLATE_LIST_TEST_CASE("E = 2 has nothing to extend", "[periodic_extension]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
