@@ -14,6 +14,7 @@ array dashes[6] = ['_', '-', '.', '_.', '-.', '_..']
 dash(i) = resummed ? 1 : dashes[(i-1)%6+1]
 array width[3] = [940, 1400, 1800]
 n = words(energies)
+key_rows = ceil((words(orders) + 2) / (n == 1 ? 5.0 : 3.0))
 
 at(e, y) = strcol(1) eq e ? y : NaN
 of(e, o, y) = strcol(1) eq e && strcol(2) eq o ? y : NaN
@@ -41,7 +42,7 @@ do for [kind in terminals] {
         do for [q=ceil(first*marks(e)):floor(last*marks(e))] {
             set arrow from q/(1.0*marks(e)), graph 0 to q/(1.0*marks(e)), graph 1 nohead back lw 0.8 lc rgb (q % marks(e) ? '#dddddd' : '#999999')
         }
-        set tmargin at screen 0.85
+        set tmargin at screen 0.875 - 0.027*key_rows
         set bmargin at screen 0.40
         set title 'E = '.e offset 0,-0.5 font ',13'
         set format x ''
@@ -49,7 +50,7 @@ do for [kind in terminals] {
         set ylabel 'angle {/Symbol q} / {/Symbol p}' offset 0.5
         set format y '%g'
         set yrange [bottom - 0.12*(top-bottom) - 0.02 : top + 0.12*(top-bottom) + 0.02]
-        if (c == 1) { set key at screen 0.5, 0.93 center center horizontal width 2 } else { unset key }
+        if (c == 1) { set key at screen 0.5, 0.945 center top horizontal width 2 } else { unset key }
         plot exact using 9:(at(e, column(5)/pi)) with lines lw 1 lc rgb '#888888' title 'exact', \
              for [i=1:words(orders)] file using 9:(of(e, word(orders, i), column(5)/pi)) with lines lw 2.3 dt dash(i) lc rgb shade[(i-1)%6+1] title 'N = '.word(orders, i), \
              numerical using 9:(at(e, column(5)/pi)) with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000' title 'numerical'

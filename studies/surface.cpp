@@ -1,0 +1,177 @@
+// How does the angle of a pendulum pushed from the bottom depend on time and energy? [paper fig:surf]
+#include <stdexcept>
+#include <utility>
+
+#include "judged.hpp"
+#include "libration/pendulum/critical_formula.hpp"
+#include "libration/pendulum/dimensionless_time.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
+#include "sweep/parallel.hpp"
+#include "sweep/study.hpp"
+
+namespace libration::studies {
+
+namespace {
+
+const std::vector<column>& columns() {
+    static const std::vector<column> all{
+        {"energy", "E, in units of m g l"},
+        {"time", "dimensionless time since the bottom, where omega = sqrt(2E)"},
+        {"theta", "the exact angle, not reduced to a turn, radians"},
+        {"regime", "libration | separatrix | rotation"},
+        {"method", "resummed: (fullresummation) extended by (newseries) | critical: the closed solution at E = 2"},
+        {"order", "N, last index of the resummed series; empty for critical"},
+        {"period_by", "way to T*: agm | series:N (Kold) | resummed:N (Knew); empty for critical"},
+        {"approximation", "the angle by the method, radians"},
+        {"error", "|approximation - theta|, radians"},
+        {"log10_error", "log10 of error"},
+        {"gap", "2 - E"},
+    };
+    return all;
+}
+
+// One way to the surface: an order and a rule for T*.
+struct surface_way {
+    int order;
+    const sweep_period_rule& period;
+};
+
+motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }
+
+std::vector<judged> by_resummation(const motion& m, const std::vector<exact>& times, const surface_way& way,
+                                   const scalar_spec& scalar) {
+    return resolved(scalar.digits, digits_below(m, way.order), [&] {
+        return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
+            const period_rule& by = way.period.rule;
+            const exact_solution<mpfr> truth(m);
+            const periodic_extension<T, endpoint_approximant<T>> extension(
+                m, resummation_from_top(descent_of<T>(m, by), way.order), by);
+            std::vector<judged> values;
+            values.reserve(times.size());
+            for (const exact& time : times) {
+                const phase<mpfr> at = truth.clock().at(time);
+                const jet<T> found = extension(time);
+                const mpfr theta = widen(found.value);
+                // The start, and with the exact T* every top and bottom, are exact.
+                const bool exact_there = at.side == 0 && (time.is_zero() || by.method == period_method::agm);
+                const bool rounded = fixed_scalar<T> || !exact_there;
+                const mpfr error = rounded ? mpfr(abs(theta - truth.at(at).theta)) : mpfr(0);
+                values.push_back({rounded ? theta : truth.at(at).theta, widen(found.slope), error, exact_there});
+            }
+            return values;
+        });
+    });
+}
+
+// (critical) is exact: beyond the digits of the arithmetic it has no error.
+std::vector<judged> by_critical_formula(const motion& m, const std::vector<exact>& times, const scalar_spec& scalar) {
+    const precision_scope scope(scalar.digits + 2 * guard_digits);
+    const exact_solution<mpfr> truth(m);
+    return with_scalar(scalar, guard_digits, [&]<class T>() {
+        std::vector<judged> values;
+        values.reserve(times.size());
+        for (const exact& time : times) {
+            const mpfr theta = widen(critical_formula(m, dimensionless_time<T>(m, time)));
+            const pendulum_state<mpfr> expected = truth(time);
+            const mpfr error = abs(theta - expected.theta);
+            const bool rounding = std::same_as<T, mpfr> && error < pow(mpfr(10), static_cast<int>(-scalar.digits));
+            values.push_back({theta, expected.omega, rounding ? mpfr(0) : error, true});
+        }
+        return values;
+    });
+}
+
+std::string regime_name(regime r) {
+    return r == regime::libration ? "libration" : r == regime::rotation ? "rotation" : "separatrix";
+}
+
+using table_rows = std::vector<std::vector<std::string>>;
+
+table_rows rows_at(const sweep_energy& at, const study_request& request, const scalar_spec& scalar) {
+    const motion m = pushed(at);
+    table_rows rows;
+    const auto add = [&](const std::vector<std::string>& way, const std::vector<judged>& values) {
+        const precision_scope scope(scalar.digits + 2 * guard_digits);
+        const exact_solution<mpfr> truth(m);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const exact& time = request.times[i];
+            rows.push_back({at.energy, to_decimal(dimensionless_time<mpfr>(m, time), scalar.digits),
+                            to_decimal(truth(time).theta, scalar.digits), regime_name(m.regime()), way[0], way[1],
+                            way[2], to_decimal(values[i].theta, scalar.digits),
+                            to_decimal(values[i].error, scalar.digits), log10_text(values[i].error), at.gap});
+        }
+    };
+    if (m.regime() == regime::separatrix) {
+        add({"critical", "", ""}, by_critical_formula(m, request.times, scalar));
+        return rows;
+    }
+    for (const int order : request.orders) {
+        for (const sweep_period_rule& period : request.period_rules) {
+            add({"resummed", std::to_string(order), period.text},
+                by_resummation(m, request.times, {order, period}, scalar));
+        }
+    }
+    return rows;
+}
+
+void require_surface(const study_request& request) {
+    bool critical = false;
+    for (const sweep_energy& at : request.energies) {
+        critical = critical || at.value == 2;
+        if (at.value == 0) {
+            throw std::domain_error("has the energy " + at.energy + ", where the pendulum rests");
+        }
+    }
+    for (const exact& time : request.times) {
+        if (critical && time.measure == unit::period) {
+            throw std::domain_error("has the energy 2 and the time " + time.text +
+                                    ", a multiple of an infinite period");
+        }
+    }
+}
+
+std::vector<study_table> run(const study_request& request) {
+    require_surface(request);
+    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
+    progress shown("surface, energies", request.energies.size(), request.shown);
+    const auto parts = parallel_map(request.energies.size(), request.jobs, shown,
+                                    [&](std::size_t i) { return rows_at(request.energies[i], request, scalar); });
+    study_table result{"", scalar, {columns(), {}}};
+    for (const table_rows& part : parts) {
+        result.data.rows.insert(result.data.rows.end(), part.begin(), part.end());
+    }
+    return {result};
+}
+
+}  // namespace
+
+const study& surface() {
+    static const study result{
+        .name = "surface",
+        .title = "All motions of the pendulum",
+        .label = "fig:surf",
+        .question = "How does the angle of a pendulum pushed from the bottom depend on time and energy?",
+        .reading =
+            "Left: the angle over time for each energy, pushed from the bottom with omega = sqrt(2E); rotations "
+            "count their turns, and above E = 2 the angle climbs in steps of 2 pi. The black line is the "
+            "separatrix: it creeps up to pi and stays there, while its neighbours fall back (blue) or go over the"
+            " top (orange). A push the other way gives the mirror image. Right: the largest error over these "
+            "times of the paper's way to the surface, the resummation extended periodically, with T* from the "
+            "resummed series of K(k) and with the exact T*. With 60 terms in each the errors are from 1e-26 to "
+            "1e-2: next to E = 2 it is T* that limits them, not the resummation of theta.",
+        .parameters = {{"--energies", "0.1:1.9:10,1.97,1.997,2,2.003,2.03,2.1,2.2:3:5", "energies E, in m g l"},
+                       {"--gaps", "", "energies as 2 - E"},
+                       {"--times", "0:15:76",
+                        "times since the bottom; multiples of T where E = 2 is not among the energies"},
+                       {"--orders", "60", "N, last index of the resummed series"},
+                       {"--period-by", "resummed:60,agm", "ways to T*"},
+                       {"--scalar", "mpfr:40", "arithmetic of the paper's formulas"}},
+        .quick = {{"--energies", "1.71,2,2.02", ""}, {"--times", "0:20:6", ""}, {"--orders", "10", ""}},
+        .seconds = 2,
+        .run = run};
+    return result;
+}
+
+}  // namespace libration::studies
