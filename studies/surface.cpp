@@ -2,12 +2,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "judged.hpp"
+#include "folded.hpp"
 #include "libration/pendulum/critical_formula.hpp"
 #include "libration/pendulum/dimensionless_time.hpp"
-#include "libration/pendulum/error_norm.hpp"
 #include "libration/pendulum/exact_solution.hpp"
-#include "libration/pendulum/periodic_extension.hpp"
 #include "sweep/parallel.hpp"
 #include "sweep/study.hpp"
 
@@ -32,38 +30,7 @@ const std::vector<column>& columns() {
     return all;
 }
 
-// One way to the surface: an order and a rule for T*.
-struct surface_way {
-    int order;
-    const sweep_period_rule& period;
-};
-
 motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }
-
-std::vector<judged> by_resummation(const motion& m, const std::vector<exact>& times, const surface_way& way,
-                                   const scalar_spec& scalar) {
-    return resolved(scalar.digits, digits_below(m, way.order), [&] {
-        return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
-            const period_rule& by = way.period.rule;
-            const exact_solution<mpfr> truth(m);
-            const periodic_extension<T, endpoint_approximant<T>> extension(
-                m, resummation_from_top(descent_of<T>(m, by), way.order), by);
-            std::vector<judged> values;
-            values.reserve(times.size());
-            for (const exact& time : times) {
-                const phase<mpfr> at = truth.clock().at(time);
-                const jet<T> found = extension(time);
-                const mpfr theta = widen(found.value);
-                // The start, and with the exact T* every top and bottom, are exact.
-                const bool exact_there = at.side == 0 && (time.is_zero() || by.method == period_method::agm);
-                const bool rounded = fixed_scalar<T> || !exact_there;
-                const mpfr error = rounded ? mpfr(abs(theta - truth.at(at).theta)) : mpfr(0);
-                values.push_back({rounded ? theta : truth.at(at).theta, widen(found.slope), error, exact_there});
-            }
-            return values;
-        });
-    });
-}
 
 // (critical) is exact: beyond the digits of the arithmetic it has no error.
 std::vector<judged> by_critical_formula(const motion& m, const std::vector<exact>& times, const scalar_spec& scalar) {
@@ -109,8 +76,7 @@ table_rows rows_at(const sweep_energy& at, const study_request& request, const s
     }
     for (const int order : request.orders) {
         for (const sweep_period_rule& period : request.period_rules) {
-            add({"resummed", std::to_string(order), period.text},
-                by_resummation(m, request.times, {order, period}, scalar));
+            add({"resummed", std::to_string(order), period.text}, folded(m, request.times, order, period.rule, scalar));
         }
     }
     return rows;
