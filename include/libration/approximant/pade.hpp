@@ -1,0 +1,112 @@
+// The Pade approximant [L/M] of a power series: the rational function P/Q, deg P <= L, deg Q <= M, Q(0) = 1, with
+// f - P/Q = O(x^(L+M+1)) [DLMF 3.11(iv)]. Its poles settle on those of a meromorphic f, beyond the radius of convergence.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/series/arithmetic.hpp"
+
+namespace libration {
+
+/// The solution of a square system A x = b by Gaussian elimination; rows are scaled by their largest entry to choose the
+/// pivot. O(n^3). Throws std::domain_error where no pivot is above `negligible` times the largest entry of its row: the
+/// system is singular as far as can be told.
+template <rounding_scalar T>
+std::vector<T> solve_linear(std::vector<std::vector<T>> a, std::vector<T> b, const T& negligible) {
+    using std::abs;
+    const std::size_t n = b.size();
+    std::vector<T> largest(n, T(0));
+    for (std::size_t i = 0; i < n; ++i) {
+        for (const T& entry : a[i]) {
+            largest[i] = abs(entry) > largest[i] ? abs(entry) : largest[i];
+        }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k + 1; i < n; ++i) {
+            pivot = abs(a[i][k]) * largest[pivot] > abs(a[pivot][k]) * largest[i] ? i : pivot;
+        }
+        if (abs(a[pivot][k]) <= largest[pivot] * negligible) {
+            throw std::domain_error("a system of " + std::to_string(n) + " equations that is singular in " +
+                                    std::to_string(digits<T>()) + " bits");
+        }
+        std::swap(a[k], a[pivot]);
+        std::swap(b[k], b[pivot]);
+        std::swap(largest[k], largest[pivot]);
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const T factor = -a[i][k] / a[k][k];
+            for (std::size_t j = k + 1; j < n; ++j) {
+                add_product(a[i][j], factor, a[k][j]);
+            }
+            add_product(b[i], factor, b[k]);
+        }
+    }
+    for (std::size_t k = n; k-- > 0;) {
+        for (std::size_t j = k + 1; j < n; ++j) {
+            add_product(b[k], T(-a[k][j]), b[j]);
+        }
+        b[k] /= a[k][k];
+    }
+    return b;
+}
+
+/// P/Q with Q(0) = 1.
+template <scalar T>
+struct pade_approximant {
+    power_series<T> numerator;
+    power_series<T> denominator;
+
+    /// Value and derivative at x. O(L + M).
+    jet<T> operator()(const T& x) const {
+        const jet<T> p = evaluate(numerator, x);
+        const jet<T> q = evaluate(denominator, x);
+        const T value = p.value / q.value;
+        return {value, (p.slope - value * q.slope) / q.value};
+    }
+};
+
+/// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M and
+/// q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses up to some digits for each degree of Q: scale x by the
+/// radius of convergence and give the working precision guard digits. Throws std::invalid_argument when the series is
+/// too short, and std::domain_error where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
+/// exist or is one of smaller degrees.
+template <rounding_scalar T>
+pade_approximant<T> pade(const power_series<T>& series, int numerator_degree, int denominator_degree,
+                         const T& negligible) {
+    const int l = numerator_degree;
+    const int m = denominator_degree;
+    if (l < 0 || m < 0 || series.order() < l + m) {
+        throw std::invalid_argument("the Pade approximant [" + std::to_string(l) + "/" + std::to_string(m) +
+                                    "] of a series of order " + std::to_string(series.order()));
+    }
+    const auto c = [&](int n) { return n < 0 ? T(0) : series[n]; };
+    std::vector<std::vector<T>> a(static_cast<std::size_t>(m), std::vector<T>(static_cast<std::size_t>(m), T(0)));
+    std::vector<T> b(static_cast<std::size_t>(m), T(0));
+    for (int i = 1; i <= m; ++i) {
+        const auto row = static_cast<std::size_t>(i - 1);
+        for (int j = 1; j <= m; ++j) {
+            a[row][static_cast<std::size_t>(j - 1)] = c(l + i - j);
+        }
+        b[row] = -series[l + i];
+    }
+    std::vector<T> q = solve_linear(std::move(a), std::move(b), negligible);
+    q.insert(q.begin(), T(1));
+    power_series<T> denominator(std::move(q));
+    auto numerator = power_series<T>::zero(l);
+    for (int n = 0; n <= l; ++n) {
+        numerator[n] = convolution(denominator, series, n, 0, n < m ? n : m);
+    }
+    return {std::move(numerator), std::move(denominator)};
+}
+
+/// The same with what rounding alone leaves of a pivot, 8 (M + 1) eps, as negligible.
+template <rounding_scalar T>
+pade_approximant<T> pade(const power_series<T>& series, int numerator_degree, int denominator_degree) {
+    return pade(series, numerator_degree, denominator_degree, T(epsilon<T>() * (8 * (denominator_degree + 1))));
+}
+
+}  // namespace libration

@@ -1,0 +1,54 @@
+#include "libration/scalar/complex_number.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "scalars.hpp"
+
+using namespace libration;
+using libration::tests::all_scalars;
+using libration::tests::near;
+
+TEMPLATE_LIST_TEST_CASE("complex numbers obey the rules of arithmetic", "[scalar][complex_number]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const complex_number<T> a{T(3), T(-4)};
+    const complex_number<T> b{T(-1), T(2)};
+    CHECK(modulus_of(a) == 5);
+    const auto product = a * b;  // -3 + 6i + 4i + 8
+    CHECK(product.re == 5);
+    CHECK(product.im == 10);
+    const auto back = product / b;
+    CHECK(back.re == a.re);
+    CHECK(back.im == a.im);
+    const auto sum = a + b * T(2);
+    CHECK(sum.re == 1);
+    CHECK(sum.im == 0);
+    CHECK((a - a).re == 0);
+}
+
+TEMPLATE_LIST_TEST_CASE("a complex square root squares back, in the right half plane", "[scalar][complex_number]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    for (const int re : {-7, 0, 3, 1000}) {
+        for (const int im : {-5, 0, 2, 4000}) {
+            const complex_number<T> z{T(re), T(im)};
+            const auto root = square_root(z);
+            const auto square = root * root;
+            INFO(re << " + " << im << " i");
+            CHECK(root.re >= 0);
+            // Two roundings of the root and two of the square, relative to |z|.
+            CHECK_THAT(square.re, near(z.re, 8, modulus_of(z)));
+            CHECK_THAT(square.im, near(z.im, 8, modulus_of(z)));
+        }
+    }
+    const auto root = square_root(complex_number<T>{T(-9), T(0)});
+    CHECK(root.re == 0);
+    CHECK(root.im == 3);
+}
+
+TEST_CASE("the small part of a square root keeps its digits", "[scalar][complex_number]") {
+    const auto root = square_root(complex_number<double>{-4, 1e-30});
+    CHECK(root.im == 2);
+    CHECK(std::abs(root.re - 2.5e-31) <= 1e-46);  // im/(2 sqrt 4), which 1e-30 below -4 does not cancel
+}
