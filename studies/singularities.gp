@@ -1,0 +1,95 @@
+# singularities: the complex time plane of each energy to scale, and how fast the Pade poles settle.
+# Columns: energy,kind,order,re,im,radius,nearest_re,nearest_im,log10_distance,residue_re,residue_im,numerator_degree,
+# denominator_degree,tstar,height,gap. singularities_convergence: energy,order,log10_distance,log10_root_error,degrees.
+load scripts.'/style.gp'
+
+file = data.'/singularities.csv'
+energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+orders = system(sprintf("awk -F, '$2 == \"pade_pole\" { print $3 }' '%s' | sort -nu", file))
+no_poles = words(orders) == 0
+if (no_poles) { orders = '0' }  # gnuplot also reads the body of a loop over nothing
+count = words(energies)
+across = count > 1 ? 2 : 1
+down = (count + across - 1) / across
+of(e, k) = real(system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"expansion_top\" { print $%d; exit }' '%s'", e, k, file)))
+regime(e) = system(sprintf("awk -F, '$1 == \"%s\" { print $16 ~ /^-/ ? \"rotation\" : \"libration\"; exit }' '%s'", e, file))
+in_panel(e, kind, y) = (strcol(1) eq e && strcol(2) eq kind) ? y : NaN
+far = 1e9                 # out of every panel: an order may have no pole at all
+pole(e, n, y) = (strcol(1) eq e && strcol(2) eq 'pade_pole' && column(3) == n) ? y : far
+larger(a, b) = a > b ? a : b
+shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+smaller(a, b) = a < b ? a : b
+array mark[6] = [4, 2, 8, 6, 1, 12]
+high = 430                # of a panel, in points
+head = 36                 # of the title above them
+keys = words(orders) > 6 ? (words(orders) + 5) / 3 : 3
+foot = 20 * keys + 20     # of the key below
+wide = count > 1 ? 1220 : 760
+all = high * down + head + foot + 0.0
+
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/singularities', wide, all)
+    set multiplot
+    set label 9 (count > 1 ? 'Singularities of theta(t) and poles of Pade approximants of omega made of N coefficients' : 'Singularities of theta(t), and Pade poles from N coefficients') at screen 0.5, 1 - 20 / all center font ',16'
+    set samples 361
+    unset grid
+    set key at screen 0.5, (foot - 4) / all center top vertical maxrows keys samplen 2.5 width 2
+    do for [p=1:count] {
+        e = word(energies, p)
+        tstar = of(e, 14); height = of(e, 15); radius = of(e, 6)
+        # The CSV holds the lattice up to 4 T* and 4 K~', or 1.5 R.
+        w = larger(3.6 * tstar, 1.2 * radius)
+        h = smaller(larger(larger(3.6 * height, 1.2 * radius), 0.62 * w), larger(3.99 * height, 1.49 * radius))
+        set origin ((p - 1) % across) / (across + 0.0), 1 - (head + high * ((p - 1) / across + 1)) / all
+        set size 1.0 / across, high / all
+        set size ratio -1
+        set lmargin 8; set rmargin 2; set tmargin 2; set bmargin 3.6
+        set xrange [-w:w]; set yrange [-h:h]
+        set title 'E = '.shorter(e).': '.regime(e)
+        set xlabel 'Re t, dimensionless, t = 0 at the top'
+        set ylabel 'Im t'
+        set arrow 1 from -w, 0 to w, 0 nohead lc rgb '#888888' lw 0.8 back
+        set arrow 2 from 0, -h to 0, h nohead lc rgb '#888888' lw 0.8 dt 3 back
+        aside = tstar < 0.25 * larger(w, h) ? -1 : 1
+        if (aside > 0) { set label 1 'T*' at tstar, 0 right offset -0.4, 0.7 } else { set label 1 'T*' at tstar, 0 left offset 0.4, 0.7 }
+        if (aside > 0) { set label 2 '-T*' at -tstar, 0 left offset 0.4, 0.7 } else { set label 2 '-T*' at -tstar, 0 right offset -0.4, 0.7 }
+        set label 1 point pt 13 ps 0.9 lc rgb '#555555' front
+        set label 2 point pt 13 ps 0.9 lc rgb '#555555' front
+        set label 3 "i K~'" at 0, height noenhanced left offset 0.6, 0 point pt 13 ps 0.9 lc rgb '#555555' front
+        set label 4 'top' at 0, 0 left offset 0.6, -0.7 point pt 13 ps 0.9 lc rgb '#555555' front
+        plot '+' using (radius * cos(2 * pi * $0 / 360)):(radius * sin(2 * pi * $0 / 360)) with lines lw 2 lc rgb '#0072B2' title 'convergence about the top', \
+             '+' using (tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' title 'about the bottoms', \
+             '+' using (-tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' notitle, \
+             file using (in_panel(e, 'singularity', column(4))):5 with points pt 7 ps 0.9 lc rgb '#000000' title 'singularities', \
+             for [i=1:words(orders)] for [s=0:3] file using (pole(e, word(orders, i) + 0, s % 2 ? -column(4) : column(4))):(s > 1 ? -column(5) : column(5)) \
+                 with points pt mark[(i-1)%6+1] ps 0.9 + 0.35 * ((i-1)%6+1) lw 1.4 lc rgb shade[(i-1)%6+1] title s || no_poles ? '' : 'Pade, N = '.word(orders, i)
+        unset label 9
+        unset key
+    }
+    unset multiplot
+    unset output
+}
+
+# How fast the first singularity is found from the coefficients.
+reset
+load scripts.'/style.gp'
+file = data.'/singularities_convergence.csv'
+at(e, y) = strcol(1) eq e ? y : NaN
+with_poles = system(sprintf("awk -F, 'NR > 1 && $3 != \"\" { print $1 }' '%s' | uniq", file))
+last = real(system(sprintf("tail -n 1 '%s' | cut -d, -f2", file)))
+lowest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c != \"\" && $c + 0 < l) l = $c + 0 } END { print l - 2 }' '%s'", file)))
+highest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c + 0 > l) l = $c + 0 } END { print l + 1 }' '%s'", file)))
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/singularities_convergence', 900, 560)
+    set title "The first singularity, T* + i K~', from N coefficients" font ',16' noenhanced
+    set xlabel 'order N, last power of the series'
+    set ylabel 'log_{10} |error|, dimensionless time'
+    set key bottom left title 'energy E'
+    set lmargin 9
+    set xrange [0:last + 2]
+    set yrange [lowest:highest]
+    roots = "for [p=1:count] file using 2:(at(word(energies, p), column(4))) with linespoints lw 2 dt 2 pt 2 ps 0.5 lc rgb shade[(p+2)%6+1] title shorter(word(energies, p)).': root test (its radius only)'"
+    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark[(p-1)%6+1] ps 0.8 lc rgb shade[(p+2)%6+1] title shorter(word(with_poles, p)).': nearest pole of the Pade approximant', "
+    eval 'plot '.(words(with_poles) > 0 ? poles : '').roots
+    unset output
+}
