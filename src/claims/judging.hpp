@@ -1,0 +1,68 @@
+// How a number becomes a verdict, and the motions that claims are measured on.
+#pragma once
+
+#include <string>
+
+#include "claims/claim.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/flow.hpp"
+
+namespace libration::judging {
+
+/// An error below this is none: 50 digits less ten that a measurement may lose.
+inline mpfr negligible() { return pow(mpfr(10), -40); }
+
+/// Holds where the error is negligible.
+inline finding by_error(const mpfr& error) { return {error < negligible() ? verdict::holds : verdict::fails, error}; }
+
+/// The statement as printed and as corrected: the number is the error of what is printed.
+inline finding by_errors(const mpfr& printed, const mpfr& corrected) {
+    if (printed < negligible()) {
+        return {verdict::holds, printed};
+    }
+    return {corrected < negligible() ? verdict::corrected : verdict::fails, printed};
+}
+
+/// A number that speaks for the statement or against it.
+inline finding by_test(bool statement, const mpfr& number) {
+    return {statement ? verdict::holds : verdict::fails, number};
+}
+
+/// The same with a correction that is tested too.
+inline finding by_tests(bool statement, bool correction, const mpfr& number) {
+    if (statement) {
+        return {verdict::holds, number};
+    }
+    return {correction ? verdict::corrected : verdict::fails, number};
+}
+
+/// A decimal or fraction.
+inline rational fraction(const std::string& text) { return read_exact(text).coefficient; }
+inline mpfr number(const std::string& text) { return from_rational<mpfr>(fraction(text)); }
+
+/// The canonical motion of an energy.
+inline motion of_energy(const std::string& energy, int direction = 1) {
+    return motion::of_energy(fraction(energy), direction);
+}
+inline motion of_state(const std::string& theta0, const std::string& omega0) {
+    return motion::of_state(read_exact(theta0), read_exact(omega0));
+}
+
+/// theta and omega at a real time from those at time 0, by the equation alone.
+inline jet<mpfr> by_flow(const mpfr& theta0, const mpfr& omega0, const mpfr& time) {
+    flow<mpfr> along(theta0, omega0);
+    const auto& state = along.advance_to(time);
+    return {state.theta.re, state.omega.re};
+}
+
+/// The state at the top, from the energy alone: (arccos(1-E), 0), or (pi, direction sqrt(2E-4)).
+inline jet<mpfr> top_of(const mpfr& energy, int direction = 1) {
+    return energy < 2 ? jet<mpfr>{acos(1 - energy), mpfr(0)} : jet<mpfr>{pi<mpfr>(), sqrt(energy * 2 - 4) * direction};
+}
+
+/// T*.
+inline mpfr effective_period_of(const std::string& energy) {
+    return effective_period(orbit_of<mpfr>(of_energy(energy)));
+}
+
+}  // namespace libration::judging

@@ -1,0 +1,52 @@
+#include "libration/convergence/pole_pair.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "scalars.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+// -log(1 - 2 x cos(phi)/R + x^2/R^2) = sum 2 cos(n phi)/(n R^n) x^n, with R = 5/4 and cos phi = 3/5.
+template <class T>
+power_series<T> logarithms_of_a_pair(int order) {
+    auto a = power_series<T>::zero(order);
+    T cosine(1);
+    T next = T(3) / 5;
+    T power(1);
+    for (int n = 1; n <= order; ++n) {
+        power *= T(4) / 5;
+        a[n] = next * power * 2 / n;
+        const T after = next * 6 / 5 - cosine;
+        cosine = next;
+        next = after;
+    }
+    return a;
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("four coefficients give the radius of a pair of logarithms", "[convergence]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const auto a = logarithms_of_a_pair<T>(40);
+    // The recurrences of cosine and power lose a unit a step, and the stride divides them by 2 or 4.
+    CHECK_THAT(pole_pair_radius(a, 20, 1), near<T>(T(5) / 4, 200));
+    CHECK_THAT(pole_pair_radius(a, 20, 2), near<T>(T(5) / 4, 200));
+    CHECK_THROWS_AS(pole_pair_radius(a, 38, 1), std::invalid_argument);
+    CHECK_THROWS_AS(pole_pair_radius(a, 0, 1), std::invalid_argument);
+}
+
+TEMPLATE_LIST_TEST_CASE("two coefficients give the radius of a single logarithm", "[convergence]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    auto a = power_series<T>::zero(20);
+    for (int n = 2; n <= 20; n += 2) {
+        a[n] = (n % 4 == 0 ? T(1) : T(-1)) / n / (T(1 << (n / 2)));  // singular at +-i sqrt 2
+    }
+    using std::sqrt;
+    CHECK_THAT(single_pole_radius(a, 10, 2), near<T>(T(sqrt(T(2))), 10));
+    CHECK_THROWS_AS(single_pole_radius(a, 19, 2), std::invalid_argument);
+}
