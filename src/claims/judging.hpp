@@ -4,8 +4,9 @@
 #include <string>
 
 #include "claims/claim.hpp"
-#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/coefficients.hpp"
 #include "libration/pendulum/flow.hpp"
+#include "libration/series/jet.hpp"
 
 namespace libration::judging {
 
@@ -58,6 +59,16 @@ inline jet<mpfr> by_flow(const mpfr& theta0, const mpfr& omega0, const mpfr& tim
 /// The state at the top, from the energy alone: (arccos(1-E), 0), or (pi, direction sqrt(2E-4)).
 inline jet<mpfr> top_of(const mpfr& energy, int direction = 1) {
     return energy < 2 ? jet<mpfr>{acos(1 - energy), mpfr(0)} : jet<mpfr>{pi<mpfr>(), sqrt(energy * 2 - 4) * direction};
+}
+
+/// a_n scale^n, n = 0 .. N, about any state, by (pendseries) as printed: no symmetry is used.
+inline power_series<mpfr> printed_series(const jet<mpfr>& start, int order, const mpfr& scale) {
+    const mpfr half = start.value / 2;
+    const mpfr sine = sin(half);
+    const mpfr kinetic = start.slope * start.slope / 2;
+    const mpfr energy = kinetic + sine * sine * 2;
+    const taylor_start<mpfr> at{{start.value, start.slope, sine, cos(half)}, {energy, 2 - energy}, parity::any};
+    return taylor_by_sine_cosine(at, order, scale);
 }
 
 /// T*.
