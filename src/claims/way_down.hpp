@@ -1,0 +1,93 @@
+// A motion on its way from the top to the bottom, in the paper's own frame, with constants at the bottom that may be wrong:
+// what the claims about the resummation are measured on.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "claims/claim.hpp"
+#include "libration/approximant/difference_norm.hpp"
+#include "libration/approximant/endpoint_approximant.hpp"
+#include "libration/approximant/truncated_series.hpp"
+#include "libration/pendulum/expansion.hpp"
+
+namespace libration {
+
+/// The verdict that a measurement gives: of the statement as it is printed, and of what should stand there.
+inline finding judged(bool as_printed, bool as_corrected, const mpfr& number) {
+    if (as_printed) {
+        return {verdict::holds, number};
+    }
+    return {as_corrected ? verdict::corrected : verdict::fails, number};
+}
+
+/// The canonical motion of an energy, or of a gap 2 - E, as typed.
+inline motion at_energy(std::string_view energy, int direction = 1) {
+    return motion::of_energy(read_exact(energy).coefficient, direction);
+}
+inline motion at_gap(std::string_view gap, int direction = 1) {
+    return motion::of_energy(rational(2 - read_exact(gap).coefficient), direction);
+}
+
+/// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise rotation
+/// runs from pi to 0. At the working precision in force; throws std::domain_error at E = 2.
+class way_down {
+public:
+    explicit way_down(const motion& m)
+        : truth_(m),
+          orbit_(orbit_of<mpfr>(m)),
+          period_(effective_period(orbit_)),
+          height_(singularity_height(orbit_)) {}
+
+    const orbit<mpfr>& of() const { return orbit_; }
+    const mpfr& period() const { return period_; }  ///< T*
+    const mpfr& height() const { return height_; }  ///< K~'
+    mpfr radius() const { return sqrt(period_ * period_ + height_ * height_); }
+    mpfr rho() const { return period_ / radius(); }
+    mpfr fastest() const { return sqrt(orbit_.pair.energy * 2); }  ///< |omega*|
+
+    /// theta and d theta/dx, at any x.
+    jet<mpfr> exact(const mpfr& x) const {
+        const auto state = truth_.from_top(x);
+        return {state.theta, state.omega * period_};
+    }
+
+    /// a_n T*^n.
+    power_series<mpfr> series(int order) const {
+        const auto about_top = expand(truth_, {expansion_point::place::top, {}}, order);
+        return rescale(about_top.scaled, mpfr(period_ / about_top.scale));
+    }
+    truncated_series<mpfr> cut(int order) const { return {series(order), mpfr(1)}; }
+
+    /// The resummation that ends in these theta* and omega*, and the one that ends where the motion does.
+    endpoint_approximant<mpfr> resummed(int order, const mpfr& angle, const mpfr& speed) const {
+        return {series(order), {angle, speed * period_}};
+    }
+    endpoint_approximant<mpfr> resummed(int order) const {
+        const jet<mpfr> bottom = exact(mpfr(1));
+        return {series(order), {bottom.value, bottom.slope}};
+    }
+
+    /// The norm of the error on [0, T*].
+    template <class F>
+    mpfr error_norm(const F& approximation) const {
+        const auto points = chebyshev_points(std::max(41, 2 * approximation.order() + 11));
+        const auto truth = [this](const mpfr& x) { return exact(x); };
+        return difference_norm<mpfr>(difference(approximation, truth), points).norm;
+    }
+    /// The error at one place.
+    template <class F>
+    mpfr error_at(const F& approximation, const mpfr& x) const {
+        return abs(approximation(x).value - exact(x).value);
+    }
+
+private:
+    exact_solution<mpfr> truth_;
+    orbit<mpfr> orbit_;
+    mpfr period_;
+    mpfr height_;
+};
+
+}  // namespace libration
