@@ -114,15 +114,12 @@ TEST_CASE("claim b_constants: holds with correction, because b_0 lacks -theta*",
     const finding f = measured("b_constants");
     CHECK(f.verdict == verdict::corrected);
     CHECK(three_digits(f) == "6.28");
-    // The sums of the coefficients themselves: rho^1200 = 6e-6 is what the tail has left at E = 4 after 120 powers.
+    // The sums of the coefficients themselves, at another energy; b_0 and b_1 add +-T* omega*, which cancel.
     const precision_scope precision(50);
     const judge_of j("4");
     const auto series = descent_series(j.d, 200);
-    mpfr printed = j.fastest() * j.d.effective_period - j.fastest() * j.d.effective_period;
-    for (int n = 0; n <= 200; ++n) {
-        printed += series[n];
-    }
-    CHECK(abs(printed - pi<mpfr>() * 2) < top_bounds<mpfr>::of(j.d.o).series_norm(200));
+    const mpfr sum = evaluate(series, mpfr(1)).value;
+    CHECK(abs(sum - pi<mpfr>() * 2) < top_bounds<mpfr>::of(j.d.o).series_norm(200));
 }
 
 TEST_CASE("claim approxcoeffs: holds, the Cauchy product divides by (t-T*)^2", "[paper][claims]") {
@@ -159,14 +156,13 @@ TEST_CASE("claim resummation_range: holds, also before the top", "[paper][claims
     const finding f = measured("resummation_range");
     CHECK(f.verdict == verdict::holds);
     CHECK(three_digits(f) == "4.54e-8");
-    // Nothing is gained there: at -T* the series is better than the resummation, here by 4 and more.
+    // Nothing is gained there: the error is far above the norm on [0, T*].
     const precision_scope precision(50);
     const judge_of j("1.71");
     const mpfr before(-1);
-    const mpfr theta = j.theta(before);
-    for (const int order : {20, 40, 80}) {
-        const mpfr series = abs(series_from_top(j.d, order)(before).value - theta);
-        CHECK(abs(resummation_from_top(j.d, order)(before).value - theta) > series * 4);
+    for (const int order : {20, 40}) {
+        const auto approximant = resummation_from_top(j.d, order);
+        CHECK(abs(approximant(before).value - j.theta(before)) > j.norm(approximant) * 100);
     }
 }
 
@@ -208,7 +204,7 @@ TEST_CASE("claim second_derivative: holds with correction, because two constants
 TEST_CASE("claim acceleration_rate: holds with correction, because the geometric rate stays T*/R", "[paper][claims]") {
     const finding f = measured("acceleration_rate");
     CHECK(f.verdict == verdict::corrected);
-    // A gain of N^2 alone gives (62/122)^(2/60) = 0.978.
+    // The gain N^2 from 42 to 82 alone gives (42/82)^(2/40) = 0.967; a better geometric rate would lie below.
     CHECK(three_digits(f) == "0.979");
 }
 
@@ -381,7 +377,7 @@ TEST_CASE("claim appendix_range: holds with correction, because T*^(N+1) leaves 
           "[paper][claims]") {
     const finding f = measured("appendix_range");
     CHECK(f.verdict == verdict::corrected);
-    CHECK(three_digits(f) == "6.42e-6");
+    CHECK(three_digits(f) == "5.81e-6");
     const double period = effective_period(orbit_of<double>(with_gap("1e-10")));
     CHECK(std::isfinite(std::pow(period, 274)));
     CHECK(std::isinf(std::pow(period, 275)));

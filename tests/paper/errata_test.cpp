@@ -1,0 +1,75 @@
+// The letter to the authors: that it leaves out no claim of its half, and that its table is what the bounds give.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "claims/claim.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "pendulum/typed.hpp"
+#include "scalars.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+std::string letter() {
+    std::ifstream file(LIBRATION_SOURCE_DIR "/studies/errata.md.in");
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+bool judged_true(const claim& c) {
+    const precision_scope scope(50);
+    return c.measure().verdict == verdict::holds;
+}
+
+}  // namespace
+
+TEST_CASE("errata: every claim from the resummation on that does not hold stands there with its number",
+          "[paper][errata]") {
+    const std::string text = letter();
+    for (const auto& part : {claims_of_resummation(), claims_of_period(), claims_of_conclusions()}) {
+        for (const claim& each : part) {
+            INFO(each.name);
+            CHECK((judged_true(each) || text.find("{{" + each.name + "}}") != std::string::npos));
+            CHECK(each.correction.empty() == judged_true(each));
+        }
+    }
+}
+
+TEST_CASE("errata: every placeholder is the name of a claim", "[paper][errata]") {
+    const std::string text = letter();
+    const auto all = all_claims();
+    const std::regex placeholder(R"(\{\{([^}]*)\}\})");
+    for (std::sregex_iterator at(text.begin(), text.end(), placeholder); at != std::sregex_iterator(); ++at) {
+        const std::string name = (*at)[1];
+        INFO(name);
+        CHECK(std::any_of(all.begin(), all.end(), [&](const claim& c) { return c.name == name; }));
+    }
+}
+
+TEST_CASE("errata: the table of bounds over errors is right to its last digit", "[paper][errata]") {
+    const std::string text = letter();
+    const std::regex row(R"(\| ([0-9.]+) \| ([0-9]+) \| ([0-9.e]+) \| ([0-9.e]+) \|)");
+    int rows = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), row); at != std::sregex_iterator(); ++at) {
+        const std::string energy = (*at)[1];
+        const int order = std::stoi((*at)[2]);
+        INFO("E = " << energy << ", N = " << order);
+        const motion m = with_energy(energy);
+        const precision_scope precision(20 + digits_below(m, order));
+        descent_errors errors(m);
+        const mpfr series = errors.bounds().series_norm(order) / errors.norm(descent_method::series, order).norm;
+        const mpfr resummed =
+            errors.bounds().resummation_norm(order) / errors.norm(descent_method::resummed, order).norm;
+        CHECK(to_decimal(series, 3) == (*at)[3]);
+        CHECK(to_decimal(resummed, 3) == (*at)[4]);
+        ++rows;
+    }
+    CHECK(rows == 10);
+}
