@@ -111,6 +111,7 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points) {
     std::vector<jet<T>> at_points;
+    at_points.reserve(points.size());
     for (const double x : points) {
         at_points.push_back(difference(T(x)));
     }
