@@ -318,7 +318,7 @@ claim figure_period_drift() {
     return {.name = "figure_period_drift",
             .label = "fig:period",
             .statement = "A solution with the period by (Knew), N = 10, is accurate near E = 2.",
-            .number = "error of theta half way down after one period with T* by (Knew), N = 10, omega0 = 1.9999",
+            .number = "error of theta at T + 9 T*/10 with T* by (Knew), N = 10, omega0 = 1.9999",
             .correction =
                 "For a fixed number of periods only: T* is 0.0113 short, each period shifts the extended solution by "
                 "four times that, and the angle by up to 2 for each unit of time. After 100 periods the shift is "
