@@ -2,10 +2,11 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "extension.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/folding_error.hpp"
 #include "libration/pendulum/rounded_clock.hpp"
+#include "periodic_rows.hpp"
+#include "sweep/parallel.hpp"
 
 namespace libration::studies {
 
@@ -143,7 +144,7 @@ const study& all_time() {
                         "p, whole periods before the one looked at"},
                        {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "ways to T*"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--periods", "1,1e6", ""}, {"--period-by", "resummed:10", ""}},
-        .seconds = 5,
+        .seconds = 3,
         .run = run};
     return result;
 }

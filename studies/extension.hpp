@@ -1,9 +1,8 @@
-// Four figures of the paper with one shape: an approximation on [0, T*], extended periodically, beside the numerical and
-// the exact solution. Each of them is a study with its own energies, orders and way of approximating.
+// Four figures of the paper with one shape: an approximation on [0, T*], extended periodically, beside the numerical
+// and the exact solution. Each of them is a study with its own energies, orders and way of approximating.
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,10 +10,10 @@
 #include "judged.hpp"
 #include "libration/pendulum/error_norm.hpp"
 #include "libration/pendulum/exact_solution.hpp"
-#include "libration/pendulum/numerical_solution.hpp"
 #include "libration/pendulum/periodic_extension.hpp"
+#include "numerical_points.hpp"
+#include "periodic_rows.hpp"
 #include "sweep/parallel.hpp"
-#include "sweep/study.hpp"
 
 namespace libration::studies {
 
@@ -34,25 +33,14 @@ inline const std::vector<column>& extension_columns() {
     return all;
 }
 
-/// Refuses, before any work, the energies that have no period or no motion.
-inline void require_period(const std::vector<sweep_energy>& energies) {
-    for (const sweep_energy& at : energies) {
-        const bool at_rest = at.value == 0;
-        const bool critical = at.value == 2;
-        if (at_rest || critical) {
-            throw std::domain_error("has the energy " + at.energy +
-                                    (at_rest ? ", where the pendulum rests" : ", where the period is infinite"));
-        }
-    }
-}
-
 /// What a value is equal to in exact arithmetic: both approximations at the top, the resummation at the bottom too.
 inline bool interpolates(descent_method method, const phase<mpfr>& at) {
     const bool top = quarter_of_four(at.quarter) % 2 != 0;
     return at.side == 0 && (top || method == descent_method::resummed);
 }
 
-/// The extension of one function of the descent, in the arithmetic T, against the exact solution in the working precision.
+/// The extension of one function of the descent, in the arithmetic T, against the exact solution in the working
+/// precision.
 template <class T, class F>
 std::vector<judged> follow(const motion& m, const std::vector<exact>& times, descent_method method,
                            const periodic_extension<T, F>& extension, bool slope_at_top) {
@@ -91,66 +79,6 @@ inline std::vector<judged> extended(const motion& m, const std::vector<exact>& t
         });
     });
 }
-
-/// The paper's numerical solution: Runge-Kutta in double from the same start, against the exact solution.
-inline std::vector<judged> marched(const motion& m, const std::vector<exact>& times, const exact& step) {
-    jet<double> start{};
-    std::vector<double> rounded;
-    rounded.reserve(times.size());
-    {
-        const precision_scope scope(40);
-        const pendulum_state<mpfr> at = exact_solution<mpfr>(m)(exact{});
-        start = {narrow<double>(at.theta), narrow<double>(at.omega)};
-        for (const exact& time : times) {
-            rounded.push_back(narrow<double>(dimensionless_time<mpfr>(m, time)));
-        }
-    }
-    const auto states = numerical_solution<double>(start, rounded, from_exact<double>(step));
-    return resolved(scalar_spec{scalar_kind::binary64, 17}.digits, 20, [&] {
-        const exact_solution<mpfr> truth(m);
-        std::vector<judged> values;
-        values.reserve(times.size());
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            const phase<mpfr> at = truth.clock().at(times[i]);
-            const mpfr theta = widen(states[i].value);
-            values.push_back({theta, widen(states[i].slope), abs(theta - truth.at(at).theta), at.side == 0});
-        }
-        return values;
-    });
-}
-
-/// About 41 of the times, evenly, the first and the last among them: as many points as a figure can show.
-inline std::vector<exact> some_of(const std::vector<exact>& times) {
-    constexpr std::size_t most = 41;
-    if (times.size() <= most) {
-        return times;
-    }
-    std::vector<exact> some;
-    some.reserve(most);
-    for (std::size_t i = 0; i < most; ++i) {
-        some.push_back(times[i * (times.size() - 1) / (most - 1)]);
-    }
-    return some;
-}
-
-/// A time as the two columns of a table: dimensionless, and in periods.
-struct time_cells {
-    std::string time;
-    std::string periods;
-};
-
-inline std::vector<time_cells> cells_of(const motion& m, const std::vector<exact>& times, long digits) {
-    const precision_scope scope(digits + guard_digits);
-    std::vector<time_cells> cells;
-    cells.reserve(times.size());
-    for (const exact& time : times) {
-        cells.push_back(
-            {to_decimal(dimensionless_time<mpfr>(m, time), digits), to_decimal(elapsed_periods<mpfr>(m, time), 12)});
-    }
-    return cells;
-}
-
-using table_rows = std::vector<std::vector<std::string>>;
 
 /// Rows of one energy: the approximations of all orders; the numerical solution; the exact one.
 struct extension_rows {

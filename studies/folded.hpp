@@ -12,8 +12,8 @@
 
 namespace libration::studies {
 
-/// (fullresummation) of one order, extended by (newseries) with the T* of the rule, at all times; for motions that start
-/// at the bottom.
+/// (fullresummation) of one order, extended by (newseries) with the T* of the rule, at all times; for motions that
+/// start at the bottom.
 inline std::vector<judged> folded(const motion& m, const std::vector<exact>& times, int order, const period_rule& by,
                                   const scalar_spec& scalar) {
     return resolved(scalar.digits, digits_below(m, order), [&] {

@@ -11,8 +11,8 @@
 
 namespace libration::studies {
 
-/// theta and omega by some way, and |theta - exact|. Where the two are equal in exact arithmetic, the error that is left
-/// is rounding and `settled` says that no digits will resolve it.
+/// theta and omega by some way, and |theta - exact|. Where the two are equal in exact arithmetic, the error that is
+/// left is rounding and `settled` says that no digits will resolve it.
 struct judged {
     mpfr theta;
     mpfr omega;

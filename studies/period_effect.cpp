@@ -1,6 +1,8 @@
 // What becomes of the extended resummation when T* is not exact? [paper fig:period]
-#include "extension.hpp"
 #include "folded.hpp"
+#include "numerical_points.hpp"
+#include "periodic_rows.hpp"
+#include "sweep/parallel.hpp"
 
 namespace libration::studies {
 
@@ -95,13 +97,13 @@ const study& period_effect() {
                         "energies E, in m g l; the usual two are omega0 = 1.9999 and 2.0001 at the bottom"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "20", "N, last index of the resummed series"},
-                       {"--times", "0:3T:601",
+                       {"--times", "0:3T:401",
                         "times since the bottom: multiples of the exact T, or dimensionless numbers"},
                        {"--period-by", "agm,series:100,resummed:1,resummed:10", "ways to T*"},
                        {"--step", "1e-5", "step of the Runge-Kutta method, dimensionless"},
                        {"--scalar", "mpfr:40", "arithmetic of the resummation; the numerical solution is in double"}},
         .quick = {{"--energies", "1.9998,2.0002", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
-        .seconds = 2,
+        .seconds = 1,
         .run = run};
     return result;
 }

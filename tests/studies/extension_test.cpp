@@ -44,8 +44,8 @@ struct tabulated {
 
 TEST_CASE("values and errors are those of the printed recurrence and of the integrated equation",
           "[studies][extension]") {
-    // mpmath at 60 digits: a_n by (pendseries), alpha and beta solved from theta* and omega*, (newseries) as printed; the
-    // truth by 160 Taylor steps of degree 60 through the equation itself.
+    // mpmath at 60 digits: a_n by (pendseries), alpha and beta solved from theta* and omega*, (newseries) as printed;
+    // the truth by 160 Taylor steps of degree 60 through the equation itself.
     const std::vector<tabulated> all{
         {"libration_series", "1.71", "3T/16", "6", "1.02772909073247914790876422335417844448",
          "0.0219397987355222248961325650357"},

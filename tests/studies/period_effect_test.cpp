@@ -31,7 +31,8 @@ std::vector<table_row> rows_for(study_words words, std::size_t table = 0) {
 
 TEST_CASE("periods and angles are those of (Kold), (Knew) and (newseries) as printed", "[studies][period_effect]") {
     // mpmath at 60 digits, theta at t = 10 with N = 20: a_n by (pendseries), ahat_n by (b) and (approxcoeffs) with the
-    // sign of (omegab) as it must be, T* and T from the partial sum, (newseries) at t + 3 T* (rotation t + T*, less 2 pi).
+    // sign of (omegab) as it must be, T* and T from the partial sum, (newseries) at t + 3 T* (rotation t + T*, less 2
+    // pi).
     struct expected_row {
         std::string energy, rule, period, theta, error;
     };

@@ -8,8 +8,8 @@
 
 namespace libration {
 
-/// The exact canonical motion on its way from the top, as a function of x = t/T* with the T* of a rule. Between the bottom
-/// and that T* it goes on as the motion does.
+/// The exact canonical motion on its way from the top, as a function of x = t/T* with the T* of a rule. Between the
+/// bottom and that T* it goes on as the motion does.
 template <scalar T>
 class exact_descent {
 public:
@@ -38,9 +38,9 @@ struct angle_pair {
     T error;  ///< |found - expected|
 };
 
-/// The largest error of theta at the times (p + i/points) T, i = 0 .. points, of the canonical motion of an energy, counter-
-/// clockwise, whose descent is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T* errs. All
-/// bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations.
+/// The largest error of theta at the times (p + i/points) T, i = 0 .. points, of the canonical motion of an energy,
+/// counterclockwise, whose descent is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T*
+/// errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations.
 /// Throws std::domain_error at E = 2.
 template <scalar T>
 angle_pair<T> folding_error(const rational& energy, const period_rule& by, const integer& periods, int points) {
@@ -61,8 +61,8 @@ angle_pair<T> folding_error(const rational& energy, const period_rule& by, const
     return worst;
 }
 
-/// sqrt(2E) |dT| (p + 1) for an error dT of T: what folding_error is to first order in dT, where that T is too short. The
-/// motion is out of step by p + 1 times dT when it passes the last bottom of the period, with the speed sqrt(2E).
+/// sqrt(2E) |dT| (p + 1) for an error dT of T: what folding_error is to first order in dT, where that T is too short.
+/// The motion is out of step by p + 1 times dT when it passes the last bottom of the period, with the speed sqrt(2E).
 template <scalar T>
 T folding_error_estimate(const rational& energy, const T& period_error, const integer& periods) {
     using std::sqrt;

@@ -11,8 +11,8 @@
 
 namespace libration {
 
-/// (theta, omega) at dimensionless times, in their order, from the state at time 0 in steps of h > 0: one march forwards
-/// through the times from 0 on and one backwards through those before. O((longest + earliest time)/h).
+/// (theta, omega) at dimensionless times, in their order, from the state at time 0 in steps of h > 0: one march
+/// forwards through the times from 0 on and one backwards through those before. O((longest + earliest time)/h).
 /// Throws std::domain_error when a march takes more than runge_kutta_march::most_steps.
 template <scalar T>
 std::vector<jet<T>> numerical_solution(const jet<T>& start, const std::vector<T>& times, const T& step) {

@@ -25,8 +25,8 @@ T whole_turns(const integer& turns) {
     return from_rational<T>(rational(turns * 2)) * pi<T>();
 }
 
-/// The clock of one motion. Its T* is exact, or the approximation of a rule, as the paper's modulo uses it; the time from
-/// the nearest quarter to a start between the quarters is exact either way, and so is the T of a time 3T/4.
+/// The clock of one motion. Its T* is exact, or the approximation of a rule, as the paper's modulo uses it. The time
+/// from the nearest quarter to a start between the quarters is exact either way, and so is the T of a time 3T/4.
 template <scalar T>
 class timeline {
     using W = wide_t<T>;

@@ -10,8 +10,8 @@
 namespace libration {
 
 /// The phase of a motion that starts at a top or a bottom, by the remainder of the rounded time and the rounded period,
-/// fmod(t, T) [paper (newseries), the modulo]. The remainder itself is exact, but t and T each have an error of up to half
-/// an epsilon of themselves, and that of T counts once a period: at time t the phase is off by up to epsilon t.
+/// fmod(t, T) [paper (newseries), the modulo]. The remainder itself is exact, but t and T each have an error of up to
+/// half an epsilon of themselves, and that of T counts once a period: at time t the phase is off by up to epsilon t.
 template <fixed_scalar T>
 class rounded_clock {
 public:
@@ -44,8 +44,8 @@ private:
     T period_ = T(0);
 };
 
-/// sqrt(2E) (p + 1) T epsilon: the largest error of theta that the rounding of t and T makes within the period after p whole
-/// ones, to first order; half of it by t, half by T.
+/// sqrt(2E) (p + 1) T epsilon: the largest error of theta that the rounding of t and T makes within the period after p
+/// whole ones, to first order; half of it by t, half by T.
 template <fixed_scalar T>
 mpfr rounded_clock_bound(const rational& energy, const integer& periods) {
     const orbit<mpfr> o = orbit_of<mpfr>(motion::of_energy(energy));
@@ -71,9 +71,9 @@ inline mpfr angle_between(const mpfr& a, const mpfr& b, regime r) {
     return abs(mpfr(difference - from_rational<mpfr>(rational(turns)) * turn));
 }
 
-/// The largest |error| of theta, whole turns left aside, over times near (p + i/points) T, i = 0 .. points, typed with 20
-/// decimals: of the exact solution in T at the phases that a clock gives, against the exact solution in mpfr. The motion is
-/// the canonical one of an energy. At the working precision in force. Throws std::domain_error at E = 2.
+/// The largest |error| of theta, whole turns left aside, over times near (p + i/points) T, i = 0 .. points, typed with
+/// 20 decimals: of the exact solution in T at the phases that a clock gives, against the exact solution in mpfr. The
+/// motion is the canonical one of an energy. At the working precision in force. Throws std::domain_error at E = 2.
 template <fixed_scalar T, class Clock>
 mpfr clock_error(const rational& energy, const Clock& clock, const integer& periods, int points) {
     const motion m = motion::of_energy(energy);
