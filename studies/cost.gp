@@ -1,0 +1,82 @@
+# cost: multiplications and time of each route against the order, and the differences between the routes.
+# Columns: route,order,energy,multiplications,nonzero_multiplications,divisions,additions,by_integers,ratio,
+# log10_difference,expected_growth,note. cost_time: route,order,energy,seconds,ratio.
+load scripts.'/style.gp'
+
+file = data.'/cost.csv'
+timed = data.'/cost_time.csv'
+routes = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | awk '!seen[$0]++'", file))
+# The energy with the most routes, and the first of those.
+energy = system(sprintf("awk -F, 'NR > 1 && $4 != \"\" { if (!($3 in n)) e[++k] = $3; ++n[$3] } END { b = e[1]; for (i = 2; i <= k; ++i) if (n[e[i]] > n[b]) b = e[i]; print b }' '%s'", file))
+first = real(system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | head -n 1", file)))
+last = real(system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | tail -n 1", file)))
+present = system(sprintf("awk -F, '$3 == \"%s\" && $4 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+orders = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -nu", file))
+# At most eight numbers at the axis.
+at_axis = ''
+stride = (words(orders) + 7) / 8
+do for [i=1:words(orders):stride] { at_axis = at_axis.(i > 1 ? ', ' : '').word(orders, i) }
+left = first > 1 ? first / 1.3 : 1
+right = last > 1 ? last * 1.3 : 2
+of(r, y) = (strcol(1) eq r && strcol(3) eq energy) ? y : NaN
+positive(y) = y > 0 ? y : NaN
+with_products = system(sprintf("awk -F, '$3 == \"%s\" && $4 > 0 { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+# Products of each route in units of N^2.
+constant(r) = r eq 'direct' ? 1 : r eq 'direct_parity' ? 0.5 : r eq 'arcsine' ? 1.5 : r eq 'arcsine_parity' ? 0.375 : r eq 'convolution' ? 0.5 : (r eq 'speed' || r eq 'symmetric_squares') ? 0.1875 : NaN
+colour(r) = r[1:6] eq 'direct' ? shade[4] : r[1:7] eq 'arcsine' ? shade[2] : r eq 'speed' ? shade[3] : r eq 'symmetric_squares' ? shade[5] : r eq 'convolution' ? shade[1] : shade[6]
+dash(r) = (strstrt(r, 'parity') || r eq 'running_sums') ? 2 : 1
+mark(r) = r eq 'direct' ? 4 : r eq 'direct_parity' ? 5 : r eq 'arcsine' ? 8 : r eq 'arcsine_parity' ? 9 : r eq 'speed' ? 6 : r eq 'symmetric_squares' ? 2 : r eq 'convolution' ? 12 : r eq 'running_sums' ? 10 : 1
+label_of(r) = r eq 'direct' ? '(pendseries)' : r eq 'direct_parity' ? '(pendseries), parity' : r eq 'arcsine' ? 'arcsine of Jacobi' : r eq 'arcsine_parity' ? 'arcsine, parity' : r eq 'speed' ? 'omega alone' : r eq 'symmetric_squares' ? 'symmetric squares' : r eq 'convolution' ? 'resummation: convolution' : r eq 'running_sums' ? 'resummation: running sums' : 'resummation: alpha, beta'
+shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/cost', 1180, 640)
+    set multiplot
+    set label 1 'What the coefficients up to the order N cost (E = '.shorter(energy).')' at screen 0.5, 0.965 center font ',16'
+    set logscale xy
+    set format y '10^{%T}'
+    set xlabel 'order N'
+    eval 'set xtics ('.at_axis.')'
+    set xrange [left:right]
+    set origin 0, 0.17
+    set size 0.5, 0.78
+    set lmargin 9
+    set ylabel 'multiplications of two numbers'
+    set yrange [1:*]
+    set key at screen 0.5, 0.155 center top vertical maxrows 3 samplen 3
+    set label 2 'thin lines: constant times N^2' at graph 0.03, graph 0.96 textcolor rgb '#555555'
+    plot for [r in with_products] file using 2:(of(r, positive(column(4)))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb colour(r) title label_of(r), \
+         for [r in with_products] constant(r) * x**2 with lines lw 1 dt 3 lc rgb colour(r) notitle, \
+         1/0 with linespoints lw 2 dt 2 pt 10 lc rgb colour('running_sums') title label_of('running_sums').' (none)'
+    unset label 1
+    unset label 2
+    unset key
+    set origin 0.5, 0.17
+    set ylabel 'time, in units of (pendseries)'
+    set format y '%g'
+    set yrange [*:4]
+    plot for [r in present] timed using 2:(of(r, column(5))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb colour(r)
+    unset multiplot
+    unset output
+}
+
+# Do the routes agree?
+reset
+load scripts.'/style.gp'
+unstable = system(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/cost_difference', 900, 560)
+    set title 'Rounding errors of the routes (E = '.shorter(energy).')' font ',16'
+    set xlabel 'order N'
+    set ylabel 'log_{10} of the largest difference from 30 digits more'
+    set xrange [0:1.04 * right / 1.3]
+    set offsets 0, 0, 8, 8
+    set key top left samplen 3
+    set lmargin 9
+    start = real(system(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { found = 1; print $10 - $11; exit } END { if (!found) print 0 }' '%s'", energy, file)))
+    lines = "for [r in present] file using 2:(of(r, column(10))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb colour(r) title label_of(r)"
+    growth = "for [r in word(unstable, 1)] file using 2:(of(r, column(11) + start)) with lines lw 1.5 dt 3 lc rgb '#000000' title \"(R/K~')^N\""
+    set key noenhanced
+    eval 'plot '.lines.(words(unstable) > 0 ? ', '.growth : '')
+    unset output
+}
