@@ -176,18 +176,31 @@ power_series<mpfr> as_polynomial(const power_series<mpfr>& inner, const std::vec
     return result;
 }
 
-// The largest |found_n - exact_n|, for the resummation relative to the largest |exact_n|.
-template <class T>
-std::string difference_text(const named_route& r, const power_series<T>& found, const given<mpfr>& exact, int order) {
-    auto truth = by(r.resums ? route::running_sums : route::symmetric_squares, exact, order);
-    if (r.which == route::alpha_beta) {
-        truth = as_polynomial(truth, exact.endpoint);
+// What the routes should find; computed in the precision in force, before that of the routes is set.
+struct expected_results {
+    power_series<mpfr> coefficients;
+    power_series<mpfr> inner;
+    power_series<mpfr> polynomial;
+
+    const power_series<mpfr>& of(const named_route& r) const {
+        return !r.resums ? coefficients : r.which == route::alpha_beta ? polynomial : inner;
     }
+};
+
+expected_results expected_of(const given<mpfr>& exact, int order) {
+    auto inner = by(route::running_sums, exact, order);
+    auto polynomial = as_polynomial(inner, exact.endpoint);
+    return {by(route::symmetric_squares, exact, order), std::move(inner), std::move(polynomial)};
+}
+
+// The largest |found_n - expected_n|, for the resummation relative to the largest |expected_n|.
+template <class T>
+std::string difference_text(const named_route& r, const power_series<T>& found, const power_series<mpfr>& expected) {
     mpfr largest(0);
     mpfr scale(r.resums ? 0 : 1);
-    for (int n = 0; n <= truth.order(); ++n) {
-        largest = std::max(largest, mpfr(abs(widen(found[n]) - truth[n])));
-        scale = r.resums ? std::max(scale, mpfr(abs(truth[n]))) : scale;
+    for (int n = 0; n <= expected.order(); ++n) {
+        largest = std::max(largest, mpfr(abs(widen(found[n]) - expected[n])));
+        scale = r.resums ? std::max(scale, mpfr(abs(expected[n]))) : scale;
     }
     return largest == 0 ? "-inf" : to_decimal(mpfr(log10(mpfr(largest / scale))), 4);
 }
@@ -236,6 +249,7 @@ void add_rows(const sweep_energy& at, int order, const scalar_spec& scalar, rows
     const precision_scope scope(scalar.digits + 2 * guard_digits + 30);
     const given<mpfr> exact = given_by(motion::of_energy(at.value), order);
     const given<counted> tally = in<counted>(exact);
+    const expected_results expected = expected_of(exact, order);
     with_scalar(scalar, guard_digits, [&]<class T>() {
         const given<T> own = in<T>(exact);
         const auto products = [&](route which) { return count_operations([&] { by(which, tally, order); }); };
@@ -255,16 +269,18 @@ void add_rows(const sweep_energy& at, int order, const scalar_spec& scalar, rows
             const auto numbers = count_row(r, products(r.which), direct_products);
             row.insert(row.end(), numbers.begin(), numbers.end());
             row.insert(row.end(),
-                       {difference_text(r, by(r.which, own, order), exact, order), growth_text(r, exact, order), ""});
+                       {difference_text(r, by(r.which, own, order), expected.of(r)), growth_text(r, exact, order), ""});
             counts.push_back(std::move(row));
         }
     });
 }
 
 void require_top(const sweep_energy& at) {
-    if (at.value == 0 || at.value == 2) {
+    const bool at_rest = at.value == 0;
+    const bool critical = at.value == 2;
+    if (at_rest || critical) {
         throw std::domain_error("has the energy " + at.energy + ", where the series from the top is " +
-                                (at.value == 0 ? "the constant 0" : "not defined"));
+                                (at_rest ? "the constant 0" : "not defined"));
     }
 }
 

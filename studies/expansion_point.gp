@@ -5,10 +5,12 @@ load scripts.'/style.gp'
 file = data.'/expansion_point.csv'
 points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
 energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+# Energies and points may be fractions.
+fraction(p) = strstrt(p, '/') ? real(p[1:strstrt(p, '/') - 1]) / real(p[strstrt(p, '/') + 1:*]) : real(p)
 of(p, y) = strcol(2) eq p ? y : NaN
 name(p) = p eq '0' ? '0 (top)' : p eq '1' ? '1 (bottom)' : p
-first = real(system(sprintf("awk -F, 'NR == 2 { printf \"%%.9g\", $1 }' '%s'", file)))
-last = real(system(sprintf("awk -F, 'END { printf \"%%.9g\", $1 }' '%s'", file)))
+first = fraction(word(energies, 1))
+last = fraction(word(energies, words(energies)))
 measured = system(sprintf("awk -F, 'NR > 1 && $7 != \"\"' '%s' | wc -l", file)) + 0
 array mark[6] = [4, 8, 6, 12, 10, 2]
 
@@ -30,7 +32,7 @@ do for [kind in terminals] {
     set yrange [0:2.6]
     set key top right opaque title 'expanded about this fraction of T*' samplen 3
     set label 3 'R = T*' at graph 0.98, first 1 right offset 0, -0.7 textcolor rgb '#555555'
-    plot for [i=1:words(points)] file using 1:(of(word(points, i), column(3) / column(4))) with linespoints lw 2 dt i pt mark[(i-1)%6+1] ps 0.5 lc rgb shade[(i-1)%6+1] title name(word(points, i))
+    plot for [i=1:words(points)] file using (fraction(strcol(1))):(of(word(points, i), column(3) / column(4))) with linespoints lw 2 dt i pt mark[(i-1)%6+1] ps 0.5 lc rgb shade[(i-1)%6+1] title name(word(points, i))
     unset label 1
     unset label 3
 
@@ -40,8 +42,8 @@ do for [kind in terminals] {
     unset key
     set label 3 'diverges on a part of the way' at graph 0.98, first 1.1 right offset 0, 0.6 textcolor rgb '#555555'
     set label 4 'lines: max(x, 1-x) T*/R'.(measured ? ', marks: measured' : '') at graph 0.98, graph 0.97 right textcolor rgb '#555555'
-    plot for [i=1:words(points)] file using 1:(of(word(points, i), column(6))) with lines lw 2 dt i lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(points)] file using 1:(of(word(points, i), column(measured ? 7 : 6))) with points pt mark[(i-1)%6+1] ps measured ? 0.9 : 0.4 lw 1.3 lc rgb shade[(i-1)%6+1]
+    plot for [i=1:words(points)] file using (fraction(strcol(1))):(of(word(points, i), column(6))) with lines lw 2 dt i lc rgb shade[(i-1)%6+1], \
+         for [i=1:words(points)] file using (fraction(strcol(1))):(of(word(points, i), column(measured ? 7 : 6))) with points pt mark[(i-1)%6+1] ps measured ? 0.9 : 0.4 lw 1.3 lc rgb shade[(i-1)%6+1]
     unset label 3
     unset label 4
     unset multiplot
@@ -55,7 +57,6 @@ count = words(energies)
 shown = count < 6 ? count : 6
 pick(j) = word(energies, shown == 1 ? 1 : 1 + int((j - 1) * (count - 1) / (shown - 1.0) + 0.5))
 shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
-fraction(p) = strstrt(p, '/') ? real(p[1:strstrt(p, '/') - 1]) / real(p[strstrt(p, '/') + 1:*]) : real(p)
 of(e, y) = strcol(1) eq e ? y : NaN
 aspect(e) = real(system(sprintf("awk -F, '$1 == \"%s\" { printf \"%%.9g\", $8 / $4; exit }' '%s'", e, file)))
 rate(x, k) = (x > 0.5 ? x : 1 - x) / sqrt((1 - x)**2 + k**2)

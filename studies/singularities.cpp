@@ -7,7 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/pendulum/pade_poles.hpp"
+#include "libration/convergence/root_test.hpp"
+#include "libration/pendulum/stable_pade_poles.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "sweep/parallel.hpp"
 

@@ -1,4 +1,4 @@
-#include "libration/pendulum/pade_poles.hpp"
+#include "libration/pendulum/stable_pade_poles.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -43,17 +43,6 @@ TEST_CASE("at E = 1 the next approximant that exists is taken", "[pendulum][pade
     CHECK(found.denominator_degree == 4);
     CHECK(found.poles.size() == 2);
     CHECK(stable_pade_poles(with_energy("1"), 5, 30).poles.empty());
-}
-
-TEST_CASE("the root test is right about a geometric series and refuses too short ones", "[pendulum][pade_poles]") {
-    // a_n = 2^-n in units of a radius 1: 2, whatever n.
-    auto geometric = power_series<mpfr>::zero(20);
-    const precision_scope scope(40);
-    for (int n = 0; n <= 20; ++n) {
-        geometric[n] = ldexp(mpfr(1), -n);
-    }
-    CHECK_THAT(radius_by_root_test(geometric), near(mpfr(2), 4));
-    CHECK_THROWS_AS(radius_by_root_test(power_series<double>({1, 2, 3, 4})), std::domain_error);
 }
 
 TEST_CASE("the lattice is listed as far as the rectangle reaches", "[pendulum][lattice_points]") {
