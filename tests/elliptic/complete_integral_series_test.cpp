@@ -1,6 +1,8 @@
 #include "libration/elliptic/complete_integral_series.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "libration/elliptic/complete_integral.hpp"
 #include "scalars.hpp"
@@ -121,6 +123,51 @@ TEMPLATE_LIST_TEST_CASE("at k = 1 the brackets sum to log 2, slowly", "[elliptic
         CHECK((1 - scaled_tail) * order < 1);
         CHECK((1 - scaled_tail) * order > T(3) / 4);
     }
+}
+
+TEST_CASE("the proved bounds are above what the sums leave out, and never more than 1.4 times",
+          "[elliptic][complete_series]") {
+    std::mt19937 engine(20241121);
+    std::uniform_int_distribution<int> digit(1, 999);
+    std::uniform_int_distribution<int> exponent(0, 30);
+    mpfr most(0);
+    for (int i = 0; i < 60; ++i) {
+        const precision_scope scope(500);  // k^(2N) down to 1e-3 to the power 2 * 60 is left out
+        const mpfr part = mpfr(digit(engine)) / 1000;
+        // Every second k' is small: next to k = 1 the bounds have to hold as well.
+        const mpfr small = part * pow(mpfr(10), -exponent(engine));
+        const auto m = i % 2 == 0 ? modulus<mpfr>::from_modulus(part) : modulus<mpfr>::from_complement(small);
+        const mpfr exact = complete_integral(m);
+        for (const int order : {0, 1, 2, 3, 7, 20, 60}) {
+            INFO("k = " << to_decimal(m.k, 10) << ", k' = " << to_decimal(m.complement, 10) << ", N = " << order);
+            const mpfr plain = exact - complete_integral_series(m, order);
+            const mpfr resummed = exact - complete_integral_resummed(m, order);
+            CHECK(resummed > 0);
+            CHECK(plain > resummed);
+            CHECK(complete_integral_series_bound(m, order) >= plain);
+            CHECK(complete_integral_resummed_bound(m, order) >= resummed);
+            most = std::max({most, mpfr(complete_integral_series_bound(m, order) / plain),
+                             mpfr(complete_integral_resummed_bound(m, order) / resummed)});
+        }
+    }
+    CHECK(most < mpfr(14) / 10);  // recorded: 1.36, at N = 0
+}
+
+TEMPLATE_LIST_TEST_CASE("the bounds have the digits of the scalar", "[elliptic][complete_series]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const auto m = modulus<T>::from_modulus(T(T(1) / 2));
+    // N = 1: c_2 = (pi/2) 9/64, k^4 = 1/16, log(1 + 2/3); and 8/(15 (8 + 45/4)) / 16.
+    const auto plain = with_digits([] { return pi<mpfr>() * 45 * log(mpfr(5) / 3) / 4096; });
+    const auto resummed = with_digits([] { return mpfr(32) / (15 * 77) / 16; });
+    // Ten operations of half an epsilon, and the logarithm of 1 + x, x = 2/3 to an epsilon: another one of 0.8.
+    CHECK_THAT(complete_integral_series_bound(m, 1), tests::near<T>(plain, 6));
+    CHECK_THAT(complete_integral_resummed_bound(m, 1), tests::near<T>(resummed, 6));
+    const auto round = modulus<T>::from_modulus(T(0));
+    CHECK(complete_integral_series_bound(round, 3) == 0);
+    CHECK(complete_integral_resummed_bound(round, 3) == 0);
+    CHECK_THROWS_AS(complete_integral_resummed_bound(round, -1), std::invalid_argument);
+    CHECK_THROWS_AS(complete_integral_series_bound(round, -1), std::invalid_argument);
 }
 
 TEST_CASE("a partial sum of negative order is refused with its value", "[elliptic][complete_series]") {
