@@ -8,6 +8,8 @@ orders = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | sort -nu", file('')))
 low = -52
 
 of(n, method, y) = (column(2) == n && strcol(3) eq method) ? y : NaN
+# The Runge-Kutta march in double with the smallest step, where the table is there: "step log10_norm".
+baseline = system(sprintf("test -f '%s' && grep ',double,' '%s' | tail -n 1 | cut -d, -f2,9 --output-delimiter=' ' || true", file('_baseline'), file('_baseline')))
 below(y) = strcol(8)[1:1] eq '-' ? NaN : y
 
 do for [kind in terminals] {
@@ -25,6 +27,10 @@ do for [kind in terminals] {
     set key at graph 0.97, 0.02 right bottom maxrows 2 title 'order N (thin dotted: proved bounds A, A2)'
     set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
     set label 2 'E = 2' at 2.08, graph 0.975 textcolor rgb '#555555'
+    if (words(baseline) == 2) {
+        set arrow 3 from graph 0, first (word(baseline, 2) + 0) to graph 1, first (word(baseline, 2) + 0) nohead lc rgb '#666666' lw 1.5 dt 4
+        set label 3 sprintf('RK4 in double, dt = %s, at E = 2', word(baseline, 1)) at graph 0.995, first (word(baseline, 2) + 0) right offset 0, 0.6 textcolor rgb '#444444'
+    }
     plot for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'series', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1] notitle, \
          for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'resummed', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1] notitle, \
          for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'series', column(10))) with lines lw 2 dt 2 lc rgb shade[(i-1)%6+1] notitle, \
@@ -32,6 +38,7 @@ do for [kind in terminals] {
     unset arrow 1
     unset label 1
     unset label 2
+    unset label 3
 
     set origin 0.58, 0
     set size 0.42, 0.94
@@ -45,6 +52,7 @@ do for [kind in terminals] {
          for [i=1:words(orders)] file('') using (below(column(12))):(of(word(orders, i) + 0, 'resummed', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1], \
          for [i=1:words(orders)] file('') using (below(column(12))):(of(word(orders, i) + 0, 'series', column(10))) with lines lw 2 dt 2 lc rgb shade[(i-1)%6+1], \
          for [i=1:words(orders)] file('') using (below(column(12))):(of(word(orders, i) + 0, 'resummed', column(10))) with lines lw 2 lc rgb shade[(i-1)%6+1]
+    unset arrow 3
     unset multiplot
     unset output
 }

@@ -55,35 +55,56 @@ auto difference(F f, G g) {
     };
 }
 
-/// Zeros of the slope of `difference` between neighbouring points where the slope changes sign, by the bracketing
-/// method of [TOMS748] to full working precision. `at_points` holds its jets at the points.
-/// Two stationary points between the same neighbours stay unseen: choose the points dense enough.
+/// The zero of the slope of `difference` between two points where the slope has opposite signs, by the bracketing method
+/// of [TOMS748] to full working precision.
 template <bracketed_scalar T, class F>
-std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,
-                                 const std::vector<jet<T>>& at_points) {
+T stationary_point(const F& difference, const T& left, const T& right, const jet<T>& at_left, const jet<T>& at_right) {
     const auto slope = [&](const T& x) { return difference(x).slope; };
     const T resolution = epsilon<T>() * 4;
     const auto close = [&](const T& a, const T& b) {
         using std::abs;
         return abs(b - a) <= resolution;
     };
+    std::uintmax_t steps = 200;
+    const auto bracket =
+        boost::math::tools::toms748_solve(slope, left, right, at_left.slope, at_right.slope, close, steps);
+    return (bracket.first + bracket.second) / 2;
+}
+
+/// Whether the slope changes its sign between two jets.
+template <bracketed_scalar T>
+bool turns_between(const jet<T>& left, const jet<T>& right) {
+    const bool at_zero = left.slope == 0 || right.slope == 0;
+    return !at_zero && (left.slope < 0) != (right.slope < 0);
+}
+
+/// The stationary points between neighbouring points where the slope changes sign. `at_points` holds the jets at the
+/// points. Two stationary points between the same neighbours stay unseen: choose the points dense enough.
+template <bracketed_scalar T, class F>
+std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,
+                                 const std::vector<jet<T>>& at_points) {
     std::vector<T> places;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const T& left = at_points[i].slope;
-        const T& right = at_points[i + 1].slope;
-        if ((left < 0) == (right < 0) || left == 0 || right == 0) {
-            continue;
+        if (turns_between(at_points[i], at_points[i + 1])) {
+            places.push_back(
+                stationary_point(difference, T(points[i]), T(points[i + 1]), at_points[i], at_points[i + 1]));
         }
-        std::uintmax_t steps = 200;
-        const auto bracket =
-            boost::math::tools::toms748_solve(slope, T(points[i]), T(points[i + 1]), left, right, close, steps);
-        places.push_back((bracket.first + bracket.second) / 2);
     }
     return places;
 }
 
+/// Whether a function with these jets at two points, `width` apart, may exceed `level` between them: the cubic that has
+/// both jets stays within 4/27 width (|slopes| together) of the larger value, and here the whole of that is granted.
+/// So it is where the difference is far below its maximum, or only rounding, that nothing is sought.
+template <bracketed_scalar T>
+bool may_exceed(const T& level, const jet<T>& left, const jet<T>& right, const T& width) {
+    using std::abs;
+    const T rise = (abs(left.slope) + abs(right.slope)) * width;
+    return abs(left.value) + rise > level || abs(right.value) + rise > level;
+}
+
 /// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
-/// them. Throws std::domain_error where the difference is not finite.
+/// them that may exceed it. Throws std::domain_error where the difference is not finite.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
                            const std::vector<jet<T>>& at_points) {
@@ -101,8 +122,15 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
     for (std::size_t i = 0; i < points.size(); ++i) {
         consider(at_points[i].value, T(points[i]));
     }
-    for (const T& place : stationary_points<T>(difference, points, at_points)) {
-        consider(difference(place).value, place);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const jet<T>& left = at_points[i];
+        const jet<T>& right = at_points[i + 1];
+        const T from(points[i]);
+        const T to(points[i + 1]);
+        if (turns_between(left, right) && may_exceed(largest.norm, left, right, T(to - from))) {
+            const T place = stationary_point(difference, from, to, left, right);
+            consider(difference(place).value, place);
+        }
     }
     return largest;
 }

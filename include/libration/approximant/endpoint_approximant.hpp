@@ -10,8 +10,8 @@
 // in |x| < r, r > 1, both converge on [0,1] like r^-N, as the series does; the norm of the error gains a factor N^-m.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "libration/series/arithmetic.hpp"
@@ -107,8 +107,10 @@ template <scalar T>
 class endpoint_approximant {
 public:
     /// series: a_0 .. a_N about 0; endpoint: f^(j)(1)/j! for j < m, m >= 0.
-    endpoint_approximant(const power_series<T>& series, std::vector<T> endpoint)
-        : endpoint_(std::move(endpoint)), inner_(inner_series(series, endpoint_)) {}
+    endpoint_approximant(const power_series<T>& series, const std::vector<T>& endpoint)
+        : conditions_(endpoint.size()),
+          endpoint_(endpoint.empty() ? power_series<T>() : power_series<T>(endpoint)),
+          inner_(inner_series(series, endpoint)) {}
 
     int order() const { return inner_.order(); }
     /// h_0 .. h_N; the paper's a-hat_n is h_n / T*^(n+2).
@@ -118,19 +120,27 @@ public:
     jet<T> operator()(const T& x) const {
         jet<T> at = evaluate(inner_, x);
         const T to_end = 1 - x;
-        for (std::size_t pass = 0; pass < endpoint_.size(); ++pass) {
+        for (std::size_t pass = 0; pass < conditions_; ++pass) {
             at.slope = at.slope * to_end - at.value;
             at.value *= to_end;
         }
-        if (endpoint_.empty()) {
-            return at;
-        }
-        const jet<T> end = evaluate(power_series<T>(endpoint_), T(-to_end));
+        const jet<T> end = evaluate(endpoint_, T(-to_end));
         return {at.value + end.value, at.slope + end.slope};
     }
 
+    /// The value alone: that of operator() at half the cost.
+    T value(const T& x) const {
+        T at = evaluate_value(inner_, x);
+        const T to_end = 1 - x;
+        for (std::size_t pass = 0; pass < conditions_; ++pass) {
+            at *= to_end;
+        }
+        return at + evaluate_value(endpoint_, T(-to_end));
+    }
+
 private:
-    std::vector<T> endpoint_;
+    std::size_t conditions_;    // m
+    power_series<T> endpoint_;  // in powers of x - 1; 0 where there is no condition
     power_series<T> inner_;
 };
 

@@ -59,8 +59,31 @@ public:
     template <fixed_scalar T>
     norm_at<mpfr> norm_in(descent_method method, int order, const motion& m, const mpfr& place) {
         const descent<T> way = descent_of<T>(m);
-        return method == descent_method::series ? rounded_norm<T>(series_from_top(way, order), place)
-                                                : rounded_norm<T>(resummation_from_top(way, order), place);
+        const auto norm_of_rounded = [&](const auto& approximation) {
+            return rounded_norm([&](const T& x) { return widen(approximation.value(x)); }, narrow<T>(place));
+        };
+        return method == descent_method::series ? norm_of_rounded(series_from_top(way, order))
+                                                : norm_of_rounded(resummation_from_top(way, order));
+    }
+
+    /// The same in mpfr of that many digits and no guard: what the arithmetic itself reaches.
+    norm_at<mpfr> norm_in_digits(long digits, descent_method method, int order, const motion& m, const mpfr& place) {
+        const auto norm_of_rounded = [&](const auto& approximation, const mpfr& rounded_place) {
+            const auto value = [&](const mpfr& x) {
+                const precision_scope narrow_scope(digits);
+                return approximation.value(narrow<mpfr>(x));
+            };
+            return rounded_norm(value, rounded_place);
+        };
+        const auto rounded = [digits](const auto& make) {
+            const precision_scope narrow_scope(digits);
+            return make();
+        };
+        const mpfr rounded_place = rounded([&] { return narrow<mpfr>(place); });
+        const auto way = rounded([&] { return descent_of<mpfr>(m); });
+        return method == descent_method::series
+                   ? norm_of_rounded(rounded([&] { return series_from_top(way, order); }), rounded_place)
+                   : norm_of_rounded(rounded([&] { return resummation_from_top(way, order); }), rounded_place);
     }
 
 private:
@@ -114,13 +137,14 @@ private:
         return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
     }
 
-    template <fixed_scalar T, class F>
-    norm_at<mpfr> rounded_norm(const F& approximation, const mpfr& place) {
+    // value(x) is the approximation as a wide number, place is rounded already.
+    template <class T, class F>
+    norm_at<mpfr> rounded_norm(const F& value, const T& place) {
         const auto points = chebyshev_points(points_in_rounding_scalars);
         const auto& truth = truth_at(points);
         norm_at<mpfr> largest{mpfr(0), mpfr(0)};
         const auto consider = [&](const T& x, const mpfr& theta) {
-            const mpfr error = abs(widen(approximation(x).value) - theta);
+            const mpfr error = abs(widen(value(x)) - theta);
             if (error > largest.norm) {
                 largest = {error, widen(x)};
             }
@@ -128,8 +152,7 @@ private:
         for (std::size_t i = 0; i < points.size(); ++i) {
             consider(T(points[i]), truth[i].value);
         }
-        const T rounded_place = narrow<T>(place);
-        consider(rounded_place, exact(widen(rounded_place)).value);
+        consider(place, exact(widen(place)).value);
         return largest;
     }
 
