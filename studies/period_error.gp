@@ -7,17 +7,22 @@ file = data.'/period_error.csv'
 orders = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | sort -nu", file))
 energies = int(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -u | wc -l", file)))
 highest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | tail -n 1", file)))
-rotations = int(system(sprintf("cut -d, -f6 '%s' | grep -c '^-' || true", file)))
-librations = int(system(sprintf("cut -d, -f6 '%s' | tail -n +2 | grep -vc '^-' || true", file)))
+# Rows of the right panel, on each side of E = 2.
+near(pattern) = int(system(sprintf("awk -F, 'NR > 1 && $12 < 0.2 && $10 > -8 {print $6}' '%s' | grep %s '^-' || true", file, pattern)))
+rotations = near('-c')
+librations = near('-vc')
 closest = real(system(sprintf("cut -d, -f12 '%s' | tail -n +2 | sort -gr | tail -n 1", file)))
 low = -40
 style = energies > 20 ? 'lines' : 'linespoints pt 7 ps 0.5'     # a lone energy is a point
 apart = energies > 20 ? 4 : 1                                   # energies between two crosses
 
-of(n, method, y) = (column(2) == n && strcol(3) eq method && y > low - 20) ? y : NaN
-cross(y) = int(column(0)/(2*words(orders))) % apart == 0 ? y : NaN
-below(y) = strcol(6)[1:1] eq '-' ? NaN : y
-above(y) = strcol(6)[1:1] eq '-' ? y : NaN
+# Columns x and y of the rows that an awk condition picks, behind a blank line a point out of sight: gnuplot warns of a
+# file without points, and for [i=1:0] runs once.
+rows(file, x, y, which) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && %s && $%d != \"\" && $%d !~ /inf/ {print $%d \",\" $%d} END {print \"\\n1e9,1e9\"}' '%s'", which, y, y, x, y, file)
+of(n, method) = sprintf('$2 == %s && $3 == "%s"', n, method)
+crossed(n, method) = of(n, method).sprintf(' && int((NR - 2)/%d) %% %d == 0', 2*words(orders), apart)
+below = ' && $6 !~ /^-/'
+above = ' && $6 ~ /^-/'
 log10_limit(n) = log10(1.0/(8*n + 7))
 
 do for [kind in terminals] {
@@ -37,10 +42,10 @@ do for [kind in terminals] {
     unset key
     set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
     set label 2 'E = 2' at 2, graph 0.975 offset 0.8, 0 textcolor rgb '#555555'
-    plot for [i=1:words(orders)] file using (column(1)):(of(word(orders, i) + 0, 'series', column(10))) with @style lw 2 dt 2 lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(orders)] file using (column(1)):(of(word(orders, i) + 0, 'resummed', column(10))) with @style lw 2 lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(orders)] file using (column(1)):(cross(of(word(orders, i) + 0, 'series', column(11)))) with points pt 2 ps 0.6 lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(orders)] file using (column(1)):(cross(of(word(orders, i) + 0, 'resummed', column(11)))) with points pt 2 ps 0.6 lc rgb shade[(i-1)%6+1]
+    plot for [i=1:words(orders)] rows(file, 1, 10, of(word(orders, i), 'series')) using 1:2 with @style lw 2 dt 2 lc rgb shade[(i-1)%6+1], \
+         for [i=1:words(orders)] rows(file, 1, 10, of(word(orders, i), 'resummed')) using 1:2 with @style lw 2 lc rgb shade[(i-1)%6+1], \
+         for [i=1:words(orders)] rows(file, 1, 11, crossed(word(orders, i), 'series')) using 1:2 with points pt 2 ps 0.6 lc rgb shade[(i-1)%6+1], \
+         for [i=1:words(orders)] rows(file, 1, 11, crossed(word(orders, i), 'resummed')) using 1:2 with points pt 2 ps 0.6 lc rgb shade[(i-1)%6+1]
     unset arrow 1
     unset label 1
     unset label 2
@@ -61,11 +66,11 @@ do for [kind in terminals] {
          NaN with lines lw 2 lc rgb '#444444' title (librations ? 'E < 2' : ''), \
          NaN with points pt 6 ps 0.9 lc rgb '#444444' title (rotations ? 'E > 2' : ''), \
          NaN with points pt 2 ps 0.6 lc rgb '#444444' title 'proved bound', \
-         for [i=1:(librations ? words(orders) : 0)] file using (below(column(12))):(of(word(orders, i) + 0, 'series', column(10))) with @style lw 2 dt 2 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:(librations ? words(orders) : 0)] file using (below(column(12))):(of(word(orders, i) + 0, 'resummed', column(10))) with @style lw 2 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:words(orders)] file using (column(12)):(cross(of(word(orders, i) + 0, 'resummed', column(11)))) with points pt 2 ps 0.6 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:(rotations ? words(orders) : 0)] file using (above(column(12))):(of(word(orders, i) + 0, 'series', column(10))) with points pt 6 ps 0.9 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:(rotations ? words(orders) : 0)] file using (above(column(12))):(of(word(orders, i) + 0, 'resummed', column(10))) with points pt 6 ps 0.9 lc rgb shade[(i-1)%6+1] notitle
+         for [i=1:words(orders)] rows(file, 12, 10, of(word(orders, i), 'series').below) using 1:2 with @style lw 2 dt 2 lc rgb shade[(i-1)%6+1] notitle, \
+         for [i=1:words(orders)] rows(file, 12, 10, of(word(orders, i), 'resummed').below) using 1:2 with @style lw 2 lc rgb shade[(i-1)%6+1] notitle, \
+         for [i=1:words(orders)] rows(file, 12, 11, crossed(word(orders, i), 'resummed')) using 1:2 with points pt 2 ps 0.6 lc rgb shade[(i-1)%6+1] notitle, \
+         for [i=1:words(orders)] rows(file, 12, 10, of(word(orders, i), 'series').above) using 1:2 with points pt 6 ps 0.9 lc rgb shade[(i-1)%6+1] notitle, \
+         for [i=1:words(orders)] rows(file, 12, 10, of(word(orders, i), 'resummed').above) using 1:2 with points pt 6 ps 0.9 lc rgb shade[(i-1)%6+1] notitle
     do for [i=1:words(orders)] { unset arrow 10+i }
     unset label 4
     unset multiplot
