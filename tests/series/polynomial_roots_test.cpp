@@ -9,7 +9,6 @@
 
 using namespace libration;
 using libration::tests::all_scalars;
-using libration::tests::near;
 
 namespace {
 

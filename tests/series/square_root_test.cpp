@@ -4,7 +4,6 @@
 
 #include "libration/series/exponential.hpp"
 #include "scalars.hpp"
-#include "series/random_series.hpp"
 
 using namespace libration;
 using libration::tests::all_scalars;
