@@ -1,5 +1,5 @@
-// Claims of the abstract and of sections I and II: the equation, its energy, its limits, its period. The closed solutions
-// are in closed_solutions.cpp.
+// Claims of the abstract and of sections I and II: the equation, its energy, its limits, its period.
+// The closed solutions are in closed_solutions.cpp.
 #include <algorithm>
 #include <iterator>
 #include <utility>

@@ -91,6 +91,14 @@ TEST_CASE("claim radius_exceeds_effective_period: holds, K' is never 0", "[paper
     CHECK(singularity_height(o) >= pi<mpfr>() / 2);
 }
 
+// q = ellipk(1-mpf('0.9999'))/ellipk(mpf('0.9999')); 1/sqrt(1+q*q), less |sin(n phi)|^(1/n)
+TEST_CASE("claim unaffected_by_singularities: corrected, they set the rate T*/R", "[paper][claims]") {
+    check_claim("unaffected_by_singularities", verdict::corrected, "0.9670", "0.9674");
+    const precision_scope precision(50);
+    // The same number of powers leaves far more next to E = 2.
+    CHECK(far_term("1.9998", "top") > far_term("0.5", "top") * mpfr("1e30"));
+}
+
 // q = ellipk(1-mpf('0.25'))/ellipk(mpf('0.25')); sqrt(mpf('0.64')+q*q)/sqrt(1+q*q)
 TEST_CASE("claim top_has_the_largest_radius: holds", "[paper][claims]") {
     check_number("top_has_the_largest_radius", verdict::holds, "0.929223259012");
