@@ -321,3 +321,40 @@ TEST_CASE("E = 0 and E = 2 have no norm", "[studies][error_norm]") {
     CHECK_THROWS_AS(error_norm().run(asked({"1", "0"}, {}, {5})), std::domain_error);
     CHECK_THROWS_WITH(error_norm().run(asked({}, {"0"}, {5})), Catch::Contains("energy 2"));
 }
+
+// /usr/bin/python3 -c "
+// from mpmath import *
+// mp.dps = 40
+// h = mpf(1)/4; y, w, worst = mpf(0), mpf(2), (mpf(0), 0)
+// for n in range(1, 41):
+//     k1, l1 = w, -sin(y)
+//     k2, l2 = w + h*l1/2, -sin(y + h*k1/2)
+//     k3, l3 = w + h*l2/2, -sin(y + h*k2/2)
+//     k4, l4 = w + h*l3, -sin(y + h*k3)
+//     y, w = y + h*(k1 + 2*k2 + 2*k3 + k4)/6, w + h*(l1 + 2*l2 + 2*l3 + l4)/6
+//     worst = max(worst, (abs(y - (4*atan(exp(n*h)) - pi)), n*h))
+// print(worst)"
+TEST_CASE("the baseline is the march from (0, 2) against the closed solution", "[studies][error_norm]") {
+    const precision_scope scope(60);
+    study_request request = asked({"1"}, {}, {5});
+    request.step = read_exact("1/4");
+    const auto rows = run(request).at("baseline");
+    REQUIRE(rows.size() == 4);  // 25 = 100/4 is beyond t = 10
+    CHECK(rows.at(0).at("step") == "2.5");
+    CHECK(rows.at(2).at("step") == "0.25");
+    CHECK(rows.at(2).at("scalar") == "double");
+    CHECK(rows.at(3).at("scalar") == "long-double");
+    for (const std::size_t i : {2U, 3U}) {
+        const table_row& row = rows.at(i);
+        CHECK(row.at("energy") == "2");
+        CHECK(row.at("steps") == "40");
+        CHECK(number_of(row.at("time_of_maximum")) == number_of("10.0"));
+        // 40 steps of a few roundings each, multiplied by up to e^10.
+        const mpfr unit = number_of(row.at("norm")) / number_of(row.at("norm_in_epsilon"));
+        CHECK(abs(number_of(row.at("norm")) - number_of("0.1733408321458228013591967019325719948013268")) <
+              unit * 200 * exp(mpfr(10)));
+        CHECK(number_of(row.at("norm_without_growth")) < number_of(row.at("norm")));
+    }
+    request.step = read_exact("20");
+    CHECK_THROWS_WITH(run(request), Catch::Contains("0 Runge-Kutta steps"));
+}
