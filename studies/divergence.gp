@@ -2,6 +2,7 @@
 # Columns: energy,order,time,periods,theta,theta_exact,error,log10_error,log10_abs_theta,gap;
 # of _radius: energy,tstar,radius,period,radius_over_tstar,gap. Angles beyond 1e300 are kept away by their log10.
 load scripts.'/style.gp'
+tone(i) = shade[word('4 6 2 3 5 1', (i - 1)%6 + 1) + 0]     # neighbours far apart
 
 file(suffix) = data.'/divergence'.suffix.'.csv'
 energies = system(sprintf("cut -d, -f1 '%s' | tail -n +2", file('_radius')))
@@ -39,7 +40,7 @@ do for [kind in terminals] {
         set ylabel '{/Symbol q}, radians' offset 0.5
         set yrange [below - 0.35*height : above + 0.35*height]
         unset key
-        plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt i+1 lc rgb shade[(2*i+1)%6+1] , \
+        plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt i+1 lc rgb tone(i) , \
              file('') using (column(3)):(few(e, 0) ? of(e, word(orders, 1) + 0, column(6)) : NaN) with points pt 6 ps 0.8 lc rgb '#222222'
         unset title
         set origin left, 0
@@ -51,7 +52,7 @@ do for [kind in terminals] {
         if (e > 1) { unset key }
         set label 1 'R' at reach, graph 0.03 left offset 0.5, 0
         set label 2 'T*' at tstar, graph 0.03 left offset 0.5, 0
-        plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, finite(column(8)))) with lines lw 2.2 dt i+1 lc rgb shade[(2*i+1)%6+1] title word(orders, i), \
+        plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, finite(column(8)))) with lines lw 2.2 dt i+1 lc rgb tone(i) title word(orders, i), \
              NaN with points pt 6 ps 0.8 lc rgb '#222222' title 'exact'
         unset label 1
         unset label 2

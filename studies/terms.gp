@@ -1,6 +1,7 @@
 # terms: the least order for D digits against the distance of E from 2, libration left and rotation right.
 # Columns: energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap.
 load scripts.'/style.gp'
+tone(i) = shade[word('4 6 2 3 5 1', (i - 1)%6 + 1) + 0]     # neighbours far apart
 
 file = data.'/terms.csv'
 digits = system(sprintf("cut -d, -f3 '%s' | tail -n +2 | sort -nu", file))
@@ -18,7 +19,7 @@ name(s) = s == 1 ? 'libration, E < 2' : 'rotation, E > 2'
 
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/terms', sides == 2 ? 1180 : 760, 600)
-    set multiplot layout 1, sides title 'Powers needed for D digits on [0, T*]: series (dashed) and resummation (solid)' font ',16' offset 0, -0.3
+    set multiplot layout 1, sides title 'Powers for D digits on [0, T*]: series (dashed), resummation (solid)' font sides == 2 ? ',16' : ',14' offset 0, -0.3
     set logscale y
     set yrange [3:highest*2]
     set xrange [farthest + 0.2:closest - 0.4]
@@ -29,11 +30,11 @@ do for [kind in terminals] {
             set xlabel 'log_{10} |2 - E|: towards the separatrix'
             set ylabel 'order N' offset 1.5
             set key at graph 0.97, 0.04 right bottom maxrows 4
-            plot for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', positive(column(7)))) with lines lw 1.5 dt 3 lc rgb shade[(2*i+1)%6+1] notitle, \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', positive(column(5)))) with linespoints pt 7 ps 0.5 lw 2 dt 2 lc rgb shade[(2*i+1)%6+1] notitle, \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'resummed', positive(column(5)))) with linespoints pt 7 ps 0.5 lw 2 lc rgb shade[(2*i+1)%6+1] title 'D = '.word(digits, i), \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', column(8))) with points pt 1 ps 0.8 lc rgb shade[(2*i+1)%6+1] notitle, \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'resummed', column(8))) with points pt 2 ps 0.7 lc rgb shade[(2*i+1)%6+1] notitle, \
+            plot for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', positive(column(7)))) with lines lw 1.5 dt 3 lc rgb tone(i) notitle, \
+                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', positive(column(5)))) with linespoints pt 7 ps 0.5 lw 2 dt 2 lc rgb tone(i) notitle, \
+                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'resummed', positive(column(5)))) with linespoints pt 7 ps 0.5 lw 2 lc rgb tone(i) title 'D = '.word(digits, i), \
+                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', column(8))) with points pt 1 ps 0.8 lc rgb tone(i) notitle, \
+                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'resummed', column(8))) with points pt 2 ps 0.7 lc rgb tone(i) notitle, \
                  NaN with points pt 1 ps 0.8 lc rgb '#444444' title 'proved, series', \
                  NaN with points pt 2 ps 0.7 lc rgb '#444444' title 'proved, resummed', \
                  NaN with lines lw 1.5 dt 3 lc rgb '#444444' title 'D ln 10/ln(R/T*)'

@@ -156,3 +156,15 @@ TEST_CASE("what is not a number has no norm, and two ends are the fewest points"
     CHECK_THROWS_AS(difference_norm<double>(nowhere, chebyshev_points(5)), std::domain_error);
     CHECK_THROWS_AS(chebyshev_points(1), std::invalid_argument);
 }
+
+TEST_CASE("a turn far below the largest value is not sought, one that may exceed it is", "[difference_norm]") {
+    const jet<double> rising{0.5, 10};
+    const jet<double> falling{0.5, -10};
+    CHECK(turns_between(rising, falling));
+    CHECK_FALSE(turns_between(rising, rising));
+    CHECK_FALSE(turns_between(rising, jet<double>{1, 0}));
+    // The cubic through both over a width of 0.1 reaches 0.5 + 0.25 * 10 * 0.1 = 0.75.
+    CHECK(may_exceed(0.75, rising, falling, 0.1));
+    CHECK_FALSE(may_exceed(3.0, rising, falling, 0.1));
+    CHECK(may_exceed(0.45, jet<double>{-0.5, -1e-9}, jet<double>{-0.5, 1e-9}, 0.1));
+}

@@ -238,3 +238,13 @@ TEMPLATE_LIST_TEST_CASE("endpoint data are expanded in powers of x", "[approxima
     const power_series<T> constant(std::vector<T>{T(4)});
     CHECK(endpoint_remainder(constant, std::vector<T>{T(5), T(-2)})[0] == -3);
 }
+
+TEST_CASE("the value alone has the bits of the jet's", "[approximant][endpoint]") {
+    const power_series<double> series(std::vector<double>{1, -0.3, 0.7, 0.01, -0.2});
+    for (const std::vector<double>& endpoint : {std::vector<double>{}, {0.4}, {0.4, -1.1}, {0.4, -1.1, 0.3}}) {
+        const endpoint_approximant<double> approximant(series, endpoint);
+        for (const double x : {0.0, 0.3, 0.999, 1.0}) {
+            CHECK(approximant.value(x) == approximant(x).value);
+        }
+    }
+}

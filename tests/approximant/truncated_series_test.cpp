@@ -47,3 +47,10 @@ TEMPLATE_LIST_TEST_CASE("a scale keeps coefficients that would leave the range o
     CHECK(sigma(T(1024)).value == 401);
     CHECK(sigma(T(512)).value + ldexp(T(1), -400) == 2);
 }
+
+TEST_CASE("the value alone of a partial sum has the bits of the jet's", "[approximant]") {
+    const truncated_series<double> sum(power_series<double>(std::vector<double>{1, -0.3, 0.7, 0.01, -0.2}), 1.7);
+    for (const double t : {0.0, 0.3, 1.7, 4.0}) {
+        CHECK(sum.value(t) == sum(t).value);
+    }
+}

@@ -31,7 +31,11 @@ inline int proved_order(const top_bounds<mpfr>& bounds, descent_method method, l
     int low = 4;
     while (low < high) {
         const int middle = low + (high - low) / 2;
-        (enough(middle) ? high : low) = enough(middle) ? middle : middle + 1;
+        if (enough(middle)) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
     }
     return high;
 }
