@@ -16,7 +16,7 @@ rows_of(e) = int(system(sprintf("awk -F, '$1 == \"%s\" && $2 == %s' '%s' | wc -l
 of(e, n, y) = (strcol(1) eq word(energies, e) && column(2) == n) ? y : NaN
 tame(y) = (strcol(9) eq '-inf' || column(9) < 2) ? y : (strcol(5)[1:1] eq '-' ? -100 : 100)
 finite(y) = strcol(8) eq '-inf' ? NaN : y
-few(e, n) = int(column(0)) % (rows_of(e) > 80 ? rows_of(e)/40 : 1) == 0
+few(y) = int(column(0)) % apart == 0 ? y : NaN
 
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/divergence', panels > 1 ? 560*panels + 60 : 700, 760)
@@ -27,6 +27,7 @@ do for [kind in terminals] {
         below = range_of(e, 6, 'r'); above = range_of(e, 6, '')
         latest = range_of(e, 3, ''); earliest = range_of(e, 3, 'r')
         height = above > below ? above - below : 1
+        apart = rows_of(e) > 80 ? rows_of(e)/40 : 1     # rows between two circles
         set size 1.0/panels, 0.5
         set xrange [earliest : latest > earliest ? latest : earliest + 1]
         set lmargin 9; set rmargin 2
@@ -41,7 +42,7 @@ do for [kind in terminals] {
         set yrange [below - 0.35*height : above + 0.35*height]
         unset key
         plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt i+1 lc rgb tone(i) , \
-             file('') using (column(3)):(few(e, 0) ? of(e, word(orders, 1) + 0, column(6)) : NaN) with points pt 6 ps 0.8 lc rgb '#222222'
+             file('') using (column(3)):(few(of(e, word(orders, 1) + 0, column(6)))) with points pt 6 ps 0.8 lc rgb '#222222'
         unset title
         set origin left, 0
         set format x '%g'
