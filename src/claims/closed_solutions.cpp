@@ -205,7 +205,7 @@ claim one_initial_condition() {
         "sec:background, text",
         "Beside the energy one initial condition specifies the solution, theta0 or omega0; the other follows from E.",
         "distance at t = 1 of two motions with E = 1 and theta0 = 0",
-        "The other follows up to its sign: E = 1 and theta0 = 0 leave omega0 = +sqrt 2 and -sqrt 2, which are 2.33 "
+        "The other follows up to its sign: E = 1 and theta0 = 0 leave omega0 = +sqrt 2 and -sqrt 2, which are 2.42 "
         "apart "
         "at t = 1; E = 1 and omega0 = 0 leave theta0 = +-90 degrees.",
         "./run trajectory --energy 1 --theta0 0 --direction - --times 0,1",

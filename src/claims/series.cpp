@@ -1,5 +1,6 @@
 // Claims of section III A: the recurrences, where else they come from, and figure `series`.
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "claims/judging.hpp"
@@ -23,8 +24,8 @@ claim pendulum_recurrence() {
         "./run coefficients --theta0 2.5 --omega0 -0.3 --order 10",
         [] {
             mpfr largest(0);
-            const std::pair<const char*, const char*> states[] = {
-                {"1", "1/2"}, {"2.5", "-0.3"}, {"-3", "4"}, {"9", "0.1"}, {"0", "2"}};
+            const std::array<std::pair<const char*, const char*>, 5> states{
+                {{"1", "1/2"}, {"2.5", "-0.3"}, {"-3", "4"}, {"9", "0.1"}, {"0", "2"}}};
             for (const auto& [theta0, omega0] : states) {
                 const auto theta = printed_series({number(theta0), number(omega0)}, 240, mpfr(1));
                 const auto acceleration = derivative(derivative(theta));
@@ -86,7 +87,7 @@ claim series_labels() {
         }};
 }
 
-// theta from the four series of theta, omega, sine and cosine, each from its own equation [Fairen].
+// theta from the four series of theta, omega, sine and cosine, each from its own equation [Fairen1988].
 power_series<mpfr> four_equations(const jet<mpfr>& start, int order) {
     power_series<mpfr> theta({start.value});
     power_series<mpfr> omega({start.slope});

@@ -18,7 +18,7 @@ struct flow_state {
     complex_pair<T> cosine;
 };
 
-/// A motion of theta'' + sin theta = 0 as the system of four equations [Fairen]
+/// A motion of theta'' + sin theta = 0 as the system of four equations [Fairen1988]
 ///     theta' = omega,  omega' = -s,  s' = c omega,  c' = -s omega,
 /// whose right-hand sides are polynomials. A step takes as many powers as the precision has digits, times 11/10, and is as
 /// long as the last of them allow. Errors: some epsilon a step, grown by the flow itself (like e^t next to the top).
