@@ -1,5 +1,5 @@
-// The claims of the abstract and of sections I and II, judged once more. Numbers without another source are by mpmath 1.3
-// (mp.dps = 30), by the command in the comment beside them.
+// The claims of the abstract and of sections I and II, judged once more. Numbers without another source are by mpmath
+// 1.3 (mp.dps = 30), by the command in the comment beside them.
 #include <catch2/catch.hpp>
 #include <string>
 
