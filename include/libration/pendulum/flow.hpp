@@ -20,9 +20,9 @@ struct flow_state {
 
 /// A motion of theta'' + sin theta = 0 as the system of four equations [Fairen1988]
 ///     theta' = omega,  omega' = -s,  s' = c omega,  c' = -s omega,
-/// whose right-hand sides are polynomials. A step takes as many powers as the precision has digits, times 11/10, plus 10,
-/// and is as long as the last of them allow. It never ends on a path through a singularity. Errors: some epsilon a
-/// step, grown by the flow itself (like e^t next to the top).
+/// whose right-hand sides are polynomials. A step takes 11/10 as many powers as the precision has digits, plus 10, and
+/// is as long as the last of them allow. It never ends on a path through a singularity. Errors: some epsilon a step,
+/// grown by the flow itself (like e^t next to the top).
 template <scalar T>
 class flow {
 public:
