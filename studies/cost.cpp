@@ -12,6 +12,7 @@
 #include "libration/pendulum/resummation.hpp"
 #include "libration/pendulum/singularities.hpp"
 #include "libration/scalar/decimal.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/study.hpp"
 
@@ -275,22 +276,14 @@ void add_rows(const sweep_energy& at, int order, const scalar_spec& scalar, rows
     });
 }
 
-void require_top(const sweep_energy& at) {
-    const bool at_rest = at.value == 0;
-    const bool critical = at.value == 2;
-    if (at_rest || critical) {
-        throw std::domain_error("has the energy " + at.energy + ", where the series from the top is " +
-                                (at_rest ? "the constant 0" : "not defined"));
-    }
-}
-
 // One step after the other, whatever the number of jobs: times taken side by side would measure the company.
 std::vector<study_table> run(const study_request& request) {
-    std::for_each(request.energies.begin(), request.energies.end(), require_top);
+    refuse_limits(request.energies, "the series from the top is the constant 0",
+                  "the series from the top is not defined");
     const int least = *std::min_element(request.orders.begin(), request.orders.end());
     if (least < least_order) {
-        throw std::domain_error("has the order " + std::to_string(least) +
-                                ", at which there is no recurrence to count");
+        throw input_error("--orders", std::to_string(least), "leaves no recurrence to count",
+                          "write orders from " + std::to_string(least_order) + " on");
     }
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:50"));
     study_table counts{"", scalar, {columns(), {}}};

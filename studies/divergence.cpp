@@ -1,6 +1,5 @@
 // What becomes of the series about the bottom of the trajectory over one period? [paper fig:series]
 #include <algorithm>
-#include <stdexcept>
 
 #include "libration/pendulum/bottom_series.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -81,13 +80,7 @@ rows_of_energy rows_at(const sweep_energy& at, const study_request& request, con
 }
 
 std::vector<study_table> run(const study_request& request) {
-    for (const sweep_energy& at : request.energies) {
-        const bool at_rest = at.value == 0;
-        if (at_rest || at.value == 2) {
-            throw std::domain_error("has the energy " + at.energy + ", where " +
-                                    (at_rest ? "the series is the constant 0" : "the period is infinite"));
-        }
-    }
+    refuse_limits(request.energies, "the series is the constant 0", "the period is infinite");
     const scalar_spec scalar = read_scalar("mpfr:40");
     progress shown("divergence, energies", request.energies.size(), request.shown);
     const auto found = parallel_map(request.energies.size(), request.jobs, shown,

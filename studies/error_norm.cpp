@@ -1,10 +1,9 @@
 // How large is the error of the series and of its resummation on [0, T*] at each energy and order? [paper fig:error]
 #include "libration/pendulum/error_norm.hpp"
 
-#include <stdexcept>
-
 #include "libration/pendulum/march_error.hpp"
 #include "libration/scalar/decimal.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/parallel.hpp"
 #include "sweep/study.hpp"
 
@@ -149,7 +148,8 @@ std::vector<march> marches_of(const rational& step) {
     for (const int factor : {100, 10, 1}) {
         const rational longer = step * factor;
         if (factor == 1 || longer <= end) {
-            const long steps = march_steps(longer, end);
+            const long steps = reading("--step", to_finite_decimal(longer).value_or(longer.str()),
+                                       "write a step such as 1e-5", [&] { return march_steps(longer, end); });
             marches.insert(marches.end(),
                            {{longer, steps, read_scalar("double")}, {longer, steps, read_scalar("long-double")}});
         }
@@ -190,14 +190,8 @@ std::vector<march> marches_for(const study_request& request) {
 }
 
 std::vector<study_table> run(const study_request& request) {
-    for (const sweep_energy& at : request.energies) {
-        const bool at_rest = at.value == 0;
-        const bool critical = at.value == 2;
-        if (at_rest || critical) {
-            throw std::domain_error("has the energy " + at.energy + ", where the series is " +
-                                    (at_rest ? "the constant 0" : "not defined: the period is infinite"));
-        }
-    }
+    refuse_limits(request.energies, "the series is the constant 0",
+                  "the series is not defined: the period is infinite");
     const auto scalars = scalars_of(request);
     const auto marches = marches_for(request);
     progress shown("error_norm, energies", request.energies.size(), request.shown);

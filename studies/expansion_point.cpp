@@ -2,7 +2,6 @@
 #include "sweep/study.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "libration/pendulum/descent_cover.hpp"
@@ -99,17 +98,8 @@ std::pair<rows, rows> rows_at(const sweep_energy& at, const std::vector<exact>& 
     return all;
 }
 
-void require_moving(const sweep_energy& at) {
-    const bool at_rest = at.value == 0;
-    const bool critical = at.value == 2;
-    if (at_rest || critical) {
-        throw std::domain_error("has the energy " + at.energy + ", where " +
-                                (at_rest ? "theta is constant and every radius infinite" : "T* is infinite"));
-    }
-}
-
 std::vector<study_table> run(const study_request& request) {
-    std::for_each(request.energies.begin(), request.energies.end(), require_moving);
+    refuse_limits(request.energies, "theta is constant and every radius infinite", "T* is infinite");
     std::vector<int> orders = request.orders;
     std::sort(orders.begin(), orders.end());
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));

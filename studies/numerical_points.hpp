@@ -7,6 +7,7 @@
 #include "judged.hpp"
 #include "libration/pendulum/exact_solution.hpp"
 #include "libration/pendulum/numerical_solution.hpp"
+#include "sweep/input_error.hpp"
 
 namespace libration::studies {
 
@@ -23,7 +24,8 @@ inline std::vector<judged> marched(const motion& m, const std::vector<exact>& ti
             rounded.push_back(narrow<double>(dimensionless_time<mpfr>(m, time)));
         }
     }
-    const auto states = numerical_solution<double>(start, rounded, from_exact<double>(step));
+    const auto states = reading("--step", step.text, "write a larger step, or --times that end earlier",
+                                [&] { return numerical_solution<double>(start, rounded, from_exact<double>(step)); });
     constexpr long digits_of_double = 17;
     return resolved(digits_of_double, 20, [&] {
         const exact_solution<mpfr> truth(m);

@@ -1,6 +1,5 @@
 // How large is the error of T* from the two partial sums of K? [paper fig:perioderror]
 #include <algorithm>
-#include <stdexcept>
 
 #include "libration/pendulum/period_error.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -63,19 +62,8 @@ std::vector<std::vector<std::string>> rows_at(const sweep_energy& at, const std:
     return rows;
 }
 
-void refuse_limits(const std::vector<sweep_energy>& energies) {
-    for (const sweep_energy& at : energies) {
-        const bool at_rest = at.value == 0;
-        const bool critical = at.value == 2;
-        if (at_rest || critical) {
-            throw std::domain_error("has the energy " + at.energy + ", where " +
-                                    (at_rest ? "k = 0 and both sums are exact" : "the period is infinite"));
-        }
-    }
-}
-
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies);
+    refuse_limits(request.energies, "k = 0 and both sums are exact", "the period is infinite");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
     progress shown("period_error, energies", request.energies.size(), request.shown);
     const auto rows = parallel_map(request.energies.size(), request.jobs, shown,

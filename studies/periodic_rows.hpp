@@ -1,7 +1,6 @@
 // What the tables of motions with a period share: which energies they take, and how they say a time.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,14 +14,7 @@ using table_rows = std::vector<std::vector<std::string>>;
 
 /// Refuses, before any work, the energies that have no period or no motion.
 inline void require_period(const std::vector<sweep_energy>& energies) {
-    for (const sweep_energy& at : energies) {
-        const bool at_rest = at.value == 0;
-        const bool critical = at.value == 2;
-        if (at_rest || critical) {
-            throw std::domain_error("has the energy " + at.energy +
-                                    (at_rest ? ", where the pendulum rests" : ", where the period is infinite"));
-        }
-    }
+    refuse_limits(energies, "the pendulum rests", "the period is infinite");
 }
 
 /// A time as the two columns of a table: dimensionless, and in periods.

@@ -1,6 +1,5 @@
 // What can each arithmetic reach before its rounding is larger than the error of the series? [paper fig:error]
 #include <algorithm>
-#include <stdexcept>
 
 #include "libration/pendulum/error_norm.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -89,13 +88,8 @@ std::vector<std::vector<std::string>> rows_at(const sweep_energy& at, const std:
 }
 
 std::vector<study_table> run(const study_request& request) {
-    for (const sweep_energy& at : request.energies) {
-        const bool at_rest = at.value == 0;
-        if (at_rest || at.value == 2) {
-            throw std::domain_error("has the energy " + at.energy + ", where the series is " +
-                                    (at_rest ? "the constant 0" : "not defined: the period is infinite"));
-        }
-    }
+    refuse_limits(request.energies, "the series is the constant 0",
+                  "the series is not defined: the period is infinite");
     const auto scalars = scalars_of(request);
     progress shown("precision_floor, energies", request.energies.size(), request.shown);
     const auto rows = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {

@@ -1,10 +1,10 @@
 // Where are the singularities of theta in the complex time plane, and do the coefficients know? [paper fig:subcrit,
 // fig:supercrit]
+#include "sweep/input_error.hpp"
 #include "sweep/study.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
 #include "libration/convergence/root_test.hpp"
@@ -145,22 +145,13 @@ std::pair<rows, rows> rows_at(const sweep_energy& at, const std::vector<int>& or
     return {std::move(all), std::move(convergence)};
 }
 
-void require_moving(const sweep_energy& at) {
-    if (at.value == 0) {
-        throw std::domain_error("has the energy " + at.energy + ", where theta is constant and has no singularity");
-    }
-    if (at.value == 2) {
-        throw std::domain_error("has the energy " + at.energy +
-                                ", where the motion has no top and one column of singularities is left");
-    }
-}
-
 std::vector<study_table> run(const study_request& request) {
-    std::for_each(request.energies.begin(), request.energies.end(), require_moving);
+    refuse_limits(request.energies, "theta is constant and has no singularity",
+                  "the motion has no top and one column of singularities is left");
     const int least = *std::min_element(request.orders.begin(), request.orders.end());
     if (least < first_order) {
-        throw std::domain_error("has the order " + std::to_string(least) +
-                                ", from which no Pade approximant has a pole");
+        throw input_error("--orders", std::to_string(least), "leaves no Pade approximant with a pole",
+                          "write orders from " + std::to_string(first_order) + " on");
     }
     const long digits = *std::max_element(request.digits.begin(), request.digits.end());
     progress shown("singularities, energies", request.energies.size(), request.shown);

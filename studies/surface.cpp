@@ -1,11 +1,11 @@
 // How does the angle of a pendulum pushed from the bottom depend on time and energy? [paper fig:surf]
-#include <stdexcept>
 #include <utility>
 
 #include "folded.hpp"
 #include "libration/pendulum/critical_formula.hpp"
 #include "libration/pendulum/dimensionless_time.hpp"
 #include "libration/pendulum/exact_solution.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/parallel.hpp"
 #include "sweep/study.hpp"
 
@@ -83,17 +83,13 @@ table_rows rows_at(const sweep_energy& at, const study_request& request, const s
 }
 
 void require_surface(const study_request& request) {
-    bool critical = false;
-    for (const sweep_energy& at : request.energies) {
-        critical = critical || at.value == 2;
-        if (at.value == 0) {
-            throw std::domain_error("has the energy " + at.energy + ", where the pendulum rests");
-        }
-    }
+    refuse_limits(request.energies, "the pendulum rests", "");
+    const bool critical = std::any_of(request.energies.begin(), request.energies.end(),
+                                      [](const sweep_energy& at) { return at.value == 2; });
     for (const exact& time : request.times) {
         if (critical && time.measure == unit::period) {
-            throw std::domain_error("has the energy 2 and the time " + time.text +
-                                    ", a multiple of an infinite period");
+            throw input_error("--times", time.text, "is a multiple of the period, which is infinite at the energy 2",
+                              "write times without T, or leave 2 out of --energies");
         }
     }
 }

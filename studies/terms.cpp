@@ -1,10 +1,10 @@
 // How many terms give D digits on [0, T*], and how does that number grow towards the separatrix?
 #include <algorithm>
 #include <functional>
-#include <stdexcept>
 
 #include "libration/pendulum/least_order.hpp"
 #include "libration/scalar/decimal.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/parallel.hpp"
 #include "sweep/study.hpp"
 
@@ -68,20 +68,15 @@ std::vector<int> falling_digits(std::vector<int> digits) {
     std::sort(digits.begin(), digits.end(), std::greater<>());
     digits.erase(std::unique(digits.begin(), digits.end()), digits.end());
     if (!digits.empty() && digits.front() > descent_orders::most_digits) {
-        throw std::domain_error("asks for " + std::to_string(digits.front()) + " digits, more than " +
-                                std::to_string(descent_orders::most_digits));
+        throw input_error("--digits", std::to_string(digits.front()), "is more than this search takes",
+                          "write at most " + std::to_string(descent_orders::most_digits));
     }
     return digits;
 }
 
 std::vector<study_table> run(const study_request& request) {
-    for (const sweep_energy& at : request.energies) {
-        const bool at_rest = at.value == 0;
-        if (at_rest || at.value == 2) {
-            throw std::domain_error("has the energy " + at.energy + ", where the series is " +
-                                    (at_rest ? "the constant 0" : "not defined: the period is infinite"));
-        }
-    }
+    refuse_limits(request.energies, "the series is the constant 0",
+                  "the series is not defined: the period is infinite");
     const std::vector<int> falling = falling_digits(request.digits);
     progress shown("terms, energies", request.energies.size(), request.shown);
     const auto rows = parallel_map(request.energies.size(), request.jobs, shown,

@@ -1,11 +1,8 @@
 // Claims of the abstract and of sections I and II: the equation, its energy, its limits, its period.
-// The closed solutions are in closed_solutions.cpp.
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
-#include "claims/closed_solutions.hpp"
 #include "claims/judging.hpp"
 #include "libration/pendulum/resummation.hpp"
 
@@ -451,18 +448,15 @@ claim abstract_uniform_acceleration() {
 }  // namespace
 
 std::vector<claim> claims_of_background() {
-    std::vector<claim> all{one_series_for_all_time(),  abstract_uniform_acceleration(),
-                           dimensionless_equation(),   energy_conservation(),
-                           energy_is_not_negative(),   all_motions_pass_the_bottom(),
-                           reflection_of_direction(),  harmonic_limit(),
-                           uniform_rotation_limit(),   turning_points(),
-                           separatrix_never_arrives(), unwound_period(),
-                           infinite_period(),          period_formula(),
-                           period_substitutions(),     effective_period_suffices(),
-                           rotation_halves()};
-    auto closed = claims_of_closed_solutions();
-    all.insert(all.end(), std::make_move_iterator(closed.begin()), std::make_move_iterator(closed.end()));
-    return all;
+    return {one_series_for_all_time(),  abstract_uniform_acceleration(),
+            dimensionless_equation(),   energy_conservation(),
+            energy_is_not_negative(),   all_motions_pass_the_bottom(),
+            reflection_of_direction(),  harmonic_limit(),
+            uniform_rotation_limit(),   turning_points(),
+            separatrix_never_arrives(), unwound_period(),
+            infinite_period(),          period_formula(),
+            period_substitutions(),     effective_period_suffices(),
+            rotation_halves()};
 }
 
 }  // namespace libration

@@ -42,13 +42,15 @@ struct claim {
 std::vector<claim> all_claims();
 
 /// The claims of each part of the paper.
-std::vector<claim> claims_of_background();     ///< abstract, sections I and II
-std::vector<claim> claims_of_series();         ///< section III A, the coefficients
-std::vector<claim> claims_of_singularities();  ///< section III B, singularities and radii
-std::vector<claim> claims_of_extension();      ///< section III C, all times
-std::vector<claim> claims_of_resummation();    ///< section IV and the appendix
-std::vector<claim> claims_of_period();         ///< section V
-std::vector<claim> claims_of_conclusions();    ///< section VI
+std::vector<claim> claims_of_background();        ///< abstract, sections I and II
+std::vector<claim> claims_of_closed_solutions();  ///< section II, the Jacobi functions
+std::vector<claim> claims_of_series();            ///< section III A, the coefficients
+std::vector<claim> claims_of_singularities();     ///< section III B, singularities and radii
+std::vector<claim> claims_of_extension();         ///< section III C, all times
+std::vector<claim> claims_of_resummation();       ///< section IV
+std::vector<claim> claims_of_period();            ///< section V
+std::vector<claim> claims_of_conclusions();       ///< section VI
+std::vector<claim> claims_of_appendix();          ///< the appendix
 
 /// A judged claim.
 struct judgement {

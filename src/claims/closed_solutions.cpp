@@ -1,4 +1,3 @@
-#include "claims/closed_solutions.hpp"
 
 #include <algorithm>
 

@@ -9,6 +9,8 @@
 
 namespace libration {
 
+using namespace judging;
+
 namespace {
 
 claim converges_beyond_bottom() {
@@ -24,16 +26,16 @@ claim converges_beyond_bottom() {
                 const precision_scope enough(150);
                 mpfr smallest(1000);
                 for (const std::string_view energy : {"0.1", "1", "1.71", "4", "100", "2.0000000001"}) {
-                    smallest = std::min(smallest, mpfr(1 / way_down(at_energy(energy)).rho()));
+                    smallest = std::min(smallest, mpfr(1 / way_down(of_energy(energy)).rho()));
                 }
                 for (const std::string_view gap : {"1e-10", "1e-100"}) {
-                    smallest = std::min(smallest, mpfr(1 / way_down(at_gap(gap)).rho()));
+                    smallest = std::min(smallest, mpfr(1 / way_down(of_gap(gap)).rho()));
                 }
                 // R is the distance of the singularities; that the series does converge there is in the coefficients.
-                const way_down way(at_energy("1.71"));
+                const way_down way(of_energy("1.71"));
                 const bool terms_fall = abs(way.series(200)[200]) < abs(way.series(100)[100]) / 1000;
                 const mpfr beyond = smallest - 1;
-                return judged(beyond > 0 && terms_fall, false, beyond);
+                return by_tests(beyond > 0 && terms_fall, false, beyond);
             }};
 }
 
@@ -51,13 +53,13 @@ claim optimal_at_top() {
                 bool largest_at_top = true;
                 mpfr ratio;
                 for (const std::string_view energy : {"0.5", "4", "1.71"}) {
-                    const way_down way(at_energy(energy));
+                    const way_down way(of_energy(energy));
                     const mpfr half = way.period() / 2;
                     const mpfr radius = sqrt(half * half + way.height() * way.height());
                     largest_at_top = largest_at_top && radius < way.radius();
                     ratio = half / radius / way.rho();
                 }
-                return judged(ratio > 1, largest_at_top, ratio);
+                return by_tests(ratio > 1, largest_at_top, ratio);
             }};
 }
 
@@ -73,9 +75,9 @@ claim better_at_every_truncation() {
                 "the norm (the factor is 1.46 at least, at E = 1.34, N = 2).",
             .command = "./run study error_norm --gaps 1e-8,1e-15 --orders 0,1 --scalar mpfr:20",
             .measure = [] {
-                const way_down near(at_gap("1e-8"));
+                const way_down near(of_gap("1e-8"));
                 const mpfr ratio = near.error_norm(near.cut(0)) / near.error_norm(near.resummed(0));
-                return judged(ratio > 1, false, ratio);
+                return by_tests(ratio > 1, false, ratio);
             }};
 }
 
@@ -90,11 +92,11 @@ claim better_at_every_time() {
                 "at E = 1.71 and t = T*/100 the errors are 2.7e-3 and 2.0e-4.",
             .command = "./run trajectory --energy 1.71 --method resummed --order 4 --times T/400",
             .measure = [] {
-                const way_down way(at_energy("1.71"));
+                const way_down way(of_energy("1.71"));
                 const mpfr x = mpfr(1) / 100;
                 const mpfr ratio = way.error_at(way.resummed(4), x) / way.error_at(way.cut(4), x);
                 const bool in_the_norm = way.error_norm(way.resummed(4)) < way.error_norm(way.cut(4));
-                return judged(ratio < 1, in_the_norm, ratio);
+                return by_tests(ratio < 1, in_the_norm, ratio);
             }};
 }
 
@@ -106,12 +108,12 @@ claim all_times() {
             .correction = "",
             .command = "./run trajectory --energy 1.71 --method resummed --order 20 --times 1002",
             .measure = [] {
-                const motion m = at_energy("1.71");
+                const motion m = of_energy("1.71");
                 const way_down way(m);
                 const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m, way.resummed(20));
                 const exact late = read_exact("1002");
                 const mpfr error = abs(extended(late).value - exact_solution<mpfr>(m)(late).theta);
-                return judged(error < way.error_norm(way.resummed(20)) * 2, false, error);
+                return by_tests(error < way.error_norm(way.resummed(20)) * 2, false, error);
             }};
 }
 
@@ -161,7 +163,7 @@ claim blasius_scenario() {
                 const mpfr earlier = cbrt(mpfr(abs(g[272] / g[275])));
                 const mpfr in_eta = radius * sqrt(blasius_limit());
                 const bool settled = abs(radius / earlier - 1) < mpfr(1) / 1000;
-                return judged(settled && in_eta > 0, false, in_eta);
+                return by_tests(settled && in_eta > 0, false, in_eta);
             }};
 }
 
@@ -169,7 +171,7 @@ claim blasius_scenario() {
 mpfr scaled_coefficient(const expansion<mpfr>& e, int n) { return abs(e.scaled[n]); }
 
 expansion<mpfr> series_at_171(int order) {
-    return expand(exact_solution<mpfr>(at_energy("1.71")), {expansion_point::place::top, {}}, order);
+    return expand(exact_solution<mpfr>(of_energy("1.71")), {expansion_point::place::top, {}}, order);
 }
 
 claim domb_sykes() {
@@ -198,7 +200,7 @@ claim domb_sykes() {
                 const mpfr quotient = (c(402) * c(398) - c(400) * c(400)) / (c(400) * c(396) - c(398) * c(398));
                 const bool three_terms = abs(sqrt(sqrt(mpfr(abs(quotient)))) - 1) < mpfr(1) / 10000;
                 const mpfr spread = largest / smallest;
-                return judged(spread < mpfr(105) / 100, three_terms, spread);
+                return by_tests(spread < mpfr(105) / 100, three_terms, spread);
             }};
 }
 
@@ -215,7 +217,7 @@ claim root_test() {
                 for (int n = 300; n <= 400; n += 2) {
                     smallest = std::min(smallest, mpfr(pow(scaled_coefficient(e, n), mpfr(-1) / n)));
                 }
-                return judged(abs(smallest - 1) < mpfr(2) / 100, false, smallest);
+                return by_tests(abs(smallest - 1) < mpfr(2) / 100, false, smallest);
             }};
 }
 

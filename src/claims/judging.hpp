@@ -1,7 +1,7 @@
 // How a number becomes a verdict, and the motions that claims are measured on.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "claims/claim.hpp"
 #include "libration/pendulum/coefficients.hpp"
@@ -38,14 +38,17 @@ inline finding by_tests(bool statement, bool correction, const mpfr& number) {
 }
 
 /// A decimal or fraction.
-inline rational fraction(const std::string& text) { return read_exact(text).coefficient; }
-inline mpfr number(const std::string& text) { return from_rational<mpfr>(fraction(text)); }
+inline rational fraction(std::string_view text) { return read_exact(text).coefficient; }
+inline mpfr number(std::string_view text) { return from_rational<mpfr>(fraction(text)); }
 
-/// The canonical motion of an energy.
-inline motion of_energy(const std::string& energy, int direction = 1) {
+/// The canonical motion of an energy, of a gap 2 - E, and any motion by its state.
+inline motion of_energy(std::string_view energy, int direction = 1) {
     return motion::of_energy(fraction(energy), direction);
 }
-inline motion of_state(const std::string& theta0, const std::string& omega0) {
+inline motion of_gap(std::string_view gap, int direction = 1) {
+    return motion::of_energy(rational(2 - fraction(gap)), direction);
+}
+inline motion of_state(std::string_view theta0, std::string_view omega0) {
     return motion::of_state(read_exact(theta0), read_exact(omega0));
 }
 
@@ -72,8 +75,6 @@ inline power_series<mpfr> printed_series(const jet<mpfr>& start, int order, cons
 }
 
 /// T*.
-inline mpfr effective_period_of(const std::string& energy) {
-    return effective_period(orbit_of<mpfr>(of_energy(energy)));
-}
+inline mpfr effective_period_of(std::string_view energy) { return effective_period(orbit_of<mpfr>(of_energy(energy))); }
 
 }  // namespace libration::judging

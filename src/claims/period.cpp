@@ -8,6 +8,8 @@
 
 namespace libration {
 
+using namespace judging;
+
 namespace {
 
 modulus<mpfr> modulus_of_square(const mpfr& square) {
@@ -52,7 +54,7 @@ claim kold_converges() {
             const auto m = modulus_of_square(mpfr(855) / 1000);
             const mpfr omitted = complete_integral_series(m, 101) - complete_integral_series(m, 100);
             const mpfr ratio = old_error(m, 100) / (omitted / (m.complement * m.complement));
-            return judged(ratio < 1, false, ratio);
+            return by_tests(ratio < 1, false, ratio);
         }};
 }
 
@@ -68,11 +70,11 @@ claim kold_domain() {
             .measure = [] {
                 bool periodic = true;
                 for (const std::string_view energy : {"0", "1e-6", "1", "1.71", "1.999999", "2.000001", "4", "1e6"}) {
-                    const mpfr k = orbit_of<mpfr>(at_energy(energy)).shape.k;
+                    const mpfr k = orbit_of<mpfr>(of_energy(energy)).shape.k;
                     periodic = periodic && k * k < 1;
                 }
-                const mpfr largest = energies<mpfr>(at_energy("2")).energy / 2;
-                return judged(largest < 1, periodic, largest);
+                const mpfr largest = energies<mpfr>(of_energy("2")).energy / 2;
+                return by_tests(largest < 1, periodic, largest);
             }};
 }
 
@@ -98,7 +100,7 @@ claim kold_towards_separatrix() {
                         }
                     }
                 }
-                return judged(smallest > 1, false, smallest);
+                return by_tests(smallest > 1, false, smallest);
             }};
 }
 
@@ -122,7 +124,7 @@ claim kold_hundred_terms() {
                     term *= ratio * ratio * parameter;
                     rest -= term;
                 }
-                return judged(order > 100, false, mpfr(order));
+                return by_tests(order > 100, false, mpfr(order));
             }};
 }
 
@@ -140,7 +142,7 @@ claim k2_equals_k() {
                     return mpfr(1 / sqrt(rest * (1 + v) * (1 - parameter * v * v)));
                 });
                 const mpfr agreed = -log10(mpfr(abs(value - complete_integral(m)) + epsilon<mpfr>()));
-                return judged(agreed > 40, false, agreed);
+                return by_tests(agreed > 40, false, agreed);
             }};
 }
 
@@ -163,7 +165,7 @@ claim split_of_k() {
                     return mpfr(first + 1 / inner);
                 });
                 const mpfr agreed = -log10(mpfr(abs(sum - complete_integral(m)) + epsilon<mpfr>()));
-                return judged(agreed > 40, false, agreed);
+                return by_tests(agreed > 40, false, agreed);
             }};
 }
 
@@ -188,7 +190,7 @@ claim i2_closed_form() {
                 }
                 const mpfr off = std::max(mpfr(abs(quadrature - closed)), mpfr(abs(series - closed)));
                 const mpfr agreed = -log10(mpfr(off + epsilon<mpfr>()));
-                return judged(agreed > 40, false, agreed);
+                return by_tests(agreed > 40, false, agreed);
             }};
 }
 
@@ -203,7 +205,7 @@ claim knew_converges() {
                 const auto m = modulus_of_square(mpfr(855) / 1000);
                 const mpfr expected = pow(m.k, 202) / (m.complement * m.complement * 8 * 101 * 101);
                 const mpfr ratio = new_error(m, 100) / expected;
-                return judged(ratio < mpfr(11) / 10, false, ratio);
+                return by_tests(ratio < mpfr(11) / 10, false, ratio);
             }};
 }
 
@@ -225,7 +227,7 @@ claim knew_better() {
                     smallest = std::min(smallest, mpfr(old_error(m, order) / new_error(m, order)));
                 }
             }
-            return judged(smallest > 1, false, smallest);
+            return by_tests(smallest > 1, false, smallest);
         }};
 }
 
@@ -241,10 +243,10 @@ claim knew_rapid() {
                 "digits after 10 steps.",
             .command = "./run period --gap 1e-12 --method resummed --order 100",
             .measure = [] {
-                const auto o = orbit_of<mpfr>(at_gap("1e-12"));
+                const auto o = orbit_of<mpfr>(of_gap("1e-12"));
                 const mpfr ratio = new_error(o.shape, 800) / new_error(o.shape, 400);
                 // Rapid would be a fixed factor for so many terms more; 1/(8N) only halves.
-                return judged(ratio < mpfr(1) / 1000, abs(ratio * 2 - 1) < mpfr(1) / 100, ratio);
+                return by_tests(ratio < mpfr(1) / 1000, abs(ratio * 2 - 1) < mpfr(1) / 100, ratio);
             }};
 }
 
@@ -270,7 +272,7 @@ claim knew_limit() {
                                     (pow(complement, 4) * log(complement) * 2);
                 const mpfr quarter = mpfr(1) / 4;
                 const mpfr hundredth = mpfr(1) / 100;
-                return judged(abs(deeper) < hundredth, abs(deeper - quarter) < hundredth, coefficient);
+                return by_tests(abs(deeper) < hundredth, abs(deeper - quarter) < hundredth, coefficient);
             }};
 }
 
@@ -293,7 +295,7 @@ claim knew_tail() {
                 }
                 const mpfr tail = (log(mpfr(2)) - sum) * 8 * order;
                 const auto steep = modulus<mpfr>::from_complement(pow(mpfr(10), -40));
-                return judged(abs(tail - 1) < mpfr(1) / 100 && artanh_over_modulus(steep) > 90, false, tail);
+                return by_tests(abs(tail - 1) < mpfr(1) / 100 && artanh_over_modulus(steep) > 90, false, tail);
             }};
 }
 
@@ -310,7 +312,7 @@ claim figure_period() {
                     const auto o = orbit_of<mpfr>(motion::of_state(exact{}, read_exact(speed)));
                     smallest = std::min(smallest, mpfr(old_error(o.shape, 100) / new_error(o.shape, 10)));
                 }
-                return judged(smallest > 1, false, smallest);
+                return by_tests(smallest > 1, false, smallest);
             }};
 }
 
@@ -334,7 +336,7 @@ claim figure_period_drift() {
                     return mpfr(abs(way.exact(mpfr(fast - away)).value - way.exact(fast).value));
                 };
                 const mpfr once = error_after(1);
-                return judged(error_after(100) < mpfr(1) / 10, once < mpfr(1) / 10, once);
+                return by_tests(error_after(100) < mpfr(1) / 10, once < mpfr(1) / 10, once);
             }};
 }
 
@@ -349,12 +351,12 @@ claim period_analyticity() {
                 "a jump 2 |theta_N''(T*)| at each passage of the bottom, at E = 1.71 and N = 0 1.44.",
             .command = "./run claims period_analyticity",
             .measure = [] {
-                const way_down way(at_energy("1.71"));
+                const way_down way(of_energy("1.71"));
                 // After the bottom the extension is -theta(2T* - t): its second derivative there is the opposite one.
                 const mpfr inner = evaluate(way.resummed(10).inner(), mpfr(1)).value;
                 const mpfr jump = abs(inner) * 4 / (way.period() * way.period());
                 const mpfr later = abs(evaluate(way.resummed(80).inner(), mpfr(1)).value);
-                return judged(jump < epsilon<mpfr>() * 1000, later < abs(inner) / 100, jump);
+                return by_tests(jump < epsilon<mpfr>() * 1000, later < abs(inner) / 100, jump);
             }};
 }
 
@@ -367,9 +369,9 @@ claim period_grows() {
             .command = "./run period --gap 1e-20",
             .measure = [] {
                 const mpfr gap = pow(mpfr(10), -20);
-                const mpfr rest = effective_period(orbit_of<mpfr>(at_gap("1e-20"))) - log(32 / gap) / 2;
-                const mpfr further = effective_period(orbit_of<mpfr>(at_gap("1e-40")));
-                return judged(abs(rest) < mpfr(1) / 1000 && further > 45, false, rest);
+                const mpfr rest = effective_period(orbit_of<mpfr>(of_gap("1e-20"))) - log(32 / gap) / 2;
+                const mpfr further = effective_period(orbit_of<mpfr>(of_gap("1e-40")));
+                return by_tests(abs(rest) < mpfr(1) / 1000 && further > 45, false, rest);
             }};
 }
 

@@ -3,33 +3,16 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "claims/claim.hpp"
+#include "claims/judging.hpp"
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/truncated_series.hpp"
+#include "libration/pendulum/bounds.hpp"
 #include "libration/pendulum/expansion.hpp"
 
-namespace libration {
-
-/// The verdict that a measurement gives: of the statement as it is printed, and of what should stand there.
-inline finding judged(bool as_printed, bool as_corrected, const mpfr& number) {
-    if (as_printed) {
-        return {verdict::holds, number};
-    }
-    return {as_corrected ? verdict::corrected : verdict::fails, number};
-}
-
-/// The canonical motion of an energy, or of a gap 2 - E, as typed.
-inline motion at_energy(std::string_view energy, int direction = 1) {
-    return motion::of_energy(read_exact(energy).coefficient, direction);
-}
-inline motion at_gap(std::string_view gap, int direction = 1) {
-    return motion::of_energy(rational(2 - read_exact(gap).coefficient), direction);
-}
+namespace libration::judging {
 
 /// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise rotation
 /// runs from pi to 0. At the working precision in force; throws std::domain_error at E = 2.
@@ -47,6 +30,9 @@ public:
     mpfr radius() const { return sqrt(period_ * period_ + height_ * height_); }
     mpfr rho() const { return period_ / radius(); }
     mpfr fastest() const { return sqrt(orbit_.pair.energy * 2); }  ///< |omega*|
+
+    /// Theorem A2.
+    mpfr bound(int order) const { return top_bounds<mpfr>::of(orbit_).resummation_norm(order); }
 
     /// theta and d theta/dx, at any x.
     jet<mpfr> exact(const mpfr& x) const {
@@ -90,4 +76,4 @@ private:
     mpfr height_;
 };
 
-}  // namespace libration
+}  // namespace libration::judging

@@ -43,6 +43,15 @@ sweep_energy energy_from_gap(const exact& gap) {
     return {derived_text(energy), gap.text, energy};
 }
 
+void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical) {
+    for (const sweep_energy& at : energies) {
+        const std::string reason = at.value == 0 ? at_rest : at.value == 2 ? critical : "";
+        if (!reason.empty()) {
+            throw std::domain_error("has the energy " + at.energy + ", where " + reason);
+        }
+    }
+}
+
 sweep_period_rule read_period_rule(std::string_view text) {
     constexpr int largest_order = 100'000;
     if (text == "agm") {

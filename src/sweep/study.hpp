@@ -26,6 +26,10 @@ struct sweep_energy {
 sweep_energy energy_from(const exact& energy);
 sweep_energy energy_from_gap(const exact& gap);
 
+/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws std::domain_error "has the energy 0, where
+/// ..." with the reasons; an empty reason lets that energy pass.
+void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical);
+
 /// A way to T* as it was typed: agm, series:N or resummed:N.
 struct sweep_period_rule {
     period_rule rule;

@@ -96,10 +96,7 @@ def resummation():
     w = Way("1.71")
     up = Way("2.02")
     fast = abs(w.speed)
-    for energy, orders in (("1.71", (2, 4, 6)), ("2.02", (3, 6, 36)), ("1.9998", (5, 10, 20))):
-        way = Way(energy)
-        norms = [way.norm(way.series(n)) for n in orders]
-        show("figure_series E = " + energy, max(norms[1] / norms[0], norms[2] / norms[1]))
+    show("figure_libration_orders", w.norm(w.series(4)) / w.norm(w.series(2)))
     show("omegab_rate", w.norm(w.resummed(100, speed=fast)) / (2 * fast * w.period / (e * 100)))
     show("omegab_rate N=0 printed", w.norm(w.resummed(0, speed=fast)))
     show("omegab_rate N=0 corrected", w.norm(w.resummed(0)))

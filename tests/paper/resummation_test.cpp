@@ -57,33 +57,6 @@ mpfr power_near(const judge_of& j, const F& f, bool at_bottom) {
 
 }  // namespace
 
-TEST_CASE("claim figure_series: holds with correction, because N = 4 is worse than N = 2 at E = 1.71",
-          "[paper][claims]") {
-    const finding f = measured("figure_series");
-    CHECK(f.verdict == verdict::corrected);
-    CHECK(three_digits(f) == "1.15");
-    const precision_scope precision(50);
-    const judge_of j("1.71");
-    CHECK(to_decimal(j.norm(series_from_top(j.d, 2)), 3) == "0.324");
-    CHECK(to_decimal(j.norm(series_from_top(j.d, 4)), 3) == "0.372");
-    CHECK(to_decimal(j.norm(series_from_top(j.d, 6)), 3) == "0.186");
-    const auto a = series_from_top(j.d, 6).scaled();
-    CHECK(a[4] * a[6] < 0);
-}
-
-TEST_CASE("claim figure_parity: holds with correction, because theta is even or odd about the top", "[paper][claims]") {
-    const finding f = measured("figure_parity");
-    CHECK(f.verdict == verdict::corrected);
-    CHECK(f.number == 0);
-    // The mirror image of the motion about its top, which is the same motion.
-    const precision_scope precision(50);
-    const exact_solution<mpfr> swing(with_energy("1.9998"));
-    const exact_solution<mpfr> turn(with_energy("2.02"));
-    const mpfr x = mpfr(3) / 10;
-    CHECK_THAT(swing.from_top(mpfr(-x)).theta, near<mpfr>(swing.from_top(x).theta, 10));
-    CHECK_THAT(mpfr(turn.from_top(mpfr(-x)).theta + turn.from_top(x).theta), near<mpfr>(mpfr(pi<mpfr>() * 2), 10));
-}
-
 TEST_CASE("claim omegab_libration: holds with correction, because a released bob falls", "[paper][claims]") {
     const finding f = measured("omegab_libration");
     CHECK(f.verdict == verdict::corrected);

@@ -1,0 +1,85 @@
+// `libration claims`: the verdicts on the paper, and the commands that show them.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <sstream>
+#include <string>
+
+#include "claims/claim.hpp"
+#include "command/printed.hpp"
+#include "sweep/study_order.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+// The words after ./run.
+words words_of(const std::string& command) {
+    std::istringstream in(command);
+    words result;
+    for (std::string word; in >> word;) {
+        result.push_back(word);
+    }
+    return {result.begin() + 1, result.end()};
+}
+
+// A study's options as they would be parsed; the study itself is run by the tests of studies.
+void check_study(const words& given) {
+    const auto studies = all_studies();
+    const auto what =
+        std::find_if(studies.begin(), studies.end(), [&](const study* each) { return each->name == given.at(1); });
+    REQUIRE(what != studies.end());
+    study_words said;
+    for (std::size_t i = 2; i < given.size(); ++i) {
+        const auto equals = given[i].find('=');
+        if (equals != std::string::npos) {
+            said[given[i].substr(0, equals)] = given[i].substr(equals + 1);
+        } else {
+            said[given[i]] = given.at(i + 1);
+            ++i;
+        }
+    }
+    said.erase("--out");
+    said.erase("--jobs");
+    CHECK_NOTHROW(order_of(**what, said, 1));
+}
+
+}  // namespace
+
+TEST_CASE("the command beside each claim runs", "[command][claims]") {
+    for (const claim& each : all_claims()) {
+        INFO(each.name << ": " << each.command);
+        const words given = words_of(each.command);
+        if (given.front() == "study") {
+            check_study(given);
+            continue;
+        }
+        const finished_process done = run_libration(given);
+        INFO(done.err);
+        CHECK(done.exit_code == 0);
+        CHECK_FALSE(done.out.empty());
+    }
+}
+
+TEST_CASE("claims are chosen by name, and printed in any format", "[command][claims]") {
+    const std::string name = all_claims().front().name;
+    const auto rows = from_csv(output_of({"claims", name, "--format", "csv"}));
+    REQUIRE(rows.rows.size() == 1);
+    CHECK(rows.rows.front().front() == name);
+    CHECK(output_of({"claims", name}).starts_with(name + "  "));
+    CHECK(output_of({"claims", name, "--format", "latex"}).starts_with("\\begin{tabular}"));
+}
+
+TEST_CASE("a claim that there is not is refused", "[command][claims]") {
+    const finished_process done = run_libration({"claims", "nonsense"});
+    CHECK(done.exit_code == 2);
+    CHECK(done.out.empty());
+    CHECK(done.err == "libration: claims 'nonsense' is not a claim: 'libration claims' lists them\n");
+}
+
+TEST_CASE("cite prints BibTeX for the program and the paper", "[command]") {
+    const std::string text = output_of({"cite"});
+    CHECK(text.starts_with("@software{libration,\n"));
+    CHECK(text.find("@unpublished{pendulum_series,\n") != std::string::npos);
+    CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
+}

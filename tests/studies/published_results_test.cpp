@@ -1,0 +1,57 @@
+// What is committed in results/ is what the program computes: the quick studies again, byte for byte. (The slow ones are
+// compared by hand with `./run reproduce`.) Tables of fixed scalars are left out: libm may move their last digit.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "claims/claim.hpp"
+#include "sweep/study_order.hpp"
+
+using namespace libration;
+
+namespace {
+
+constexpr double quick_seconds = 1;
+
+std::string published(const std::string& path) {
+    std::ifstream file(std::string(LIBRATION_SOURCE_DIR "/results/") + path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("the published tables of the quick studies are computed again byte for byte", "[studies][results]") {
+    int compared = 0;
+    for (const study* each : all_studies()) {
+        if (each->seconds > quick_seconds) {
+            continue;
+        }
+        for (const study_table& part : each->run(order_of(*each, {}, 2).request)) {
+            if (part.timed || part.scalar.kind != scalar_kind::arbitrary) {
+                continue;
+            }
+            const std::string stem = part.suffix.empty() ? each->name : each->name + "_" + part.suffix;
+            INFO(stem);
+            CHECK(to_csv(part.data) == published(each->name + "/" + stem + ".csv"));
+            ++compared;
+        }
+    }
+    CHECK(compared > 0);
+}
+
+TEST_CASE("the published claims are measured again byte for byte", "[paper][claims][results]") {
+    const auto claims = all_claims();
+    CHECK(to_csv(claims_table(judge(claims, 2))) == published("claims.csv"));
+}
+
+TEST_CASE("every study is published, with its figure", "[studies][results]") {
+    for (const study* each : all_studies()) {
+        INFO(each->name);
+        for (const std::string extension : {".csv", ".tex", ".json", ".svg", ".png"}) {
+            CHECK(
+                std::filesystem::exists(LIBRATION_SOURCE_DIR "/results/" + each->name + "/" + each->name + extension));
+        }
+    }
+}
