@@ -35,7 +35,8 @@ section.study { padding: 1.6rem 0 1.2rem; border-bottom: 1px solid var(--line); 
 figure { margin: 1rem 0; overflow-x: auto; }
 figure img { display: block; width: 100%; height: auto; border: 1px solid var(--line); border-radius: 6px; background: #fff; }
 .files { font-size: .92rem; }
-article { border: 1px solid var(--line); border-left: 6px solid; border-radius: 6px; padding: .8rem 1rem; margin: .8rem 0; }
+.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 32rem), 1fr)); gap: .8rem; margin: 1rem 0; }
+article { border: 1px solid var(--line); border-left: 6px solid; border-radius: 6px; padding: .8rem 1rem; min-width: 0; }
 article p { margin: .35rem 0; max-width: 62rem; }
 article .meta { color: var(--soft); font-size: .9rem; }
 .chip { font-weight: 600; }

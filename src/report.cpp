@@ -14,11 +14,11 @@ namespace libration {
 
 namespace {
 
-// A cell of a Markdown table.
+// A cell of a Markdown table: its characters stand for themselves.
 std::string cell(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        out += c == '|' ? std::string("\\|") : c == '\n' ? std::string(" ") : std::string(1, c);
+        out += c == '|' || c == '*' || c == '<' ? std::string("\\") + c : std::string(1, c == '\n' ? ' ' : c);
     }
     return out;
 }
@@ -37,9 +37,9 @@ std::string claims_part(const std::vector<published_claim>& claims) {
         claims.size(), claims_with(claims, verdict::holds).size(), claims_with(claims, verdict::corrected).size(),
         claims_with(claims, verdict::fails).size());
     for (const published_claim& each : claims) {
-        const std::string truth = each.correction.empty() ? "" : " *" + each.correction + "*";
+        const std::string truth = each.correction.empty() ? "" : " **Instead:** " + cell(each.correction);
         text += fmt::format("| {} | {} | {}{} | {} | {}: {} | `{}` |\n", cell(each.name), cell(each.label),
-                            cell(each.statement), cell(truth), each.verdict, cell(each.measured), each.number,
+                            cell(each.statement), truth, each.verdict, cell(each.measured), each.number,
                             cell(each.command));
     }
     return text + "\n";

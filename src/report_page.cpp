@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <set>
 
 #include "page.hpp"
@@ -56,13 +57,20 @@ std::string verdict_part(const published& results) {
         "change "
         "that stands beside it; <em>fails</em> means that it is not so, with the smallest counterexample found.</p>\n"
         "<p>In short: the series about the top does reach the bottom at every energy, the resummation is exact and "
-        "nearly always "
-        "better, and the resummed period is far better near the separatrix, once the signs and constants listed below "
-        "are "
-        "put right. What the paper promises beyond that &ndash; that the resummation is better everywhere on the way "
-        "and "
-        "for every truncation, that series about the bottom never reach T* below E = 2, that the error "
-        "grows steadily towards E = 2 &ndash; is not so in general.</p>\n";
+        "nearly "
+        "always better, and the resummed period is far better near the separatrix. A program written from the page "
+        "needs "
+        "these changes first: the sign of <a href=\"#claim-omegab_libration\">&omega;* of a libration</a>, the angle "
+        "<a href=\"#claim-resummation_counterclockwise\">&theta;* = 2&pi;</a> that counterclockwise rotation arrives "
+        "at "
+        "(also in <a href=\"#claim-b_constants\">b<sub>0</sub></a> and in the appendix's "
+        "<a href=\"#claim-appendix_alpha_beta\">&alpha; and &beta;</a>), and the exponent in the appendix's "
+        "<a href=\"#claim-appendix_sigma\">&sigma;<sub>N</sub></a>.</p>\n"
+        "<p>What the paper promises beyond that is not so in general: that the resummation is better "
+        "<a href=\"#claim-better_at_every_truncation\">at every truncation and energy</a> and "
+        "<a href=\"#claim-abstract_uniform_acceleration\">everywhere on the way</a>, that series about the bottom "
+        "<a href=\"#claim-bottom_radius_of_libration\">never reach T* below E = 2</a>, that the error "
+        "<a href=\"#claim-error_grows_towards_separatrix\">grows steadily</a> towards E = 2.</p>\n";
     return text;
 }
 
@@ -80,21 +88,24 @@ std::string claim_card(const published_claim& each) {
                               html_prose(each.measured), html_text(each.number), html_text(each.command));
 }
 
-std::string claims_part(const published& results) {
-    std::string text = "<h2 id=\"corrections\">What does not hold as printed</h2>\n";
-    text +=
-        "<p>The same with derivations, to be sent to the authors: <a href=\"errata.md\">errata.md</a>. The second "
-        "entry of each heading is the label in the paper's LaTeX source.</p>\n";
-    for (const verdict judged : {verdict::fails, verdict::corrected}) {
-        for (const published_claim& each : claims_with(results.claims, judged)) {
+std::string cards(const published& results, std::initializer_list<verdict> judged) {
+    std::string text = "<div class=\"cards\">\n";
+    for (const verdict each_verdict : judged) {
+        for (const published_claim& each : claims_with(results.claims, each_verdict)) {
             text += claim_card(each);
         }
     }
-    text += "<h2 id=\"confirmed\">What holds</h2>\n";
-    for (const published_claim& each : claims_with(results.claims, verdict::holds)) {
-        text += claim_card(each);
-    }
-    return text +
+    return text + "</div>\n";
+}
+
+std::string claims_part(const published& results) {
+    return "<h2 id=\"corrections\">What does not hold as printed</h2>\n"
+           "<p>The same with derivations, to be sent to the authors: <a href=\"errata.md\">errata.md</a>. Each card "
+           "says the "
+           "verdict, where the statement stands (a label of the paper's LaTeX source) and the name of the claim: "
+           "<code>./run claims NAME</code> measures it again.</p>\n" +
+           cards(results, {verdict::fails, verdict::corrected}) + "<h2 id=\"confirmed\">What holds</h2>\n" +
+           cards(results, {verdict::holds}) +
            "<p class=\"files\">All claims as <a href=\"claims.csv\">claims.csv</a>, "
            "<a href=\"claims.tex\">claims.tex</a>.</p>\n";
 }

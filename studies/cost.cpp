@@ -331,7 +331,7 @@ const study& cost() {
                         "N, last power of the series; last index of the resummed series"},
                        {"--scalar", "mpfr:50", "arithmetic that is timed"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10", ""}},
-        .seconds = 2,
+        .seconds = 1.5,
         .run = run};
     return result;
 }

@@ -139,7 +139,7 @@ const study& expansion_point() {
                        {"--orders", "40,160", "N, last powers between which the rate is measured"},
                        {"--scalar", "mpfr:40", "arithmetic of radius, rate and series"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6,12", ""}, {"--points", "0,1", ""}},
-        .seconds = 4,
+        .seconds = 3,
         .run = run};
     return result;
 }

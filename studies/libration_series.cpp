@@ -17,7 +17,7 @@ const study& libration_series() {
             "shows that error over time, and how small that of the numerical solution is beside it.",
         .parameters = extension_parameters("1.71", "2,4,6", "N, last power of the series"),
         .quick = {{"--energies", "1.71", ""}, {"--orders", "2", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
-        .seconds = 1,
+        .seconds = 0.4,
         .run = [](const study_request& request) {
             return run_extension("libration_series", descent_method::series, request);
         }};

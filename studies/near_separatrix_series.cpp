@@ -21,7 +21,7 @@ const study& near_separatrix_series() {
                   {"--orders", "5", ""},
                   {"--times", "0:T:9", ""},
                   {"--step", "1e-3", ""}},
-        .seconds = 1,
+        .seconds = 0.6,
         .run = [](const study_request& request) {
             return run_extension("near_separatrix_series", descent_method::series, request);
         }};

@@ -97,7 +97,7 @@ const study& period_error() {
                        {"--orders", "1,5,10,20,50,100", "N: the sums end with k^(2N)"},
                        {"--scalar", "mpfr:40", "arithmetic of the sums"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "1,10", ""}},
-        .seconds = 0.5,
+        .seconds = 0.4,
         .run = run};
     return result;
 }

@@ -17,7 +17,7 @@ const study& rotation_series() {
             "slowly: at this energy T* is 0.92 of the radius of convergence.",
         .parameters = extension_parameters("2.02", "3,6,36", "N, last power of the series"),
         .quick = {{"--energies", "2.02", ""}, {"--orders", "3", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
-        .seconds = 1,
+        .seconds = 0.4,
         .run = [](const study_request& request) {
             return run_extension("rotation_series", descent_method::series, request);
         }};

@@ -198,7 +198,7 @@ const study& singularities() {
                        {"--orders", "20,40,80", "N, last power of the series whose Pade approximants are drawn"},
                        {"--digits", "40", "correct digits of the coordinates; of several numbers the largest"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10", ""}},
-        .seconds = 1,
+        .seconds = 0.5,
         .run = run};
     return result;
 }

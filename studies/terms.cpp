@@ -107,7 +107,7 @@ const study& terms() {
                        {"--gaps", "1e-1:1e-12:12log,-1e-1:-1e-12:12log", "energies as 2 - E"},
                        {"--digits", "10,20,30", "D: the error norm is to be at most 10^-D radians"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--digits", "5,12", ""}},
-        .seconds = 4,
+        .seconds = 3.5,
         .run = run};
     return result;
 }

@@ -66,7 +66,7 @@ TEMPLATE_LIST_TEST_CASE("the approximants of exp are those of Pade", "[approxima
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("[1/1] and [2/2] of log(1+x)/x are the continued fraction", "[approximant][pade]",
+TEMPLATE_LIST_TEST_CASE("the approximants 1/1 and 2/2 of log(1+x)/x are the continued fraction", "[approximant][pade]",
                         all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;

@@ -48,7 +48,7 @@ TEST_CASE("errors from the omitted terms are those of the approximations in many
     }
 }
 
-TEST_CASE("points outside (0, 1] are refused", "[descent_tails]") {
+TEST_CASE("points outside of the way down are refused", "[descent_tails]") {
     CHECK_THROWS_AS(descent_tails<double>({1, 2}, {0}), std::invalid_argument);
     CHECK_THROWS_AS(descent_tails<double>({1, 2}, {1.5}), std::invalid_argument);
 }

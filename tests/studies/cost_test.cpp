@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/study_order.hpp"
 
 using namespace libration;
@@ -99,5 +100,5 @@ TEST_CASE("times are marked as those of the machine", "[studies][cost]") {
 TEST_CASE("energies and orders without a series are refused", "[studies][cost]") {
     CHECK_THROWS_AS(run({{"--energies", "0"}}), std::domain_error);
     CHECK_THROWS_AS(run({{"--energies", "2"}}), std::domain_error);
-    CHECK_THROWS_AS(run({{"--orders", "1,20"}}), std::domain_error);
+    CHECK_THROWS_AS(run({{"--orders", "1,20"}}), input_error);
 }

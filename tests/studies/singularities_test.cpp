@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/study_order.hpp"
 
 using namespace libration;
@@ -152,5 +153,5 @@ TEST_CASE("twice the order gives more than twice the digits of the first singula
 TEST_CASE("what has no lattice or no pole is refused", "[studies][singularities]") {
     CHECK_THROWS_AS(run({{"--energies", "0"}}), std::domain_error);
     CHECK_THROWS_AS(run({{"--energies", "1,2"}}), std::domain_error);
-    CHECK_THROWS_AS(run({{"--orders", "3,20"}}), std::domain_error);
+    CHECK_THROWS_AS(run({{"--orders", "3,20"}}), input_error);
 }

@@ -1,0 +1,102 @@
+// `libration reproduce`: the folder it fills, and the pages made of it.
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+
+#include "command/printed.hpp"
+#include "sweep/table.hpp"
+
+using namespace libration::tests;
+
+namespace {
+
+// How often a text occurs.
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
+        ++count;
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("reproduce makes the chosen studies, the claims, and pages of both", "[command][report]") {
+    const temporary_folder folder;
+    const finished_process done =
+        run_libration({"reproduce", "--only", "period_error,claims", "--out", "out"}, folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    CHECK(done.out.empty());
+    CHECK(lines_of(done.err).front().starts_with("libration: study 1 of 1, period_error"));
+    CHECK(lines_of(done.err).back() == "libration: wrote out; open out/index.html");
+    const auto out = folder.path() / "out";
+
+    const std::string page = text_of_file(out / "index.html");
+    CHECK(page.starts_with("<!DOCTYPE html>"));
+    CHECK(page.ends_with("</html>\n"));
+    // It needs no network and no other file: images are within, and nothing is loaded.
+    CHECK(count_of(page, "<img ") == count_of(page, "src=\"data:image/svg+xml;base64,"));
+    CHECK(count_of(page, "<img ") == 1);
+    for (const std::string loaded : {"http:", "https:", "<script", "@import", "url(", "src=\"/"}) {
+        INFO(loaded);
+        CHECK(page.find(loaded) == std::string::npos);
+    }
+    // What it links to is there.
+    const std::regex link(R"re(href="([^"#:]+)")re");
+    for (std::sregex_iterator at(page.begin(), page.end(), link); at != std::sregex_iterator(); ++at) {
+        INFO((*at)[1]);
+        CHECK(std::filesystem::exists(out / (*at)[1].str()));
+    }
+    const std::regex anchor(R"re(href="#([^"]+)")re");
+    for (std::sregex_iterator at(page.begin(), page.end(), anchor); at != std::sregex_iterator(); ++at) {
+        INFO((*at)[1]);
+        CHECK(page.find("id=\"" + (*at)[1].str() + "\"") != std::string::npos);
+    }
+
+    const auto claims = libration::from_csv(text_of_file(out / "claims.csv"));
+    CHECK(count_of(page, "<article ") == claims.rows.size());
+    const std::string index = text_of_file(out / "README.md");
+    for (const auto& row : claims.rows) {
+        CHECK(index.find("\n| " + row.front() + " | ") != std::string::npos);
+    }
+    CHECK(text_of_file(out / "errata.md").find("{{") == std::string::npos);
+}
+
+TEST_CASE("without claims the pages are made of the studies alone", "[command][report]") {
+    const temporary_folder folder;
+    REQUIRE(run_libration({"reproduce", "--only", "period_error", "--out", "out"}, folder.path()).exit_code == 0);
+    const auto out = folder.path() / "out";
+    CHECK(text_of_file(out / "index.html").find("Does the paper hold?") == std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(out / "errata.md"));
+    CHECK(text_of_file(out / "README.md").find("[period_error](period_error)") != std::string::npos);
+}
+
+TEST_CASE("a study that fails does not stop the others, is named at the end, and ends in exit code 1",
+          "[command][report]") {
+    const temporary_folder folder;
+    // A folder in the way of a table makes the first study fail.
+    std::filesystem::create_directories(folder.path() / "out" / "libration_series" / "libration_series.csv" /
+                                        "in the way");
+    const finished_process done =
+        run_libration({"reproduce", "--only", "libration_series,period_error", "--out", "out"}, folder.path());
+    CHECK(done.exit_code == 1);
+    const auto lines = lines_of(done.err);
+    INFO(done.err);
+    CHECK(lines[lines.size() - 2].starts_with("libration: failed: libration_series: "));
+    CHECK(std::filesystem::exists(folder.path() / "out" / "period_error" / "period_error.svg"));
+    CHECK(std::filesystem::exists(folder.path() / "out" / "index.html"));
+}
+
+TEST_CASE("a damaged results folder is said to be one", "[command][report]") {
+    const temporary_folder folder;
+    const auto own = folder.path() / "out" / "period_error";
+    std::filesystem::create_directories(own);
+    std::ofstream(own / "period_error.json") << "{\"no\": \"command\"}";
+    const finished_process done =
+        run_libration({"reproduce", "--only", "libration_series", "--out", "out"}, folder.path());
+    CHECK(done.exit_code == 1);
+    CHECK(done.err.find("libration: failed: report: out/period_error: ") != std::string::npos);
+}
