@@ -1,6 +1,7 @@
 #include "published.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,16 +16,18 @@ namespace fs = std::filesystem;
 namespace {
 
 // The paper's figures in their order.
-constexpr std::string_view paper_figures[] = {
+constexpr std::array<std::string_view, 10> paper_figures{
     "fig:surf",          "fig:series",          "fig:subcrit", "fig:librationfixed",
     "fig:rotationfixed", "fig:librationseries", "fig:error",   "fig:librationapproximant",
     "fig:perioderror",   "fig:period"};
 
+// The place of a study's figure among them; behind them all where it has none.
 std::size_t place_of(const study& what) {
-    const auto found = std::find_if(std::begin(paper_figures), std::end(paper_figures), [&](std::string_view label) {
-        return std::string_view(what.label).starts_with(label);
-    });
-    return static_cast<std::size_t>(found - std::begin(paper_figures));
+    std::size_t place = 0;
+    while (place < paper_figures.size() && !what.label.starts_with(paper_figures.at(place))) {
+        ++place;
+    }
+    return place;
 }
 
 published_study read_study(const fs::path& folder, const study& what) {

@@ -114,7 +114,7 @@ std::string links(const published_study& each) {
     std::string text;
     for (const std::string& csv : each.tables) {
         const std::string stem = csv.substr(0, csv.rfind('.'));
-        text += fmt::format("<a href=\"{0}\">{1}</a> (<a href=\"{2}.tex\">LaTeX</a>), ", html_text(csv),
+        text += fmt::format(R"(<a href="{0}">{1}</a> (<a href="{2}.tex">LaTeX</a>), )", html_text(csv),
                             html_text(csv.substr(csv.find('/') + 1)), html_text(stem));
     }
     return text + fmt::format("<a href=\"{0}/{0}.json\">{0}.json</a>", each.what->name);

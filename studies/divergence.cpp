@@ -38,8 +38,6 @@ const std::vector<column>& radius_columns() {
     return all;
 }
 
-std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(abs(x))), 12); }
-
 struct rows_of_energy {
     std::vector<std::vector<std::string>> sums;
     std::vector<std::string> radius;
@@ -81,7 +79,7 @@ rows_of_energy rows_at(const sweep_energy& at, const study_request& request, con
 
 std::vector<study_table> run(const study_request& request) {
     refuse_limits(request.energies, "the series is the constant 0", "the period is infinite");
-    const scalar_spec scalar = read_scalar("mpfr:40");
+    const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(request.digits.begin(), request.digits.end())};
     progress shown("divergence, energies", request.energies.size(), request.shown);
     const auto found = parallel_map(request.energies.size(), request.jobs, shown,
                                     [&](std::size_t i) { return rows_at(request.energies[i], request, scalar); });
@@ -113,7 +111,8 @@ const study& divergence() {
         .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "10,100,1000", "N, last power of the series"},
-                       {"--times", "0:T:401", "dimensionless times since the bottom"}},
+                       {"--times", "0:T:401", "dimensionless times since the bottom"},
+                       {"--digits", "40", "digits of every number; of a list the largest"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10,40", ""}, {"--times", "0:T:9", ""}},
         .seconds = 2.5,
         .run = run};

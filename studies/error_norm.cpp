@@ -33,8 +33,6 @@ const std::vector<column>& columns() {
 
 std::string_view name_of(descent_method method) { return method == descent_method::series ? "series" : "resummed"; }
 
-std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), 12); }
-
 // The bounds hold from the first omitted power 4, and from N = 1, on.
 std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, descent_method method, int order) {
     if (method == descent_method::series) {

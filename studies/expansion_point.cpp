@@ -46,8 +46,6 @@ const std::vector<column>& norm_columns() {
 
 std::string covers_text(int sign) { return sign > 0 ? "yes" : sign == 0 ? "boundary" : "no"; }
 
-std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), digits_of_norms); }
-
 // (norm_b/norm_a)^(1/(b-a)) of the first and the last order.
 std::string measured_rate(const std::vector<int>& orders, const std::vector<mpfr>& norms) {
     const int apart = orders.back() - orders.front();

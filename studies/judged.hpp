@@ -59,10 +59,4 @@ std::vector<judged> resolved(long digits, long more, const Compute& compute) {
     throw std::runtime_error("an error is not resolved by " + std::to_string(most_working_digits) + " digits");
 }
 
-/// log10 of a number that is not negative, for figures: 12 digits, -inf at 0.
-inline std::string log10_text(const mpfr& x) {
-    const precision_scope scope(30);
-    return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), 12);
-}
-
 }  // namespace libration::studies

@@ -30,8 +30,6 @@ const std::vector<column>& columns() {
     return all;
 }
 
-std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), 12); }
-
 // T* by the sum in the scalar, as a wide value.
 mpfr sum_in(const scalar_spec& scalar, long guard, const motion& m, const period_rule& rule) {
     return with_scalar(scalar, guard, [&]<class T>() { return widen(effective_period_by(rule, orbit_of<T>(m))); });

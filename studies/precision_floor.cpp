@@ -32,8 +32,6 @@ const std::vector<column>& columns() {
     return all;
 }
 
-std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), 12); }
-
 std::vector<scalar_spec> scalars_of(const study_request& request) {
     if (request.scalar) {
         return {*request.scalar};

@@ -57,8 +57,6 @@ const std::vector<column>& convergence_columns() {
     return all;
 }
 
-std::string log10_text(const mpfr& x) { return x == 0 ? "-inf" : to_decimal(mpfr(log10(x)), digits_of_logarithms); }
-
 // What is the same in all rows of an energy.
 struct plane {
     const sweep_energy& at;

@@ -96,3 +96,12 @@ TEST_CASE("printing in full and reading are inverse on fractions that end", "[sc
         CHECK(read_exact(*text).coefficient == value);
     }
 }
+
+TEST_CASE("the logarithm of a number of any size is text that a drawing can hold", "[scalar][decimal]") {
+    const precision_scope scope(60);
+    CHECK(log10_text(from_exact<mpfr>(read_exact("1e-400"))) == "-400.000000000");
+    CHECK(log10_text(from_exact<mpfr>(read_exact("-2e4000"))) == "4000.30103000");  // log10 2 = 0.30103000 to 8 places
+    CHECK(log10_text(mpfr(1)) == "0");
+    CHECK(log10_text(mpfr(0)) == "-inf");
+    CHECK(log10_text(100.0) == "2.00000000000");
+}

@@ -1,26 +1,17 @@
 // The study all_time: errors against (newseries) in other arithmetic, and how the two reductions of time grow.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
 
-const study& all_time() {
-    for (const study* each : all_studies()) {
-        if (each->name == "all_time") {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study all_time");
-}
+const study& all_time() { return study_of("all_time"); }
 
 std::vector<table_row> rows_for(const study_words& words, std::size_t table = 0) {
     return csv_rows(to_csv(all_time().run(order_of(all_time(), words, 2).request).at(table).data));

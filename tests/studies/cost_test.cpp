@@ -5,23 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
+#include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
-#include "sweep/study_order.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
 
-std::vector<study_table> run(const study_words& words) {
-    for (const study* each : all_studies()) {
-        if (each->name == "cost") {
-            return each->run(order_of(*each, words, 2).request);
-        }
-    }
-    throw std::runtime_error("there is no study cost");
-}
+std::vector<study_table> run(const study_words& words) { return tables_of_study("cost", words); }
 
 using rows_by_route = std::map<std::string, table_row>;
 

@@ -1,26 +1,17 @@
 // The study divergence: the first terms of the series written out, the exact angle and the radius by mpmath, and what
 // more terms do on both sides of the radius.
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
 
-const study& divergence() {
-    for (const study* each : all_studies()) {
-        if (each->name == "divergence") {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study divergence");
-}
+const study& divergence() { return study_of("divergence"); }
 
 struct found_tables {
     std::vector<table_row> sums;

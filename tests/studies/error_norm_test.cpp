@@ -2,13 +2,11 @@
 // separatrix solutions, and what theory says about them.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
 #include "command/reference_motion.hpp"
-#include "sweep/study.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
@@ -17,14 +15,7 @@ namespace {
 
 using words = std::vector<std::string>;
 
-const study& error_norm() {
-    for (const study* each : all_studies()) {
-        if (each->name == "error_norm") {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study error_norm");
-}
+const study& error_norm() { return study_of("error_norm"); }
 
 study_request asked(const words& energies, const words& gaps, const std::vector<int>& orders) {
     study_request request;

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
@@ -15,20 +14,7 @@ namespace {
 
 using tables_by_suffix = std::map<std::string, std::vector<table_row>>;
 
-tables_by_suffix run(const std::string& name, const study_words& words) {
-    for (const study* each : all_studies()) {
-        if (each->name == name) {
-            tables_by_suffix tables;
-            for (const study_table& part : each->run(order_of(*each, words, 2).request)) {
-                tables[part.suffix] = csv_rows(to_csv(part.data));
-            }
-            return tables;
-        }
-    }
-    throw std::runtime_error("there is no study " + name);
-}
-
-tables_by_suffix expansion_point(const study_words& words) { return run("expansion_point", words); }
+tables_by_suffix expansion_point(const study_words& words) { return rows_by_suffix("expansion_point", words); }
 
 // The numbers of a column by energy and point.
 std::map<std::string, std::map<std::string, mpfr>> by_point(const std::vector<table_row>& rows,
@@ -132,7 +118,7 @@ TEST_CASE("about the top the norms are those of the study error_norm", "[studies
     auto here = words;
     here["--points"] = "0";
     std::map<std::string, std::string> expected;
-    for (const auto& [suffix, rows] : run("error_norm", there)) {
+    for (const auto& [suffix, rows] : rows_by_suffix("error_norm", there)) {
         for (const table_row& row : rows) {
             if (row.at("method") == "series") {
                 expected[row.at("energy") + " " + row.at("order")] = row.at("norm");

@@ -6,22 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
-
-const study& study_of(const std::string& name) {
-    for (const study* each : all_studies()) {
-        if (each->name == name) {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study " + name);
-}
 
 // The rows of one table of a run; the march is short, for the tests are.
 std::vector<table_row> rows_of_table(const std::string& name, const std::string& suffix, study_words words) {

@@ -1,26 +1,17 @@
 // The study period_effect: periods against other arithmetic, values against (newseries) as printed, and what they mean.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
 
-const study& period_effect() {
-    for (const study* each : all_studies()) {
-        if (each->name == "period_effect") {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study period_effect");
-}
+const study& period_effect() { return study_of("period_effect"); }
 
 std::vector<table_row> rows_for(study_words words, std::size_t table = 0) {
     words.emplace("--step", "1e-2");

@@ -1,25 +1,16 @@
 // The study period_error: its errors against mpmath and against the sums themselves, its bounds, and its refusals.
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
 
-const study& period_error() {
-    for (const study* each : all_studies()) {
-        if (each->name == "period_error") {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study period_error");
-}
+const study& period_error() { return study_of("period_error"); }
 
 std::vector<table_row> rows_for(const study_words& words) {
     const study_order order = order_of(period_error(), words, 2);

@@ -1,26 +1,15 @@
 // The study precision_floor: exact norms against those of error_norm's tables, floors against epsilon, refusals.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
-
-std::vector<table_row> rows_of_study(const std::string& name, const study_words& words) {
-    for (const study* each : all_studies()) {
-        if (each->name == name) {
-            return csv_rows(to_csv(each->run(order_of(*each, words, 2).request).front().data));
-        }
-    }
-    throw std::runtime_error("there is no study " + name);
-}
 
 std::vector<table_row> rows_for(const study_words& words) { return rows_of_study("precision_floor", words); }
 

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
+#include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
-#include "sweep/study_order.hpp"
 
 using namespace libration;
 using namespace libration::tests;
@@ -17,18 +16,7 @@ namespace {
 
 using tables_by_suffix = std::map<std::string, std::vector<table_row>>;
 
-tables_by_suffix run(const study_words& words) {
-    for (const study* each : all_studies()) {
-        if (each->name == "singularities") {
-            tables_by_suffix tables;
-            for (const study_table& part : each->run(order_of(*each, words, 2).request)) {
-                tables[part.suffix] = csv_rows(to_csv(part.data));
-            }
-            return tables;
-        }
-    }
-    throw std::runtime_error("there is no study singularities");
-}
+tables_by_suffix run(const study_words& words) { return rows_by_suffix("singularities", words); }
 
 std::vector<table_row> of_kind(const std::vector<table_row>& rows, const std::string& kind) {
     std::vector<table_row> found;

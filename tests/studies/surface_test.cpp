@@ -1,27 +1,18 @@
 // The study surface: angles against closed forms and the reference of the other routes, and the error's two sources.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/printed.hpp"
+#include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
-#include "sweep/study_order.hpp"
 
 using namespace libration;
 using namespace libration::tests;
 
 namespace {
 
-const study& surface() {
-    for (const study* each : all_studies()) {
-        if (each->name == "surface") {
-            return *each;
-        }
-    }
-    throw std::runtime_error("there is no study surface");
-}
+const study& surface() { return study_of("surface"); }
 
 std::vector<table_row> rows_for(const study_words& words) {
     return csv_rows(to_csv(surface().run(order_of(surface(), words, 2).request).front().data));

@@ -73,7 +73,7 @@ public:
                 const precision_scope narrow_scope(digits);
                 return approximation.value(narrow<mpfr>(x));
             };
-            return rounded_norm(value, rounded_place);
+            return this->rounded_norm(value, rounded_place);
         };
         const auto rounded = [digits](const auto& make) {
             const precision_scope narrow_scope(digits);

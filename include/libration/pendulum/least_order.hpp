@@ -177,7 +177,7 @@ private:
     std::optional<mpfr> norm_if_near(descent_method method, int order, const std::vector<double>& points,
                                      const std::vector<long double>& samples, int digits) const {
         const long double largest = *std::max_element(samples.begin(), samples.end());
-        const long double goal = narrow<long double>(level(digits));
+        const auto goal = narrow<long double>(level(digits));
         return largest * 105 / 100 > goal ? std::optional(true_norm(method, order, points, samples)) : std::nullopt;
     }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "libration/scalar/convert.hpp"
+#include "libration/scalar/precision.hpp"
 
 namespace libration {
 
@@ -52,6 +53,15 @@ std::string to_decimal(const T& x, long count) {
     mpfr_free_str(raw);
     const bool negative = digits.front() == '-';
     return place_point(negative, digits.substr(negative ? 1 : 0), static_cast<long>(exponent));
+}
+
+/// log10 |x| with 12 significant digits, -inf for 0: what a drawing can still hold where x leaves the range of double.
+template <rounding_scalar T>
+std::string log10_text(const T& x) {
+    constexpr long count = 12;
+    const precision_scope scope(count + 20);
+    const mpfr value = abs(widen(x));
+    return value == 0 ? "-inf" : to_decimal(mpfr(log10(value)), count);
 }
 
 /// x with as many digits as reading it back needs to give x again: 1 + ceil(digits log10 2).

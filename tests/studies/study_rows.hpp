@@ -1,0 +1,44 @@
+// The rows of a study as its CSV gives them.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "command/printed.hpp"
+#include "sweep/study_order.hpp"
+
+namespace libration::tests {
+
+/// The study of that name.
+inline const study& study_of(const std::string& name) {
+    for (const study* each : all_studies()) {
+        if (each->name == name) {
+            return *each;
+        }
+    }
+    throw std::runtime_error("there is no study " + name);
+}
+
+/// The tables of a study, run with these words on two threads.
+inline std::vector<study_table> tables_of_study(const std::string& name, const study_words& said) {
+    const study& what = study_of(name);
+    return what.run(order_of(what, said, 2).request);
+}
+
+/// The rows of one of them.
+inline std::vector<table_row> rows_of_study(const std::string& name, const study_words& said, std::size_t table = 0) {
+    return csv_rows(to_csv(tables_of_study(name, said).at(table).data));
+}
+
+/// The rows of all of them, by suffix.
+inline std::map<std::string, std::vector<table_row>> rows_by_suffix(const std::string& name, const study_words& said) {
+    std::map<std::string, std::vector<table_row>> rows;
+    for (const study_table& part : tables_of_study(name, said)) {
+        rows[part.suffix] = csv_rows(to_csv(part.data));
+    }
+    return rows;
+}
+
+}  // namespace libration::tests
