@@ -252,6 +252,7 @@ void add_rows(const sweep_energy& at, int order, const scalar_spec& scalar, rows
     const given<counted> tally = in<counted>(exact);
     const expected_results expected = expected_of(exact, order);
     with_scalar(scalar, guard_digits, [&]<class T>() {
+        energies<T>(motion::of_energy(at.value));  // refuses what T cannot hold
         const given<T> own = in<T>(exact);
         const auto products = [&](route which) { return count_operations([&] { by(which, tally, order); }); };
         const long direct_products = products(route::direct).multiplications;

@@ -38,7 +38,7 @@ do for [kind in terminals] {
         set title sprintf('E = %s (%s)', word(energies, e), tstar*3 < radius(e, 4) ? 'libration' : 'rotation') offset 0, -0.4
         set format x ''
         unset xlabel
-        set ylabel '{/Symbol q}, radians' offset 0.5
+        set ylabel 'θ, radians' offset 0.5
         set yrange [below - 0.35*height : above + 0.35*height]
         unset key
         plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt i+1 lc rgb tone(i) , \

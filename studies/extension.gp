@@ -47,7 +47,7 @@ do for [kind in terminals] {
         set title 'E = '.e offset 0,-0.5 font ',13'
         set format x ''
         unset xlabel
-        set ylabel 'angle {/Symbol q} / {/Symbol p}' offset 0.5
+        set ylabel 'angle θ / π' offset 0.5
         set format y '%g'
         set yrange [bottom - 0.12*(top-bottom) - 0.02 : top + 0.12*(top-bottom) + 0.02]
         if (c == 1) { set key at screen 0.5, 0.945 center top horizontal width 2 } else { unset key }

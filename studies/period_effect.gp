@@ -40,7 +40,7 @@ do for [kind in terminals] {
         set title 'E = '.e offset 0,-0.5 font ',13'
         set format x ''
         unset xlabel
-        set ylabel 'angle {/Symbol q} / {/Symbol p}' offset 0.5
+        set ylabel 'angle θ / π' offset 0.5
         set format y '%g'
         set yrange [*:*]
         set offsets 0, 0, 0.1, 0.1

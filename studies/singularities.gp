@@ -30,7 +30,7 @@ all = high * down + head + foot + 0.0
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/singularities', wide, all)
     set multiplot
-    set label 9 (count > 1 ? 'Singularities of theta(t) and poles of Pade approximants of omega made of N coefficients' : 'Singularities of theta(t), and Pade poles from N coefficients') at screen 0.5, 1 - 20 / all center font ',16'
+    set label 9 (count > 1 ? 'Singularities of θ(t) and poles of Padé approximants of omega made of N coefficients' : 'Singularities of θ(t), and Padé poles from N coefficients') at screen 0.5, 1 - 20 / all center font ',16'
     set samples 361
     unset grid
     set key at screen 0.5, (foot - 4) / all center top vertical maxrows keys samplen 2.5 width 2
@@ -62,7 +62,7 @@ do for [kind in terminals] {
              '+' using (-tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' notitle, \
              file using (in_panel(e, 'singularity', column(4))):5 with points pt 7 ps 0.9 lc rgb '#000000' title 'singularities', \
              for [i=1:words(orders)] for [s=0:3] file using (pole(e, word(orders, i) + 0, s % 2 ? -column(4) : column(4))):(s > 1 ? -column(5) : column(5)) \
-                 with points pt mark[(i-1)%6+1] ps 0.9 + 0.35 * ((i-1)%6+1) lw 1.4 lc rgb shade[(i-1)%6+1] title s || no_poles ? '' : 'Pade, N = '.word(orders, i)
+                 with points pt mark[(i-1)%6+1] ps 0.9 + 0.35 * ((i-1)%6+1) lw 1.4 lc rgb shade[(i-1)%6+1] title s || no_poles ? '' : 'Padé, N = '.word(orders, i)
         unset label 9
         unset key
     }
@@ -89,7 +89,7 @@ do for [kind in terminals] {
     set xrange [0:last + 2]
     set yrange [lowest:highest]
     roots = "for [p=1:count] file using 2:(at(word(energies, p), column(4))) with linespoints lw 2 dt 2 pt 2 ps 0.5 lc rgb shade[(p+2)%6+1] title shorter(word(energies, p)).': root test (its radius only)'"
-    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark[(p-1)%6+1] ps 0.8 lc rgb shade[(p+2)%6+1] title shorter(word(with_poles, p)).': nearest pole of the Pade approximant', "
+    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark[(p-1)%6+1] ps 0.8 lc rgb shade[(p+2)%6+1] title shorter(word(with_poles, p)).': nearest pole of the Padé approximant', "
     eval 'plot '.(words(with_poles) > 0 ? poles : '').roots
     unset output
 }

@@ -31,7 +31,7 @@ do for [kind in terminals] {
     set border 4095 lc rgb '#bbbbbb'
     set xlabel 'time t' offset 0,-0.5
     set ylabel 'energy E' offset 1,-0.5
-    set zlabel 'angle {/Symbol q} / {/Symbol p}' rotate by 90 offset 1.5
+    set zlabel 'angle θ / π' rotate by 90 offset 1.5
     set zrange [-1:top]
     set xrange [first:last]
     set yrange [low:high]

@@ -92,5 +92,6 @@ TEST_CASE("times are marked as those of the machine", "[studies][cost]") {
 TEST_CASE("energies and orders without a series are refused", "[studies][cost]") {
     CHECK_THROWS_AS(run({{"--energies", "0"}}), std::domain_error);
     CHECK_THROWS_AS(run({{"--energies", "2"}}), std::domain_error);
+    CHECK_THROWS_AS(run({{"--energies", "1e-400"}, {"--orders", "4"}, {"--scalar", "double"}}), std::range_error);
     CHECK_THROWS_AS(run({{"--orders", "1,20"}}), input_error);
 }

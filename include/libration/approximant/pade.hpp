@@ -70,7 +70,7 @@ struct pade_approximant {
 };
 
 /// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M and
-/// q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses up to some digits for each degree of Q: scale x by the
+/// q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses digits with every degree of Q: scale x by the
 /// radius of convergence and give the working precision guard digits. Throws std::invalid_argument when the series is
 /// too short, and std::domain_error where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
 /// exist or is one of smaller degrees.
