@@ -1,14 +1,13 @@
 // libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "agreement.hpp"
 #include "libration/pendulum/critical_formula.hpp"
 #include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/numerical_solution.hpp"
 #include "libration/pendulum/periodic_extension.hpp"
-#include "libration/pendulum/runge_kutta.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
@@ -172,16 +171,7 @@ T held_by(const mpfr& value, const std::string& option, const std::string& text,
     return narrow<T>(value);
 }
 
-// A time in dimensionless units.
-mpfr time_value(const motion& m, const exact& time) {
-    if (time.measure != unit::period) {
-        return from_exact<mpfr>(time) / time_unit<mpfr>(m);
-    }
-    const int quarters = quarters_per_period(m.regime());
-    return effective_period(orbit_of<mpfr>(m)) * from_rational<mpfr>(rational(time.coefficient * quarters));
-}
-
-// Marches through the times in order of size, forwards and backwards from 0, so that each step is taken once.
+// The numerical solution, which names the time that takes too many steps.
 template <class T>
 trajectory_values follow_runge_kutta(const trajectory_request& request) {
     const motion& m = request.chosen.of;
@@ -193,7 +183,7 @@ trajectory_values follow_runge_kutta(const trajectory_request& request) {
         const precision_scope more(decimal_digits(digits<T>()) + 20);
         exact_step = from_exact<mpfr>(request.step);
         for (const exact& time : request.times) {
-            exact_times.push_back(time_value(m, time));
+            exact_times.push_back(dimensionless_time<mpfr>(m, time));
         }
     }
     const T step = held_by<T>(exact_step, "--step", request.step.text, scalar);
@@ -201,31 +191,14 @@ trajectory_values follow_runge_kutta(const trajectory_request& request) {
     for (std::size_t i = 0; i < exact_times.size(); ++i) {
         times.push_back(held_by<T>(exact_times[i], "--times", request.times[i].text, scalar));
     }
-    std::vector<std::size_t> order(times.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = i;
-    }
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
-    std::vector<jet<T>> states(times.size(), jet<T>{T(0), T(0)});
     progress shown("rk4, times", times.size());
-    runge_kutta_march<T> forward({start.theta, start.omega}, step);
-    runge_kutta_march<T> backward({start.theta, start.omega}, step);
-    const auto march = [&](runge_kutta_march<T>& way, std::size_t i) {
-        states[i] = reading("--times", request.times[i].text, "choose nearer times or a larger --step",
-                            [&] { return way.advance_to(times[i]); });
+    const jet<T> at_zero{start.theta, start.omega};
+    const auto states = numerical_solution(at_zero, times, step, [&](runge_kutta_march<T>& way, std::size_t i) {
+        jet<T> state = reading("--times", request.times[i].text, "choose nearer times or a larger --step",
+                               [&] { return way.advance_to(times[i]); });
         shown.step();
-    };
-    for (const std::size_t i : order) {
-        if (times[i] >= 0) {
-            march(forward, i);
-        }
-    }
-    std::reverse(order.begin(), order.end());
-    for (const std::size_t i : order) {
-        if (times[i] < 0) {
-            march(backward, i);
-        }
-    }
+        return state;
+    });
     std::size_t next = 0;
     return follow<T>(request, [&](const exact& /*time*/) { return widened(states[next++]); });
 }
