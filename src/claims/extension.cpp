@@ -354,7 +354,7 @@ mpfr gain_around_quarter_disk(const char* energy) {
         along.advance_to(duration * cos(angle), duration * sin(angle));
     }
     const auto& back = along.advance_to(mpfr(0));
-    return magnitude(back.theta - complex_pair<mpfr>{top.value, mpfr(0)});
+    return modulus_of(back.theta - complex_number<mpfr>{top.value, mpfr(0)});
 }
 
 claim disk_is_free_of_singularities() {

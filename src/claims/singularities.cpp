@@ -16,11 +16,11 @@ using namespace judging;
 // What theta and omega gain on a square path once around a point of the complex time plane, of half the given side,
 // reached along the real axis and then straight up or down.
 struct circuit {
-    complex_pair<mpfr> theta;
-    complex_pair<mpfr> omega;
+    complex_number<mpfr> theta;
+    complex_number<mpfr> omega;
 };
 
-circuit around(const jet<mpfr>& start, const complex_pair<mpfr>& centre, const mpfr& half) {
+circuit around(const jet<mpfr>& start, const complex_number<mpfr>& centre, const mpfr& half) {
     // Counterclockwise, from the side that faces the real axis: the way there must not meet the point itself.
     const mpfr side = centre.im < 0 ? mpfr(-half) : half;
     flow<mpfr> along(start.value, start.slope);
@@ -38,8 +38,8 @@ circuit around(const jet<mpfr>& start, const complex_pair<mpfr>& centre, const m
 
 // How far a circuit is from that of a logarithm 2i sign log(t - centre): theta gains -4 pi sign, omega nothing.
 mpfr distance_from_logarithm(const circuit& c, int sign) {
-    const complex_pair<mpfr> expected{mpfr(pi<mpfr>() * (-4 * sign)), mpfr(0)};
-    return std::max(magnitude(c.theta - expected), magnitude(c.omega));
+    const complex_number<mpfr> expected{mpfr(pi<mpfr>() * (-4 * sign)), mpfr(0)};
+    return std::max(modulus_of(c.theta - expected), modulus_of(c.omega));
 }
 
 struct lattice_steps {
@@ -91,7 +91,7 @@ claim libration_singularities() {
                     const mpfr half = std::min(step.along, step.up) / 2;
                     const auto sign_at = [&](int right, int above, int sign) {
                         const auto c = around(top, {step.along * right, step.up * above}, half);
-                        const mpfr distance = sign == 0 ? magnitude(c.theta) : distance_from_logarithm(c, sign);
+                        const mpfr distance = sign == 0 ? modulus_of(c.theta) : distance_from_logarithm(c, sign);
                         largest = std::max(largest, distance);
                     };
                     sign_at(1, 1, 1);
@@ -122,7 +122,7 @@ claim rotation_singularities() {
                         const auto c = around(start, {along * right, up * above}, half);
                         largest = std::max(largest, distance_from_logarithm(c, sign));
                     }
-                    largest = std::max(largest, magnitude(around(start, {along, up}, half).theta));
+                    largest = std::max(largest, modulus_of(around(start, {along, up}, half).theta));
                 }
                 return by_error(largest);
             }};
@@ -146,8 +146,8 @@ claim arcsine_makes_logarithms() {
             const auto pole = around(top, {swing.along, swing.up}, swing.up / 2);
             const auto above_top = around(top, {zero, swing.up}, swing.up / 2);
             const auto passage = around(bottom_of("2.02"), {turn.along, zero}, turn.up / 2);
-            return by_error(std::max({mpfr(abs(magnitude(pole.theta) / (pi<mpfr>() * 4) - 1)),
-                                      magnitude(above_top.theta), magnitude(passage.theta)}));
+            return by_error(std::max({mpfr(abs(modulus_of(pole.theta) / (pi<mpfr>() * 4) - 1)),
+                                      modulus_of(above_top.theta), modulus_of(passage.theta)}));
         }};
 }
 
@@ -225,10 +225,10 @@ claim nearest_singularity() {
                 mpfr smallest(10);
                 for (const char* energy : {"1e-6", "0.5", "1.71", "1.9998"}) {
                     const auto [along, up] = lattice_of(energy);
-                    const mpfr first = magnitude(complex_pair<mpfr>{along, up});
+                    const mpfr first = modulus_of(complex_number<mpfr>{along, up});
                     for (int p = -5; p <= 5; p += 2) {
                         for (int q = -5; q <= 5; q += 2) {
-                            const mpfr distance = magnitude(complex_pair<mpfr>{along * p, up * q});
+                            const mpfr distance = modulus_of(complex_number<mpfr>{along * p, up * q});
                             smallest = std::min(smallest, mpfr(distance / first));
                         }
                     }

@@ -52,3 +52,15 @@ TEST_CASE("the small part of a square root keeps its digits", "[scalar][complex_
     CHECK(root.im == 2);
     CHECK(std::abs(root.re - 2.5e-31) <= 1e-46);  // im/(2 sqrt 4), which 1e-30 below -4 does not cancel
 }
+
+TEMPLATE_LIST_TEST_CASE("sums, products and quotients by a real are those of 3 + 4i", "[scalar]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const complex_number<T> z{T(3), T(4)};
+    const complex_number<T> square = z * z;
+    CHECK(square.re == -7);
+    CHECK(square.im == 24);
+    CHECK(modulus_of(z) == 5);
+    CHECK((z - z * T(2) + z).im == 0);
+    CHECK((-z / T(2)).re == T(-3) / 2);
+}

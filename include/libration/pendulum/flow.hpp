@@ -12,10 +12,10 @@ namespace libration {
 /// theta, omega, sin theta and cos theta at one instant.
 template <scalar T>
 struct flow_state {
-    complex_pair<T> theta;
-    complex_pair<T> omega;
-    complex_pair<T> sine;
-    complex_pair<T> cosine;
+    complex_number<T> theta;
+    complex_number<T> omega;
+    complex_number<T> sine;
+    complex_number<T> cosine;
 };
 
 /// A motion of theta'' + sin theta = 0 as the system of four equations [Fairen1988]
@@ -37,10 +37,10 @@ public:
 
     /// The state at time + i imaginary, by the straight line from the time of the last call.
     const flow_state<T>& advance_to(const T& time, const T& imaginary = T(0)) {
-        const complex_pair<T> target{time, imaginary};
+        const complex_number<T> target{time, imaginary};
         while (true) {
-            const complex_pair<T> way = target - now_;
-            const T length = magnitude(way);
+            const complex_number<T> way = target - now_;
+            const T length = modulus_of(way);
             const bool real = way.im == 0 && state_.omega.im == 0 && state_.sine.im == 0 && state_.cosine.im == 0;
             const system_series series = expand(real);
             const T step = step_of(series);
@@ -49,7 +49,7 @@ public:
                 now_ = target;
                 return state_;
             }
-            const complex_pair<T> part = way * T(step / length);
+            const complex_number<T> part = way * T(step / length);
             state_ = at(series, part);
             now_ = now_ + part;
         }
@@ -68,8 +68,8 @@ private:
         system_series s{{state_.theta, real}, {state_.omega, real}, {state_.sine, real}, {state_.cosine, real}};
         for (int n = 0; n < order; ++n) {
             const T power(n + 1);
-            const complex_pair<T> sine_slope = product_coefficient(s.cosine, s.omega, n);
-            const complex_pair<T> cosine_slope = -product_coefficient(s.sine, s.omega, n);
+            const complex_number<T> sine_slope = product_coefficient(s.cosine, s.omega, n);
+            const complex_number<T> cosine_slope = -product_coefficient(s.sine, s.omega, n);
             s.theta.push_back(s.omega[n] / power);
             s.omega.push_back(-s.sine[n] / power);
             s.sine.push_back(sine_slope / power);
@@ -85,17 +85,17 @@ private:
         const int order = s.omega.order();
         T largest(0);
         for (int n = order - 3; n <= order; ++n) {
-            largest = std::max(largest, magnitude(s.omega[n]));
+            largest = std::max(largest, modulus_of(s.omega[n]));
         }
         return largest == 0 ? T(1) : T(exp((log(epsilon<T>()) - log(largest)) / order));
     }
 
-    static flow_state<T> at(const system_series& s, const complex_pair<T>& time) {
+    static flow_state<T> at(const system_series& s, const complex_number<T>& time) {
         return {evaluate(s.theta, time), evaluate(s.omega, time), evaluate(s.sine, time), evaluate(s.cosine, time)};
     }
 
     flow_state<T> state_;
-    complex_pair<T> now_;
+    complex_number<T> now_;
 };
 
 }  // namespace libration

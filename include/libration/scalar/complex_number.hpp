@@ -9,7 +9,7 @@ namespace libration {
 /// part that cancels is right only relative to the whole number.
 template <scalar T>
 struct complex_number {
-    T re;
+    T re = T(0);
     T im = T(0);
 
     friend complex_number operator+(const complex_number& a, const complex_number& b) {
@@ -21,7 +21,11 @@ struct complex_number {
     friend complex_number operator*(const complex_number& a, const complex_number& b) {
         return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
     }
+    friend complex_number operator-(const complex_number& a) { return {T(-a.re), T(-a.im)}; }
     friend complex_number operator*(const complex_number& a, const T& factor) { return {a.re * factor, a.im * factor}; }
+    friend complex_number operator/(const complex_number& a, const T& divisor) {
+        return {a.re / divisor, a.im / divisor};
+    }
     /// By the squared modulus of b, which must be in range and not 0.
     friend complex_number operator/(const complex_number& a, const complex_number& b) {
         const T square = b.re * b.re + b.im * b.im;
