@@ -1,0 +1,93 @@
+// Everything that a list of coefficients says of its radius of convergence: pattern, growth, all tests, and a verdict.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/convergence/coefficient_growth.hpp"
+#include "libration/convergence/coefficient_pattern.hpp"
+#include "libration/convergence/differential_approximants.hpp"
+#include "libration/convergence/pole_test.hpp"
+#include "libration/convergence/radius_verdict.hpp"
+
+namespace libration {
+
+/// A test by name.
+template <rounding_scalar T>
+struct radius_test {
+    std::string method;
+    radius_estimate<T> (*run)(const strided_series<T>&);
+    bool as_given = false;  ///< on all coefficients, zeros included, and not on the class that symmetry leaves
+};
+
+/// All tests, the simplest first.
+template <rounding_scalar T>
+std::vector<radius_test<T>> all_radius_tests() {
+    return {{"pole", pole_test<T>},
+            {"pole-of-derivative", pole_test_of_derivative<T>},
+            {"differential-approximant", differential_approximants<T>},
+            {"differential-approximant-2", second_order_approximants<T>}};
+}
+
+/// What a list of coefficients says.
+template <rounding_scalar T>
+struct radius_report {
+    coefficient_pattern pattern;
+    coefficient_growth<T> growth;
+    radius_estimate<T> verdict;
+    std::vector<radius_estimate<T>> tests;  ///< in the order of all_radius_tests()
+};
+
+/// The reason why no test can give a radius, whatever it is; empty where there is none.
+template <rounding_scalar T>
+std::string reason_for_no_radius(const coefficient_pattern& pattern, const coefficient_growth<T>& growth) {
+    const std::string so_far = "no finite radius seen up to N = " + std::to_string(pattern.order) + ": ";
+    if (pattern.last < 0 || pattern.polynomial) {
+        return so_far + pattern.text();
+    }
+    if (growth.kind == growth::entire) {
+        return so_far + "the coefficients fall faster than any power R^-n";
+    }
+    if (growth.kind == growth::divergent) {
+        return "no positive radius seen up to N = " + std::to_string(pattern.order) +
+               ": the coefficients grow faster than any power R^-n";
+    }
+    return "";
+}
+
+/// All tests on a_0 .. a_N, known to `noise` of their size and scaled so that the radius is about 1: coefficients
+/// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the tests.
+template <rounding_scalar T>
+radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
+    radius_report<T> report;
+    report.pattern = pattern_of(a, noise);
+    const bool regular = report.pattern.last >= 0 && !report.pattern.polynomial;
+    const strided_series<T> all(a, 0, 1);
+    const strided_series<T> part = regular ? regular_part(a, report.pattern) : all;
+    if (regular && !report.pattern.lacunary) {
+        report.growth = growth_of(part);
+    }
+    const std::string reason = reason_for_no_radius(report.pattern, report.growth);
+    for (const auto& test : all_radius_tests<T>()) {
+        report.tests.push_back(reason.empty() ? test.run(test.as_given ? all : part)
+                                              : no_estimate<T>(test.method, reason));
+    }
+    report.verdict = reason.empty() ? verdict_of(report.tests, report.pattern) : no_estimate<T>("verdict", reason);
+    return report;
+}
+
+/// An answer for a_n u^n as one for a_n: lengths times u.
+template <rounding_scalar T>
+radius_estimate<T> in_unit(radius_estimate<T> estimate, const T& unit) {
+    if (estimate.radius) {
+        *estimate.radius *= unit;
+        estimate.uncertainty *= unit;
+    }
+    if (estimate.position) {
+        *estimate.position = *estimate.position * unit;
+    }
+    return estimate;
+}
+
+}  // namespace libration

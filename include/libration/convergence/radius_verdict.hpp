@@ -1,0 +1,86 @@
+// The answer that a careful reader would draw from all radius tests, and why.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "libration/convergence/coefficient_pattern.hpp"
+#include "libration/scalar/decimal.hpp"
+
+namespace libration {
+
+/// Whether a test may decide: those whose uncertainty follows the error also where their assumption is wrong.
+inline bool may_decide(std::string_view method) {
+    constexpr std::array<std::string_view, 4> trusted{"pole", "pole-of-derivative", "differential-approximant",
+                                                      "differential-approximant-2"};
+    return std::find(trusted.begin(), trusted.end(), method) != trusted.end();
+}
+
+/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with the
+/// smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
+template <rounding_scalar T>
+std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
+    using std::abs;
+    constexpr int largest_denominator = 6;
+    if (!estimate.exponent || estimate.exponent_uncertainty * (4 * largest_denominator * largest_denominator) > 1) {
+        return std::nullopt;
+    }
+    for (int q = 1; q <= largest_denominator; ++q) {
+        const integer p = nearest_integer(widen(T(*estimate.exponent * q)));
+        const rational nearest(p, q);
+        if (abs(T(*estimate.exponent - from_rational<T>(nearest))) <= estimate.exponent_uncertainty) {
+            return nearest;
+        }
+    }
+    return std::nullopt;
+}
+
+/// pole for a negative integer, logarithm for 0 and other integers, algebraic otherwise.
+template <rounding_scalar T>
+singularity_kind kind_of(const radius_estimate<T>& estimate) {
+    if (!estimate.exponent) {
+        return singularity_kind::unknown;
+    }
+    const auto simple = simple_exponent(estimate);
+    if (!simple || boost::multiprecision::denominator(*simple) != 1) {
+        return estimate.exponent_uncertainty * 8 > 1 ? singularity_kind::unknown : singularity_kind::algebraic;
+    }
+    return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
+}
+
+/// The most certain answer of the tests that may decide, confirmed by the most certain one of another test: where the two
+/// differ by more than they allow, the difference is the uncertainty. A lacunary series has the circle as its boundary.
+template <rounding_scalar T>
+radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, const coefficient_pattern& pattern) {
+    using std::abs;
+    std::vector<const radius_estimate<T>*> answers;
+    for (const auto& each : tests) {
+        if (each.radius && may_decide(each.method)) {
+            answers.push_back(&each);
+        }
+    }
+    if (answers.empty()) {
+        return no_estimate<T>("verdict", "no test that may decide gives a radius: " + pattern.text());
+    }
+    std::sort(answers.begin(), answers.end(),
+              [](const auto* a, const auto* b) { return a->uncertainty * *b->radius < b->uncertainty * *a->radius; });
+    radius_estimate<T> verdict = *answers.front();
+    verdict.method = "verdict";
+    verdict.note = "by " + answers.front()->method;
+    if (answers.size() > 1) {
+        const auto& second = *answers[1];
+        const T apart = abs(*verdict.radius - *second.radius);
+        const bool confirmed = apart <= verdict.uncertainty + second.uncertainty;
+        verdict.uncertainty = confirmed ? verdict.uncertainty : apart;
+        verdict.note += (confirmed ? ", confirmed by " : ", contradicted by ") + second.method;
+    }
+    verdict.kind = kind_of(verdict);
+    return verdict;
+}
+
+}  // namespace libration
