@@ -51,26 +51,45 @@ inline std::optional<complex_number<mpfr>> polished(const power_series<mpfr>& p,
     return std::nullopt;
 }
 
-/// Roots with im >= 0 by growing modulus, to some 25 digits: starts for Newton. None where they did not settle.
-inline std::vector<complex_number<mpfr>> starting_roots(const power_series<mpfr>& p) {
-    const precision_scope scope(40);
-    auto rounded = power_series<mpfr>::zero(p.order());
+/// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not tell
+/// every root to a thousandth of its size, or a conjugate pair from two real ones.
+template <rounding_scalar S>
+std::optional<std::vector<complex_number<mpfr>>> roots_in(const power_series<mpfr>& p) {
+    auto rounded = power_series<S>::zero(p.order());
     for (int j = 0; j <= p.order(); ++j) {
-        rounded[j] = narrow<mpfr>(p[j]);
+        rounded[j] = narrow<S>(p[j]);
+    }
+    if (rounded[rounded.order()] == 0) {
+        return std::nullopt;
     }
     std::vector<complex_number<mpfr>> upper;
-    if (rounded[rounded.order()] == 0) {
-        return upper;
-    }
-    const polynomial_roots<mpfr> roots = roots_of(rounded);
-    for (const auto& root : roots.all) {
+    std::size_t seen = 0;
+    for (const auto& root : roots_of(rounded).all) {
+        using std::abs;
+        if (root.error_bound * 1000 > modulus_of(root.at)) {
+            return std::nullopt;
+        }
         const bool real = abs(root.at.im) <= root.error_bound;
         if (real || root.at.im > 0) {
-            upper.push_back({root.at.re, real ? mpfr(0) : root.at.im});
+            upper.push_back({widen(root.at.re), real ? mpfr(0) : widen(root.at.im)});
+            seen += real ? 1 : 2;
         }
+    }
+    if (seen != static_cast<std::size_t>(p.order())) {
+        return std::nullopt;
     }
     std::sort(upper.begin(), upper.end(), [](const auto& a, const auto& b) { return modulus_of(a) < modulus_of(b); });
     return upper;
+}
+
+/// The same in long double, or in 40 digits where that does not do; none where these do not do either.
+inline std::vector<complex_number<mpfr>> starting_roots(const power_series<mpfr>& p) {
+    auto found = roots_in<long double>(p);
+    if (!found) {
+        const precision_scope scope(40);
+        found = roots_in<mpfr>(p);
+    }
+    return found ? *std::move(found) : std::vector<complex_number<mpfr>>{};
 }
 
 /// nu at a root w of Q_d: d - 1 - Q_{d-1}/(stride w Q_d'); d - 1 for a recurrence with one power of n.
@@ -157,7 +176,7 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
 }  // namespace fitting
 
 /// The nearest singularities by the degree whose root is the most certain, among those whose system has at most 64 unknowns,
-/// as far as the coefficients go; degrees grow more and more thinly, and growing ends where five in turn do not help.
+/// as far as the coefficients go; degrees grow more and more thinly, and growing ends where five in turn do not halve it.
 /// Nothing where no degree gives a root that can be followed. Works in the precision of the caller, which should have
 /// twice the digits of the coefficients; `fine` is the relative uncertainty that these allow at best.
 inline std::optional<fitted_singularities> nearest_singularities(const fitting::wide_series& series,
@@ -178,8 +197,8 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
         auto now = fitting::singularities_of_degree(series, form, degree);
         ++without_gain;
         if (now && (!best || relative(*now) < relative(*best))) {
+            without_gain = best && relative(*now) * 2 > relative(*best) ? without_gain : 0;
             best = std::move(now);
-            without_gain = 0;
         }
         if (best && relative(*best) <= fine) {
             break;
