@@ -3,30 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "scalars.hpp"
+#include "singular_series.hpp"
 
 using namespace libration;
 using namespace libration::tests;
-
-namespace {
-
-// -log(1 - 2 x cos(phi)/R + x^2/R^2) = sum 2 cos(n phi)/(n R^n) x^n, with R = 5/4 and cos phi = 3/5.
-template <class T>
-power_series<T> logarithms_of_a_pair(int order) {
-    auto a = power_series<T>::zero(order);
-    T cosine(1);
-    T next = T(3) / 5;
-    T power(1);
-    for (int n = 1; n <= order; ++n) {
-        power *= T(4) / 5;
-        a[n] = next * power * 2 / n;
-        const T after = next * 6 / 5 - cosine;
-        cosine = next;
-        next = after;
-    }
-    return a;
-}
-
-}  // namespace
 
 TEMPLATE_LIST_TEST_CASE("four coefficients give the radius of a pair of logarithms", "[convergence]", all_scalars) {
     using T = typename TestType::type;

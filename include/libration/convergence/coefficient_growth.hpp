@@ -56,7 +56,7 @@ std::vector<T> fit_sizes(const std::vector<size_point<T>>& points, const T& last
 
 }  // namespace fitting
 
-/// The growth of the coefficients. gamma counts from 1/8 + 4/K on. O(K).
+/// The growth of the coefficients. gamma counts from 1/8 + 8/K on, since k^(-nu-1) leaves about 1.6 (nu + 1)/K. O(K).
 template <rounding_scalar T>
 coefficient_growth<T> growth_of(const strided_series<T>& c) {
     using std::abs;
@@ -82,7 +82,7 @@ coefficient_growth<T> growth_of(const strided_series<T>& c) {
     }
     // beta x + gamma' x log x with x = k/K: gamma = gamma'/K.
     const T gamma = fitting::fit_sizes(upper.size() < fewest / 2 ? points : upper, last)[2] / last;
-    const T least = T(1) / 8 + T(4) / last;
+    const T least = T(1) / 8 + T(8) / last;
     const growth kind = gamma < -least ? growth::entire : gamma > least ? growth::divergent : growth::geometric;
     return {kind, gamma};
 }

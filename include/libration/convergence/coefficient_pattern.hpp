@@ -90,8 +90,11 @@ coefficient_pattern pattern_of(const power_series<T>& a, const T& noise) {
     for (const int n : late) {
         stride = std::gcd(stride, n - late.front());
     }
-    // A class is seen only where it holds three coefficients at least, and none is missing at the end.
-    const bool seen = late.size() >= 3 && (stride == 1 || found.last + stride > a.order());
+    // A class is seen only where it holds three coefficients at least, none is missing at the end, and of a few none at all.
+    constexpr std::size_t few = 6;
+    const int span = stride * static_cast<int>(late.size() - 1);
+    const bool complete = late.size() >= few || late.back() - late.front() == span;
+    const bool seen = late.size() >= 3 && complete && (stride == 1 || found.last + stride > a.order());
     found.stride = seen ? stride : 1;
     found.first = late.front() % found.stride;
     int in_second_half = 0;

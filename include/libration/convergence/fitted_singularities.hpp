@@ -236,10 +236,12 @@ radius_estimate<T> estimate_by_recurrence(const std::string& method, const strid
     result.uncertainty = in_scalar(first.moved) * safety + *result.radius * rounding * safety;
     result.exponent = in_scalar(first.exponent);
     result.exponent_uncertainty = in_scalar(first.exponent_moved) * safety;
+    const mpfr certain = first.moved + radius * widen(rounding);
     for (const fitted_singularity& each : found->nearest) {
-        const bool on_circle = abs(modulus_of(each.at) - radius) <=
-                               (each.moved + first.moved) * safety + widen(rounding) * radius * safety;
-        result.count += on_circle ? (each.at.im == 0 ? 1 : 2) : 0;
+        // Roots that mean nothing lie near the circle too, but they do not stay: half of the digits are asked for.
+        const bool stays = each.moved * each.moved <= certain * radius;
+        const bool on_circle = abs(modulus_of(each.at) - radius) <= (each.moved + certain) * safety;
+        result.count += stays && on_circle ? (each.at.im == 0 ? 1 : 2) : 0;
     }
     result.note = "denominator of degree " + std::to_string(found->degree);
     return in_variable(std::move(result), c.stride());
