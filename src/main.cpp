@@ -54,10 +54,10 @@ int main(int argc, char** argv) {
     program.set_help_all_flag("--help-all", "the options of all subcommands");
     const std::vector<libration::subcommand> commands{
         libration::period_command(program),     libration::coefficients_command(program),
-        libration::trajectory_command(program), libration::study_command(program),
-        libration::studies_command(program),    libration::figure_command(program),
-        libration::claims_command(program),     libration::reproduce_command(program),
-        libration::cite_command(program)};
+        libration::trajectory_command(program), libration::radius_command(program),
+        libration::study_command(program),      libration::studies_command(program),
+        libration::figure_command(program),     libration::claims_command(program),
+        libration::reproduce_command(program),  libration::cite_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

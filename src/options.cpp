@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "libration/pendulum/energy.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -161,6 +163,20 @@ chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
                           "use --scalar mpfr:DIGITS");
     }
     return chosen;
+}
+
+std::optional<std::string> motion_options::first_given() const {
+    using named = std::pair<const char*, const std::optional<std::string>*>;
+    const std::array<named, 7> all{named{"--energy", &energy_},       named{"--gap", &gap_},
+                                   named{"--theta0", &theta0_},       named{"--omega0", &omega0_},
+                                   named{"--direction", &direction_}, named{"--length", &length_},
+                                   named{"--gravity", &gravity_}};
+    for (const auto& [name, value] : all) {
+        if (*value) {
+            return fmt::format("{} '{}'", name, **value);
+        }
+    }
+    return std::nullopt;
 }
 
 void arithmetic_options::add_to(CLI::App& command) {

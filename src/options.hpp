@@ -28,6 +28,8 @@ public:
     void add_to(CLI::App& command);
     /// Throws input_error, also where the scalar cannot hold E or 2 - E.
     chosen_motion choose_for(const scalar_spec& scalar) const;
+    /// The first option that was given, as "--energy '1.71'"; nothing where none was.
+    std::optional<std::string> first_given() const;
 
 private:
     chosen_motion choose() const;

@@ -15,6 +15,7 @@ struct subcommand {
 subcommand period_command(CLI::App& program);
 subcommand coefficients_command(CLI::App& program);
 subcommand trajectory_command(CLI::App& program);
+subcommand radius_command(CLI::App& program);
 subcommand study_command(CLI::App& program);
 subcommand studies_command(CLI::App& program);
 subcommand figure_command(CLI::App& program);

@@ -1,0 +1,73 @@
+#include "motion_series.hpp"
+
+#include "agreement.hpp"
+#include "libration/pendulum/coefficients.hpp"
+#include "sweep/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+// The scaled coefficients are rounded in T, and leave its range only here, in mpfr.
+template <class T>
+std::vector<mpfr> coefficients_in(const series_request& request) {
+    const exact_solution<T> solution(request.chosen.of);
+    const expansion<T> series = expand(solution, request.at, request.order);
+    const mpfr scale = widen(series.scale) * time_unit<mpfr>(request.chosen.of);
+    std::vector<mpfr> values;
+    values.reserve(static_cast<std::size_t>(request.order) + 1);
+    mpfr power(1);
+    for (int n = 0; n <= request.order; ++n) {
+        values.push_back(widen(series.scaled[n]) / power);
+        power *= scale;
+    }
+    return values;
+}
+
+}  // namespace
+
+expansion_point point_of(const std::optional<std::string>& at, const chosen_motion& chosen) {
+    const bool critical = at_critical_energy(chosen.of.regime());
+    const char* const remedy = "write top, bottom, start or a time such as 1.1 or T/8";
+    if (!at) {
+        return read_expansion_point(chosen.by_state ? "start" : critical ? "bottom" : "top");
+    }
+    expansion_point point = reading("--at", *at, remedy, [&] { return read_expansion_point(*at); });
+    if (critical && point.where == expansion_point::place::top) {
+        throw input_error("--at", *at, "is not a point of a motion with E = 2", "write bottom, start or a time");
+    }
+    if (critical && point.time.measure == unit::period) {
+        throw input_error("--at", *at, "is a multiple of an infinite period", "write a time without T");
+    }
+    return point;
+}
+
+std::vector<mpfr> coefficient_values(const series_request& request) {
+    const scalar_spec& scalar = request.scalar;
+    const auto compute = [&](long guard) {
+        return with_scalar(scalar, guard, [&]<class T>() {
+            const precision_scope scope(scalar.digits + guard + 20);
+            return coefficients_in<T>(request);
+        });
+    };
+    return scalar.kind == scalar_kind::arbitrary ? agreed_values(scalar.digits, compute) : compute(20);
+}
+
+std::optional<mpfr> exact_radius(const series_request& request, long digits) {
+    const motion& m = request.chosen.of;
+    const precision_scope outer(digits + 20);
+    if (!singularities<mpfr>(m)) {
+        return std::nullopt;
+    }
+    return agreed_values(
+               digits,
+               [&](long guard) {
+                   const precision_scope scope(digits + guard);
+                   const exact_solution<mpfr> solution(m);
+                   const auto lattice = singularities<mpfr>(m);
+                   return std::vector<mpfr>{lattice->radius(phase_of(request.at, solution)) * time_unit<mpfr>(m)};
+               })
+        .front();
+}
+
+}  // namespace libration
