@@ -1,0 +1,93 @@
+# domb_sykes: the plots in t and in the power of t that symmetry leaves, and what radius tests make of the same lists.
+# Columns: energy,point,power,n,inverse_n,ratio,scaled_ratio,log10_scaled_ratio,line,gap. domb_sykes_lists: energy,point,
+# power,first,ratios,undefined,zero,least,largest,limit,radius,pattern. domb_sykes_intercepts: energy,point,order,method,
+# radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,note.
+load scripts.'/style.gp'
+
+file = data.'/domb_sykes.csv'
+lists = data.'/domb_sykes_lists.csv'
+energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", lists))
+points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", lists))
+least(a, b) = a < b ? a : b
+shown = least(words(energies), 6)
+pick(j) = word(energies, shown == 1 ? 1 : 1 + int((j - 1) * (words(energies) - 1) / (shown - 1.0) + 0.5))
+shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
+down = least(words(points), 6)
+array mark[6] = [4, 6, 8, 2, 12, 10]
+edge = 2.85               # ratios beyond it are drawn there
+# The power that symmetry leaves at (e, p), and where theory has its intercept in t^power.
+power(e, p) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { last = $3 } END { print last }' '%s'", e, p, lists)) + 0
+limit(e, p, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $10 + 0 }' '%s'", e, p, k, lists)) + 0
+# "1/n,ratio" of a plot, clipped to the edge; behind them a point out of sight, for gnuplot warns of a file without points.
+ratios(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 != \"\" {y = $7 + 0; if ($8 !~ /inf/ && $8 + 0 > %g) y = $7 ~ /^-/ ? -%g : %g; print $5 \",\" y} END {print \"9,9\"}' '%s'", e, p, k, log10(edge), edge, edge, file)
+undefined(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" {print $5 \",\" -2.55} END {print \"9,9\"}' '%s'", e, p, k, file)
+# "in t^2 (E = 1: in t^4)"
+in_power(k) = k == 1 ? 'in t' : sprintf('in t^%d', k)
+apart(p) = system(sprintf("awk -F, 'NR > 1 && $2 == \"%s\" { of[$1] = $3 } END { for (e in of) ++seen[of[e]]; for (k in seen) if (seen[k] > most) { most = seen[k]; usual = k }; printf \"%%d\", usual; for (e in of) if (of[e] != usual) printf \" %%s %%d\", e, of[e] }' '%s'", p, lists))
+title_of(s) = in_power(word(s, 1) + 0).(words(s) > 2 ? '; E = '.shorter(word(s, 2)).': '.in_power(word(s, 3) + 0) : '')
+high = 400
+head = 40
+foot = 46
+all = head + high * down + foot + 0.0
+
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/domb_sykes', 1180, all)
+    set multiplot
+    set label 1 'Domb-Sykes plots: ratios of coefficients times the exact R^p, in t^p' at screen 0.5, 1 - 20 / all center font ',16'
+    set xrange [0:0.26]
+    set yrange [-3:3]
+    set xlabel '1/n'
+    set lmargin 8; set rmargin 2; set tmargin 2.2; set bmargin 3.4
+    do for [q=1:down] {
+        p = word(points, q)
+        scatters = 0
+        do for [side=1:2] {
+            set origin (side - 1) * 0.5, (foot + high * (down - q)) / all
+            set size 0.5, high / all
+            set title about(p).', '.(side == 1 ? 'in t' : title_of(apart(p)))
+            set ylabel side == 1 ? 'a_n/a_{n-1} · R' : 'a_n/a_{n-p} · R^p'
+            if (q == 1 && side == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
+            set arrow 1 from 0, 1 to 0.26, 1 nohead lc rgb '#bbbbbb' lw 0.8 back
+            set arrow 2 from 0, -1 to 0.26, -1 nohead lc rgb '#bbbbbb' lw 0.8 back
+            lines = ''
+            straight = 0
+            bad = 0
+            do for [j=1:shown] {
+                k = side == 1 ? 1 : power(pick(j), p)
+                s = limit(pick(j), p, k)
+                straight = straight + (s != 0)
+                bad = bad + system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $6 }' '%s'", pick(j), p, k, lists))
+                lines = lines.(s ? sprintf("[0:0.26] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", s, k) : '')
+                if (s) { set label 10 + j '' at 0, s point pt 13 ps 1.8 lc rgb '#D55E00' front }
+            }
+            if (straight) { set label 2 'exact: '.(straight == shown ? '' : 'where straight, ').'±1/R^p, with the slope of a logarithm' at graph 0.98, 0.06 right textcolor rgb '#555555' }
+            if (!straight && !bad) { set label 2 'a pair is nearest: no intercept' at graph 0.98, 0.06 right textcolor rgb '#555555' }
+            if (bad) { set label 2 'bottom row: divided by a coefficient 0' at graph 0.98, 0.125 right textcolor rgb '#555555' }
+            if (!bad) { set label 3 'marks on the edge lie beyond it' at graph 0.98, 0.945 right textcolor rgb '#555555' }
+            eval 'plot '.lines.'for [j=1:shown] ratios(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:2 with points pt mark[j] ps 0.9 lw 1.3 lc rgb shade[j] title "E = ".shorter(pick(j)), for [j=1:shown] undefined(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:(column(2) - 0.09 * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb shade[j] notitle'
+            unset label 1; unset label 2; unset label 3
+            do for [j=1:shown] { unset label 10 + j }
+        }
+    }
+    unset multiplot
+    unset output
+}
+
+# What the tests make of the same lists, for the first two points.
+reset
+load scripts.'/style.gp'
+answers = data.'/domb_sykes_intercepts.csv'
+methods = 'ratio ratio-in-power domb-sykes mercer-roberts hunter-guerrieri verdict'
+last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
+first = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | head -n 1", answers)) + 0
+present = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
+errors(m, p, e) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $9 != \"\" {print $3 \",\" ($9 ~ /inf/ ? -99 : $9)} END {print \"\\n-9,9\"}' '%s'", e, p, m, answers)
+lowest = system(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", answers)) + 0
+array dash[6] = [3, 3, 2, 4, 5, 1]
+array face[6] = [1, 2, 6, 8, 4, 7]
+across = least(words(points), 2)
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/domb_sykes_intercepts', across > 1 ? 1180 : 700, 260 * shown * 1.0 / (shown > 3 ? 2 : 1) * (shown > 3 ? 1.15 : 1.15) + 90)
+    unset output
+}

@@ -1,0 +1,1 @@
+load scripts.'/style.gp'
