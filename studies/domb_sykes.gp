@@ -21,7 +21,7 @@ power(e, p) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { last = $3 
 limit(e, p, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $10 + 0 }' '%s'", e, p, k, lists)) + 0
 # "1/n,ratio" of a plot, clipped to the edge; behind them a point out of sight, for gnuplot warns of a file without points.
 ratios(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 != \"\" {y = $7 + 0; if ($8 !~ /inf/ && $8 + 0 > %g) y = $7 ~ /^-/ ? -%g : %g; print $5 \",\" y} END {print \"9,9\"}' '%s'", e, p, k, log10(edge), edge, edge, file)
-undefined(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" {print $5 \",\" -2.55} END {print \"9,9\"}' '%s'", e, p, k, file)
+undefined(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" {print $5 \",-2.55\"} END {print \"9,9\"}' '%s'", e, p, k, file)
 # "in t^2 (E = 1: in t^4)"
 in_power(k) = k == 1 ? 'in t' : sprintf('in t^%d', k)
 apart(p) = system(sprintf("awk -F, 'NR > 1 && $2 == \"%s\" { of[$1] = $3 } END { for (e in of) ++seen[of[e]]; for (k in seen) if (seen[k] > most) { most = seen[k]; usual = k }; printf \"%%d\", usual; for (e in of) if (of[e] != usual) printf \" %%s %%d\", e, of[e] }' '%s'", p, lists))
@@ -35,7 +35,7 @@ do for [kind in terminals] {
     eval use_terminal(kind, target.'/domb_sykes', 1180, all)
     set multiplot
     set label 1 'Domb-Sykes plots: ratios of coefficients times the exact R^p, in t^p' at screen 0.5, 1 - 20 / all center font ',16'
-    set xrange [0:0.26]
+    set xrange [0:0.21]
     set yrange [-3:3]
     set xlabel '1/n'
     set lmargin 8; set rmargin 2; set tmargin 2.2; set bmargin 3.4
@@ -48,8 +48,9 @@ do for [kind in terminals] {
             set title about(p).', '.(side == 1 ? 'in t' : title_of(apart(p)))
             set ylabel side == 1 ? 'a_n/a_{n-1} · R' : 'a_n/a_{n-p} · R^p'
             if (q == 1 && side == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
-            set arrow 1 from 0, 1 to 0.26, 1 nohead lc rgb '#bbbbbb' lw 0.8 back
-            set arrow 2 from 0, -1 to 0.26, -1 nohead lc rgb '#bbbbbb' lw 0.8 back
+            set yrange [-3:3]
+            set arrow 1 from 0, 1 to 0.21, 1 nohead lc rgb '#bbbbbb' lw 0.8 back
+            set arrow 2 from 0, -1 to 0.21, -1 nohead lc rgb '#bbbbbb' lw 0.8 back
             lines = ''
             straight = 0
             bad = 0
@@ -58,13 +59,13 @@ do for [kind in terminals] {
                 s = limit(pick(j), p, k)
                 straight = straight + (s != 0)
                 bad = bad + system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $6 }' '%s'", pick(j), p, k, lists))
-                lines = lines.(s ? sprintf("[0:0.26] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", s, k) : '')
+                lines = lines.(s ? sprintf("[0:0.21] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", s, k) : '')
                 if (s) { set label 10 + j '' at 0, s point pt 13 ps 1.8 lc rgb '#D55E00' front }
             }
-            if (straight) { set label 2 'exact: '.(straight == shown ? '' : 'where straight, ').'±1/R^p, with the slope of a logarithm' at graph 0.98, 0.06 right textcolor rgb '#555555' }
-            if (!straight && !bad) { set label 2 'a pair is nearest: no intercept' at graph 0.98, 0.06 right textcolor rgb '#555555' }
-            if (bad) { set label 2 'bottom row: divided by a coefficient 0' at graph 0.98, 0.125 right textcolor rgb '#555555' }
-            if (!bad) { set label 3 'marks on the edge lie beyond it' at graph 0.98, 0.945 right textcolor rgb '#555555' }
+            if (straight == shown && !bad) { set yrange [-1.25:0.25]; unset arrow 1 }
+            if (straight) { set label 2 'exact: ±1/R^p, and the slope of a logarithm' at graph 0.98, 0.94 right textcolor rgb '#555555' }
+            if (straight < shown && !bad) { set label 3 (straight ? 'elsewhere ' : '').'a pair is nearest: no intercept' at graph 0.98, 0.865 right textcolor rgb '#555555' }
+            if (bad) { set label 3 'bottom rows: not defined, divided by 0' at graph 0.98, 0.23 right textcolor rgb '#555555' }
             eval 'plot '.lines.'for [j=1:shown] ratios(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:2 with points pt mark[j] ps 0.9 lw 1.3 lc rgb shade[j] title "E = ".shorter(pick(j)), for [j=1:shown] undefined(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:(column(2) - 0.09 * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb shade[j] notitle'
             unset label 1; unset label 2; unset label 3
             do for [j=1:shown] { unset label 10 + j }
@@ -74,20 +75,44 @@ do for [kind in terminals] {
     unset output
 }
 
-# What the tests make of the same lists, for the first two points.
+# What the tests make of the same lists: a row for each point, a column for each method.
 reset
 load scripts.'/style.gp'
 answers = data.'/domb_sykes_intercepts.csv'
-methods = 'ratio ratio-in-power domb-sykes mercer-roberts hunter-guerrieri verdict'
-last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
-first = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | head -n 1", answers)) + 0
 present = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
-errors(m, p, e) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $9 != \"\" {print $3 \",\" ($9 ~ /inf/ ? -99 : $9)} END {print \"\\n-9,9\"}' '%s'", e, p, m, answers)
+methods = system(sprintf("for m in ratio-in-power domb-sykes mercer-roberts verdict; do cut -d, -f4 '%s' | grep -qx $m && echo $m || true; done", answers))
+says(m) = m eq 'verdict' ? 'verdict of all tests' : m
+last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
+# "order,log10 error" of a method, 0 drawn at the floor; behind them a point out of sight.
 lowest = system(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", answers)) + 0
-array dash[6] = [3, 3, 2, 4, 5, 1]
-array face[6] = [1, 2, 6, 8, 4, 7]
-across = least(words(points), 2)
+errors(m, p, e) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $9 != \"\" {print $3 \",\" ($9 ~ /inf/ ? %g : $9)} END {print \"\\n-9,9\"}' '%s'", e, p, m, lowest, answers)
+given(m, p) = system(sprintf("awk -F, '$2 == \"%s\" && $4 == \"%s\" && $9 != \"\" { ++n } END { print n + 0 }' '%s'", p, m, answers)) + 0
+across = words(methods)
+high = 300
+all = head + high * down + foot + 0.0
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/domb_sykes_intercepts', across > 1 ? 1180 : 700, 260 * shown * 1.0 / (shown > 3 ? 2 : 1) * (shown > 3 ? 1.15 : 1.15) + 90)
+    eval use_terminal(kind, target.'/domb_sykes_intercepts', across < 3 ? 420 * across + 340 : 330 * across, all)
+    set multiplot
+    set label 1 'Relative error of R by the tests, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
+    set xrange [0:last * 1.04]
+    set yrange [lowest:2]
+    set xlabel 'order N'
+    set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
+    do for [q=1:down] {
+        p = word(points, q)
+        do for [i=1:across] {
+            m = word(methods, i)
+            set origin (i - 1.0) / across, (foot + high * (down - q)) / all
+            set size 1.0 / across, high / all
+            set title about(p).': '.says(m) noenhanced
+            if (i == 1) { set ylabel 'log_{10} |R estimated/R - 1|' } else { unset ylabel }
+            if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
+            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb '#555555' }
+            plot for [j=1:shown] errors(m, p, pick(j)) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.shorter(pick(j))
+            unset label 1
+            unset label 2
+        }
+    }
+    unset multiplot
     unset output
 }

@@ -1,1 +1,104 @@
+# root_test: error of |a_n|^(-1/n) and of |n a_n|^(-1/n) over n, and what the tests by size answer.
+# Columns: energy,point,n,root,corrected,exact,root_error,corrected_error,log10_root_error,log10_corrected_error,amplitude,
+# gap. root_test_estimates: energy,point,order,method,radius,uncertainty,exact,relative_error,log10_relative_error,
+# log10_relative_uncertainty,note.
 load scripts.'/style.gp'
+
+file = data.'/root_test.csv'
+energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
+least(a, b) = a < b ? a : b
+some(list, most, j) = words(list) <= most ? word(list, j) : word(list, 1 + int((j - 1) * (words(list) - 1) / (most - 1.0) + 0.5))
+shown = least(words(energies), 6)
+across = least(words(points), 4)
+pick(j) = some(energies, 6, j)
+place(i) = some(points, 4, i)
+shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
+last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
+amplitude(p) = system(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
+# "n,log10 error"; behind them a point out of sight, for gnuplot warns of a file without points.
+errors(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $%d !~ /inf/ {print $3 \",\" $%d} END {print \"1e-9,9\"}' '%s'", e, p, k, k, file)
+log10_of(x) = x == 0 ? NaN : log10(abs(x))
+array mark[6] = [4, 6, 8, 2, 12, 10]
+high = 350
+head = 40
+foot = 46
+all = head + high * 2 + foot + 0.0
+
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/root_test', across < 2 ? 760 : 560 * across, all)
+    set multiplot
+    set label 1 (across < 2 ? 'The root test against n' : 'The root test, plain and corrected, against the exact radius') at screen 0.5, 1 - 20 / all center font ',16'
+    set logscale x
+    set xrange [2:last * 1.15]
+    set samples 600
+    set xlabel 'n'
+    set lmargin 9; set rmargin 2; set tmargin 2.2; set bmargin 3.4
+    do for [row=0:1] {
+        do for [i=1:across] {
+            p = place(i)
+            a = amplitude(p)
+            set origin (i - 1.0) / across, (foot + high * (1 - row)) / all
+            set size 1.0 / across, high / all
+            set title about(p).(row == 0 ? ': |a_n|^{-1/n}' : ': |n a_n|^{-1/n}')
+            set yrange [row == 0 ? -4 : -5 : row == 0 ? 0.5 : 0.5]
+            if (i == 1) { set ylabel 'log_{10} |relative error|' } else { unset ylabel }
+            if (row == 0 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
+            set label 2 row == 0 ? 'grey: ln(n)/n' : sprintf('grey: ln(A)/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb '#555555'
+            set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} - 1, A = %d', a) : 'dotted: 1 - A^{-1/n}' at graph 0.98, 0.865 right textcolor rgb '#555555'
+            plot [2:last * 1.15] log10_of(row == 0 ? log(x) / x : log(a) / x) with lines lw 5 lc rgb '#dddddd' notitle, \
+                 log10_of(row == 0 ? (x / a)**(1 / x) - 1 : 1 - a**(-1 / x)) with lines lw 1.2 dt 3 lc rgb '#555555' notitle, \
+                 for [j=1:shown] errors(pick(j), p, 9 + row) using 1:2 with points pt mark[j] ps 0.7 lw 1.2 lc rgb shade[j] title 'E = '.shorter(pick(j))
+            unset label 1; unset label 2; unset label 3
+        }
+    }
+    unset multiplot
+    unset output
+}
+
+# What the tests by size answer: a row for each point, a column for each method; lines are errors, thin ones uncertainties.
+reset
+load scripts.'/style.gp'
+answers = data.'/root_test_estimates.csv'
+methods = system(sprintf("for m in root root-corrected top-line verdict; do cut -d, -f4 '%s' | grep -qx $m && echo $m || true; done", answers))
+says(m) = m eq 'verdict' ? 'verdict of all tests' : m
+newest = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
+# Column k over the order, 0 drawn at the floor.
+floor_of(which) = system(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
+of_verdict = floor_of('$4 == "verdict"')
+of_sizes = floor_of('$4 != "verdict"')
+answer(m, p, e, k, low) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $%d != \"\" {print $3 \",\" ($%d ~ /inf/ ? %g : $%d)} END {print \"\\n-9,9\"}' '%s'", e, p, m, k, k, low, k, answers)
+given(m, p) = system(sprintf("awk -F, '$2 == \"%s\" && $4 == \"%s\" && $9 != \"\" { ++n } END { print n + 0 }' '%s'", p, m, answers)) + 0
+columns = words(methods)
+down = across
+high = 300
+all = head + high * down + foot + 0.0
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/root_test_estimates', columns < 3 ? 420 * columns + 340 : 330 * columns, all)
+    set multiplot
+    set label 1 'Relative error (marks) and uncertainty (thin lines) of R, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
+    set xrange [0:newest * 1.04]
+    set xlabel 'order N'
+    set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
+    do for [q=1:down] {
+        p = place(q)
+        do for [i=1:columns] {
+            m = word(methods, i)
+            low = m eq 'verdict' ? of_verdict : of_sizes
+            set origin (i - 1.0) / columns, (foot + high * (down - q)) / all
+            set size 1.0 / columns, high / all
+            set yrange [low:m eq 'verdict' ? 2 : 1]
+            set title about(p).': '.says(m) noenhanced
+            if (i == 1) { set ylabel 'log_{10} relative to R' } else { unset ylabel }
+            if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
+            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb '#555555' }
+            plot for [j=1:shown] answer(m, p, pick(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb shade[j] notitle, \
+                 for [j=1:shown] answer(m, p, pick(j), 9, low) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.shorter(pick(j))
+            unset label 1
+            unset label 2
+        }
+    }
+    unset multiplot
+    unset output
+}
