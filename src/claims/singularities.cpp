@@ -445,7 +445,7 @@ claim ratio_test_estimates_radius() {
         "these "
         "hundred powers. Four coefficients together give R (librationROC); at the bottom, where two opposite ones are "
         "nearest, the ratio is right to 0.3%.",
-        "./run coefficients --energy 1.71 --order 40",
+        "./run radius --energy 1.71 --order 400",
         [] {
             const auto way = descent_of<mpfr>(of_energy("1.71"));
             const auto a = descent_series(way, 400, recurrence::sine_cosine);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "libration/convergence/pole_pair.hpp"
 #include "libration/pendulum/error_norm.hpp"
 #include "libration/pendulum/expansion.hpp"
 #include "paper/judged.hpp"
@@ -101,4 +102,18 @@ TEST_CASE("claim root_test: holds, within 1% at n = 400", "[paper][claims]") {
     const finding f = measured("root_test");
     CHECK(f.verdict == verdict::holds);
     CHECK(three_digits(f) == "1.01");
+}
+
+TEST_CASE("claim expansion_point_deduced: holds, radii from coefficients alone are largest at the top",
+          "[paper][claims]") {
+    const finding f = measured("expansion_point_deduced");
+    CHECK(f.verdict == verdict::holds);
+    CHECK(f.number < pow(mpfr(10), -10));
+    // The radii themselves, by another route: four coefficients at E = 4 about the bottom and the top.
+    const precision_scope precision(50);
+    const auto bottom = expand(exact_solution<mpfr>(with_energy("4")), read_expansion_point("bottom"), 101);
+    const auto top = expand(exact_solution<mpfr>(with_energy("4")), read_expansion_point("top"), 101);
+    CHECK(abs(single_pole_radius(bottom.scaled, 97, 2) - 1) < mpfr(1) / 1'000'000);
+    CHECK(abs(pole_pair_radius(top.scaled, 93, 2) - 1) < mpfr(1) / 1'000'000);
+    CHECK(bottom.scale < top.scale);
 }
