@@ -8,8 +8,16 @@
 #include "libration/convergence/coefficient_growth.hpp"
 #include "libration/convergence/coefficient_pattern.hpp"
 #include "libration/convergence/differential_approximants.hpp"
+#include "libration/convergence/domb_sykes.hpp"
+#include "libration/convergence/hunter_guerrieri.hpp"
+#include "libration/convergence/mercer_roberts.hpp"
 #include "libration/convergence/pole_test.hpp"
 #include "libration/convergence/radius_verdict.hpp"
+#include "libration/convergence/ratio_test.hpp"
+#include "libration/convergence/root_test.hpp"
+#include "libration/convergence/six_term_test.hpp"
+#include "libration/convergence/three_term_test.hpp"
+#include "libration/convergence/top_line_test.hpp"
 
 namespace libration {
 
@@ -24,7 +32,17 @@ struct radius_test {
 /// All tests, the simplest first.
 template <rounding_scalar T>
 std::vector<radius_test<T>> all_radius_tests() {
-    return {{"pole", pole_test<T>},
+    return {{"ratio", ratio_test<T>, true},
+            {"ratio-in-power", ratio_test_in_power<T>},
+            {"domb-sykes", domb_sykes<T>},
+            {"root", root_test<T>},
+            {"root-corrected", corrected_root_test<T>},
+            {"top-line", top_line_test<T>},
+            {"three-term", three_term_test<T>},
+            {"six-term", six_term_test<T>},
+            {"mercer-roberts", mercer_roberts<T>},
+            {"hunter-guerrieri", hunter_guerrieri<T>},
+            {"pole", pole_test<T>},
             {"pole-of-derivative", pole_test_of_derivative<T>},
             {"differential-approximant", differential_approximants<T>},
             {"differential-approximant-2", second_order_approximants<T>}};
