@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/series/exponential.hpp"
@@ -283,4 +284,34 @@ TEST_CASE("known series are scaled before they are rounded", "[convergence][know
     const auto factorials = known<double>("sum n! t^n").coefficients(300, 1 / 128.0);
     CHECK(factorials[300] > 0);
     CHECK(factorials[300] < std::numeric_limits<double>::infinity());
+}
+
+TEMPLATE_LIST_TEST_CASE("recurrences of special functions run in every scalar", "[convergence][known_series]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    constexpr int order = 30;
+    const std::vector<std::pair<std::string, power_series<T>>> all{
+        {"(1-t)^(1/3)", binomial_series(T(T(1) / 3), order)},
+        {"(1-t)^(1/3)(1+t)^(-1/2)", opposite_powers_series(T(T(1) / 3), T(T(-1) / 2), order)},
+        {"tan t", tangent_series<T>(order)},
+        {"sec t", secant_series<T>(order)},
+        {"t/(e^t-1)", bernoulli_series<T>(order)},
+        {"Catalan numbers", catalan_series<T>(order)},
+        {"Lambert W", lambert_series<T>(order)},
+        {"K(m)", parameter_series_of_k<T>(order)},
+        {"digamma(1+t)", digamma_series<T>(order)},
+        {"inverse Langevin", inverse_langevin_series<T>(order)},
+        {"Blasius", blasius_series<T>(order)},
+        {"J0(t)", bessel_series<T>(order)},
+        {"Ai(t)", airy_series<T>(order)},
+    };
+    // A few roundings a step, order steps; those of W are of powers n - 2.
+    for (const auto& [name, a] : all) {
+        CAPTURE(name);
+        const auto expected = known<T>(name).coefficients(order);
+        for (int n = 0; n <= order; ++n) {
+            CHECK_THAT(a[n], near<T>(expected[n], name == "Lambert W" ? order * order : 3 * order));
+        }
+    }
 }

@@ -9,9 +9,7 @@
 #include "libration/convergence/elementary_series.hpp"
 #include "libration/convergence/known_singularity.hpp"
 
-namespace libration {
-
-namespace tournament {
+namespace libration::tournament {
 
 /// A position on the real axis, as a fraction.
 inline std::function<complex_number<mpfr>()> real_point(const rational& at) {
@@ -139,6 +137,4 @@ std::vector<known_series<T>> generating_functions() {
     return all;
 }
 
-}  // namespace tournament
-
-}  // namespace libration
+}  // namespace libration::tournament
