@@ -6,18 +6,19 @@
 
 namespace libration {
 
-/// f''(0) and the radius of convergence, to 100 digits by tests/reference/blasius.py; neither has a closed form. The first
-/// 63 digits of f''(0) are those of OEIS A256522, 5.6900380545 is Boyd's radius [Boyd1999].
+/// f''(0) and the radius of convergence, to 100 digits by tests/reference/blasius.py; neither has a closed form. The
+/// first 63 digits of f''(0) are those of OEIS A256522, 5.6900380545 is Boyd's radius [Boyd1999].
 inline constexpr const char* blasius_curvature =
     "0.3320573362151962989371800620105829665470935614126798181004475640198724174018064405070490731855146369";
 inline constexpr const char* blasius_radius =
     "5.690038054522639997479095712414787877240800361151316761657276209931428433581121614660836232099035461";
 
-/// f = sum c_k t^(3k+2), c_0 = f''(0)/2, 2 (3k+2)(3k+1) 3k c_k = -sum_{i<k} (3i+2)(3i+1) c_i c_{k-1-i} [Blasius]; right to
-/// the digits of f''(0), 100. O(N^2).
+/// f = sum c_k t^(3k+2), c_0 = f''(0)/2, 2 (3k+2)(3k+1) 3k c_k = -sum_{i<k} (3i+2)(3i+1) c_i c_{k-1-i} [Blasius]; right
+/// to the digits of f''(0), 100. O(N^2).
 ///
-/// Nearest are three singularities, R e^(+-i pi/3) and -R. Near each f = 6/u + a u^(1+i sqrt 2) + b u^(1-i sqrt 2) + ...
-/// with the distance u: a simple pole with branch points upon it, as p^2 - 2p + 3 = 0 for a power u^p that disturbs it.
+/// Nearest are three singularities, R e^(+-i pi/3) and -R. Near each f = 6/u + a u^(1+i sqrt 2) + b u^(1-i sqrt 2) +
+/// ... with the distance u: a simple pole with branch points upon it, as p^2 - 2p + 3 = 0 for a power u^p that disturbs
+/// it.
 template <rounding_scalar T>
 power_series<T> blasius_series(int order) {
     auto a = power_series<T>::zero(order);

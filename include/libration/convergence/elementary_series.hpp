@@ -1,8 +1,8 @@
 // Coefficients of functions that have elementary ones, by recurrences: powers and logarithms of a linear or a quadratic
 // polynomial, tangent, secant, Bernoulli's numbers.
 //
-// All return a_0 .. a_N with an error that grows like n eps: known_series.hpp makes them in more digits and rounds once. O(N)
-// where nothing else is said.
+// All return a_0 .. a_N with an error that grows like n eps: known_series.hpp makes them in more digits and rounds
+// once. O(N) where nothing else is said.
 #pragma once
 
 #include <utility>
@@ -127,8 +127,8 @@ power_series<T> secant_series(int order) {
     return a;
 }
 
-/// t/(e^t - 1), a_n = B_n/n! [DLMF 24.2.1], by its even part u = (t/2) coth(t/2): t u' = u - u^2 + t^2/4, whose sums have
-/// terms of one sign, where a division by (e^t - 1)/t leaves roundings for zeros. O(N^2).
+/// t/(e^t - 1), a_n = B_n/n! [DLMF 24.2.1], by its even part u = (t/2) coth(t/2): t u' = u - u^2 + t^2/4, whose sums
+/// have terms of one sign, where a division by (e^t - 1)/t leaves roundings for zeros. O(N^2).
 template <rounding_scalar T>
 power_series<T> bernoulli_series(int order) {
     auto a = power_series<T>::zero(order);

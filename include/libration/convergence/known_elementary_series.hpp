@@ -1,4 +1,5 @@
-// Elementary functions with known singularities: poles, logarithms and branch points, alone, in pairs and near to each other.
+// Elementary functions with known singularities: poles, logarithms and branch points, alone, in pairs and near to each
+// other.
 #pragma once
 
 #include <algorithm>

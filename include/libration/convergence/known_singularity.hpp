@@ -12,14 +12,14 @@ namespace libration {
 
 /// The nearest singularities of a function, `count` of them at one distance.
 struct known_singularity {
-    std::function<complex_number<mpfr>()> position;  ///< of the one with the least argument >= 0, in working precision
+    std::function<complex_number<mpfr>()> position;  ///< of least argument >= 0, in working precision
     int count = 1;
     singularity_kind kind = singularity_kind::unknown;  ///< of that one
     std::optional<rational> exponent = std::nullopt;    ///< nu of (1 - x/x0)^nu there; 0 is a logarithm
 };
 
-/// A function by its coefficients at 0, and all that a radius test could find out about it, in T. Everything is computed in
-/// guard digits more than T has, and rounded once.
+/// A function by its coefficients at 0, and all that a radius test could find out about it, in T. Everything is
+/// computed in guard digits more than T has, and rounded once.
 template <rounding_scalar T>
 struct known_series {
     std::string name;                               ///< ASCII, no comma
@@ -32,8 +32,8 @@ struct known_series {
     singularity_kind kind = singularity_kind::unknown;  ///< of the singularity at `position`
     std::optional<rational> exponent = std::nullopt;    ///< nu there
 
-    /// a_n unit^n, n = 0 .. N, each within an eps of its size. Without a unit near the radius the coefficients leave the
-    /// range of double as R^-n does. The cost of `expand`, up to O(N^2).
+    /// a_n unit^n, n = 0 .. N, each within an eps of its size. Without a unit near the radius the coefficients leave
+    /// the range of double as R^-n does. The cost of `expand`, up to O(N^2).
     power_series<T> coefficients(int order, const T& unit = T(1)) const {
         constexpr long guard_bits = 100;
         const auto wide = [&] {

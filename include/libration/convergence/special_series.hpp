@@ -1,8 +1,8 @@
 // Coefficients of some special functions: Lambert's W, K(m), Airy's Ai, Bessel's J0, digamma, the inverse of Langevin's
 // function and Blasius' boundary layer.
 //
-// All return a_0 .. a_N with an error that grows like n eps, or like n^2 eps where a power enters: known_series.hpp makes
-// them in more digits and rounds once.
+// All return a_0 .. a_N with an error that grows like n eps, or like n^2 eps where a power enters: known_series.hpp
+// makes them in more digits and rounds once.
 #pragma once
 
 #include <string>
@@ -119,9 +119,10 @@ power_series<T> inverse_langevin_series(int order) {
     return a;
 }
 
-/// The singularity of that inverse in the first quadrant, one of four at the distance 0.9046436794574...: square root branch
-/// points, where the derivative 1/y^2 - 1/sinh^2 y of t is 0, first at sinh y = -y, y = 2.25 + 4.21 i [Rickaby2018]; there
-/// t = -(1 + cosh y)/y. By Newton's iteration, whose first eight bits double in each step. To some eps.
+/// The singularity of that inverse in the first quadrant, one of four at the distance 0.9046436794574...: square root
+/// branch points, where the derivative 1/y^2 - 1/sinh^2 y of t is 0, first at sinh y = -y, y = 2.25 + 4.21 i
+/// [Rickaby2018]; there t = -(1 + cosh y)/y. By Newton's iteration, whose first eight bits double in each step. To some
+/// eps.
 template <rounding_scalar T>
 complex_number<T> inverse_langevin_singularity() {
     using std::cos;
