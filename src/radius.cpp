@@ -148,24 +148,6 @@ judged_list list_of_motion(const radius_options& options, const arithmetic& numb
 }
 
 template <class T>
-radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
-    const auto wide = [](const std::optional<T>& x) { return x ? std::optional<mpfr>(widen(*x)) : std::nullopt; };
-    radius_estimate<mpfr> result;
-    result.method = estimate.method;
-    result.radius = wide(estimate.radius);
-    result.uncertainty = widen(estimate.uncertainty);
-    if (estimate.position) {
-        result.position = complex_number<mpfr>{widen(estimate.position->re), widen(estimate.position->im)};
-    }
-    result.exponent = wide(estimate.exponent);
-    result.exponent_uncertainty = widen(estimate.exponent_uncertainty);
-    result.kind = estimate.kind;
-    result.count = estimate.count;
-    result.note = estimate.note;
-    return result;
-}
-
-template <class T>
 radius_answers answers_in(const judged_list& list) {
     const coefficient_unit unit = unit_of(list.coefficients);
     const T noise = list.written.empty() ? epsilon<T>() : noise_of<T>(list.written);

@@ -58,21 +58,6 @@ struct judged_point {
     radius_estimate<mpfr> found;
 };
 
-template <rounding_scalar T>
-radius_estimate<mpfr> widened(const radius_estimate<T>& found) {
-    radius_estimate<mpfr> wide = no_estimate<mpfr>(found.method, found.note);
-    if (found.radius) {
-        wide.radius = widen(*found.radius);
-        wide.uncertainty = widen(found.uncertainty);
-    }
-    if (found.position) {
-        wide.position = complex_number<mpfr>{widen(found.position->re), widen(found.position->im)};
-    }
-    wide.kind = found.kind;
-    wide.count = found.count;
-    return wide;
-}
-
 // The verdicts about one point from each order.
 std::vector<judged_point> judged_about(const motion& m, const exact& point, const std::vector<int>& orders,
                                        const scalar_spec& scalar) {

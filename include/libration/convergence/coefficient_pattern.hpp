@@ -1,7 +1,7 @@
 // Which coefficients of a list are 0: what has to be known before any ratio is taken.
 //
 // Symmetries make every coefficient 0 outside of one class n = first mod stride (parity: stride 2). A series whose gaps
-// grow has a whole circle of singularities [Hadamard: gaps n_{k+1} >= q n_k, q > 1; Fabry: n_k/k -> infinity].
+// grow has a whole circle of singularities [Hadamard1892: gaps n_{k+1} >= q n_k, q > 1; Fabry1896: n_k/k -> infinity].
 #pragma once
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -82,11 +83,12 @@ inline mpfr slope_of_upper(const std::vector<binary_size>& points) {
 }  // namespace fitting
 
 /// The unit of a list: its length has twelve bits, so that it is an exact number in every scalar, and makes the slope of the
-/// second half 0; 1 where fewer than two coefficients are other than 0. The exponent makes the largest coefficient of that
-/// half about 1. No radius has to exist: the unit of an entire function grows with N, that of a divergent series falls. O(N).
+/// second half 0; 1 where fewer than two coefficients are other than 0. The exponent is 0 where the largest coefficient of that
+/// half is within 2^100 of 1, since a root test sees the factor; else it makes that coefficient about 1. No radius has to exist: the unit of an entire function grows with N, that of a divergent series falls. O(N).
 template <rounding_scalar T>
 coefficient_unit unit_of(const power_series<T>& a) {
     constexpr int bits = 12;
+    constexpr long far_off = 100;
     const precision_scope scope(40);
     auto points = fitting::binary_sizes(a, a.order() / 2);
     if (points.size() < 2) {
@@ -105,7 +107,8 @@ coefficient_unit unit_of(const power_series<T>& a) {
     for (const auto& p : points) {
         largest = std::max(largest, mpfr(p.log_size + p.n * slope));
     }
-    unit.exponent = mpfr_get_si(handle(largest), MPFR_RNDN);
+    const long exponent = mpfr_get_si(handle(largest), MPFR_RNDN);
+    unit.exponent = std::labs(exponent) > far_off ? exponent : 0;
     return unit;
 }
 

@@ -88,8 +88,8 @@ inline std::vector<int> fewer_coefficients(int count, int needed) {
 ///
 /// An error that falls like rho^K makes |x_0 - x_s| and |x_0 - x_2s| differ by rho^s. Then each of the last steps leaves
 /// |x_(j-1) - x_j| rho^j/(1 - rho), where rho is not taken for smaller than these steps themselves show: where they are
-/// rounding they do not shrink. Where the two hardly differ the error falls like a power of 1/K, or it is rounding
-/// alone: then 8 |x_0 - x_s|, for s = K/8 the error of a fall like 1/K.
+/// rounding they do not shrink. Where the two hardly differ the error falls like a power of 1/K and is 8 |x_0 - x_s|, for
+/// s = K/8 the error of a fall like 1/K; or it is rounding alone, as large in one step as in s of them.
 inline leftover left_after(const std::vector<complex_number<mpfr>>& x, int s) {
     const auto apart = [&](std::size_t i, std::size_t j) { return modulus_of(x[i] - x[j]); };
     const std::array<mpfr, 3> steps{apart(0, 1), apart(1, 2), apart(2, 3)};
@@ -97,7 +97,8 @@ inline leftover left_after(const std::vector<complex_number<mpfr>>& x, int s) {
     const mpfr middle = apart(0, 4);
     const mpfr far = apart(0, 5);
     if (far <= middle * 6) {
-        const mpfr slow = std::max(middle, largest) * 8;
+        const bool rounding = s > 3 && middle < largest * 2;
+        const mpfr slow = std::max({middle, largest, far}) * (rounding ? 2 : 8);
         return {slow, slow};
     }
     const mpfr second = std::max(std::min(steps[0], steps[1]), std::min(std::max(steps[0], steps[1]), steps[2]));

@@ -56,4 +56,23 @@ radius_estimate<T> too_short(std::string method, int needed, int given) {
                                                  std::to_string(given));
 }
 
+/// The same answer in the working precision in force, exactly.
+template <rounding_scalar T>
+radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
+    const auto wide = [](const std::optional<T>& x) { return x ? std::optional<mpfr>(widen(*x)) : std::nullopt; };
+    radius_estimate<mpfr> result;
+    result.method = estimate.method;
+    result.radius = wide(estimate.radius);
+    result.uncertainty = widen(estimate.uncertainty);
+    if (estimate.position) {
+        result.position = complex_number<mpfr>{widen(estimate.position->re), widen(estimate.position->im)};
+    }
+    result.exponent = wide(estimate.exponent);
+    result.exponent_uncertainty = widen(estimate.exponent_uncertainty);
+    result.kind = estimate.kind;
+    result.count = estimate.count;
+    result.note = estimate.note;
+    return result;
+}
+
 }  // namespace libration

@@ -57,21 +57,26 @@ struct radius_report {
     std::vector<radius_estimate<T>> tests;  ///< in the order of all_radius_tests()
 };
 
-/// The reason why no test can give a radius, whatever it is; empty where there is none.
-template <rounding_scalar T>
-std::string reason_for_no_radius(const coefficient_pattern& pattern, const coefficient_growth<T>& growth) {
-    const std::string so_far = "no finite radius seen up to N = " + std::to_string(pattern.order) + ": ";
+/// The reason why the growth of the coefficients leaves no radius; empty where it leaves one.
+inline std::string reason_for_no_radius(const coefficient_pattern& pattern, growth kind) {
+    const std::string so_far = " radius seen up to N = " + std::to_string(pattern.order) + ": ";
     if (pattern.last < 0 || pattern.polynomial) {
-        return so_far + pattern.text();
+        return "no finite" + so_far + pattern.text();
     }
-    if (growth.kind == growth::entire) {
-        return so_far + "the coefficients fall faster than any power R^-n";
+    if (kind == growth::entire) {
+        return "no finite" + so_far + "the coefficients fall faster than any power R^-n";
     }
-    if (growth.kind == growth::divergent) {
-        return "no positive radius seen up to N = " + std::to_string(pattern.order) +
-               ": the coefficients grow faster than any power R^-n";
+    if (kind == growth::divergent) {
+        return "no positive" + so_far + "the coefficients grow faster than any power R^-n";
     }
     return "";
+}
+
+/// Whether a verdict has six digits at least: then a radius is there, whatever the growth looks like. Coefficients of one
+/// singularity and a stronger one further out grow as if there were none.
+template <rounding_scalar T>
+bool is_certain(const radius_estimate<T>& verdict) {
+    return verdict.radius && verdict.uncertainty * 1'000'000 <= *verdict.radius;
 }
 
 /// All tests on a_0 .. a_N, known to `noise` of their size and scaled so that the radius is about 1: coefficients
@@ -80,18 +85,28 @@ template <rounding_scalar T>
 radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
     radius_report<T> report;
     report.pattern = pattern_of(a, noise);
+    const auto tests = all_radius_tests<T>();
+    report.tests.reserve(tests.size());
     const bool regular = report.pattern.last >= 0 && !report.pattern.polynomial;
-    const strided_series<T> all(a, 0, 1);
-    const strided_series<T> part = regular ? regular_part(a, report.pattern) : all;
-    if (regular && !report.pattern.lacunary) {
-        report.growth = growth_of(part);
+    if (regular) {
+        const strided_series<T> all(a, 0, 1);
+        const strided_series<T> part = regular_part(a, report.pattern);
+        if (!report.pattern.lacunary) {
+            report.growth = growth_of(part);
+        }
+        for (const auto& test : tests) {
+            report.tests.push_back(test.run(test.as_given ? all : part));
+        }
+        report.verdict = verdict_of(report.tests, report.pattern);
     }
-    const std::string reason = reason_for_no_radius(report.pattern, report.growth);
-    for (const auto& test : all_radius_tests<T>()) {
-        report.tests.push_back(reason.empty() ? test.run(test.as_given ? all : part)
-                                              : no_estimate<T>(test.method, reason));
+    const std::string reason = reason_for_no_radius(report.pattern, report.growth.kind);
+    if (!reason.empty() && !is_certain(report.verdict)) {
+        report.verdict = no_estimate<T>("verdict", reason);
+        report.tests.clear();
+        for (const auto& test : tests) {
+            report.tests.push_back(no_estimate<T>(test.method, reason));
+        }
     }
-    report.verdict = reason.empty() ? verdict_of(report.tests, report.pattern) : no_estimate<T>("verdict", reason);
     return report;
 }
 

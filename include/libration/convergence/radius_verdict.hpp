@@ -53,11 +53,30 @@ singularity_kind kind_of(const radius_estimate<T>& estimate) {
     return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
 }
 
-/// The most certain answer of the tests that may decide, confirmed by the most certain one of another test: where the two
-/// differ by more than they allow, the difference is the uncertainty. A lacunary series has the circle as its boundary.
+/// The root test's answer for a lacunary series, which has its whole circle of convergence as a boundary if its gaps go on
+/// growing [Hadamard1892].
+template <rounding_scalar T>
+radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests) {
+    for (const auto& each : tests) {
+        if (each.method == "root" && each.radius) {
+            radius_estimate<T> verdict = each;
+            verdict.method = "verdict";
+            verdict.kind = singularity_kind::boundary;
+            verdict.note = "by root: no other test is meant for growing gaps";
+            return verdict;
+        }
+    }
+    return no_estimate<T>("verdict", "a lacunary series, of which the root test gives no radius");
+}
+
+/// The most certain answer of the tests that may decide, confirmed by another one: where it differs from all of them by more
+/// than both allow, the least difference is the uncertainty.
 template <rounding_scalar T>
 radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, const coefficient_pattern& pattern) {
     using std::abs;
+    if (pattern.lacunary) {
+        return lacunary_verdict(tests);
+    }
     std::vector<const radius_estimate<T>*> answers;
     for (const auto& each : tests) {
         if (each.radius && may_decide(each.method)) {
@@ -72,12 +91,20 @@ radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, cons
     radius_estimate<T> verdict = *answers.front();
     verdict.method = "verdict";
     verdict.note = "by " + answers.front()->method;
-    if (answers.size() > 1) {
-        const auto& second = *answers[1];
-        const T apart = abs(*verdict.radius - *second.radius);
-        const bool confirmed = apart <= verdict.uncertainty + second.uncertainty;
-        verdict.uncertainty = confirmed ? verdict.uncertainty : apart;
-        verdict.note += (confirmed ? ", confirmed by " : ", contradicted by ") + second.method;
+    // Of the others, the one that leaves least doubt.
+    const radius_estimate<T>* witness = nullptr;
+    T doubt(0);
+    for (const auto* other : answers) {
+        const T apart = abs(*verdict.radius - *other->radius);
+        const T left = apart <= verdict.uncertainty + other->uncertainty ? verdict.uncertainty : apart;
+        if (other != answers.front() && (witness == nullptr || left < doubt)) {
+            witness = other;
+            doubt = left;
+        }
+    }
+    if (witness != nullptr) {
+        verdict.note += (doubt > verdict.uncertainty ? ", contradicted by " : ", confirmed by ") + witness->method;
+        verdict.uncertainty = doubt > verdict.uncertainty ? doubt : verdict.uncertainty;
     }
     verdict.kind = kind_of(verdict);
     return verdict;

@@ -1,0 +1,29 @@
+// The pendulum's own series as one whose radius is known: what radius tests are judged by.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "libration/convergence/known_singularity.hpp"
+#include "libration/pendulum/descent_cover.hpp"
+
+namespace libration {
+
+/// theta about the fraction x of T* after the top, in dimensionless time: logarithms at (1-x) T* + i K~' and its mirror
+/// images, four about the top (at E = 1 in one power of t) and two elsewhere; about the bottom they lie on the imaginary
+/// axis. Throws std::domain_error at E = 0 and 2.
+inline known_series<mpfr> known_descent_series(std::string name, const motion& m, const rational& x) {
+    const auto expand = [m, x](int order) {
+        const auto cover = cover_from<mpfr>(m, x);
+        const auto scaled = taylor_coefficients(start_at(exact_solution<mpfr>(m), cover.place), order, cover.radius);
+        return rescale(scaled, mpfr(1 / cover.radius));
+    };
+    const auto position = [m, x] {
+        const auto cover = cover_from<mpfr>(m, x);
+        return complex_number<mpfr>{mpfr(from_rational<mpfr>(rational(1 - x)) * cover.effective_period), cover.height};
+    };
+    const int count = x == 0 ? 4 : 2;
+    return singular_series<mpfr>(std::move(name), expand, {position, count, singularity_kind::logarithm, rational(0)});
+}
+
+}  // namespace libration
