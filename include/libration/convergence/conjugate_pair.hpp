@@ -27,7 +27,12 @@ struct pair_quadratic {
         const T larger = s < 0 ? T(s - sqrt(square)) : T(s + sqrt(square));
         return {T(2 / larger), T(0)};
     }
-    bool conjugate() const { return s * s < d * 4; }
+    /// Whether the roots are conjugate, at an angle that turns by half a circle at least within k powers of w: a pair at a
+    /// smaller angle looks like a single singularity.
+    bool conjugate(int k) const {
+        const T angle_from_axis = d * 4 - s * s;
+        return angle_from_axis * k * k > d * 36;
+    }
 
 private:
     static T abs_of(const T& x) {

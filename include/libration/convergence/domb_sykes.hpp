@@ -21,7 +21,7 @@ namespace libration {
 template <rounding_scalar T>
 radius_estimate<T> domb_sykes(const strided_series<T>& c) {
     using std::abs;
-    constexpr int safety = 2;
+    constexpr int safety = 1;
     const std::string method = "domb-sykes";
     if (c.last() + 1 < fitting::fewest_for_ratios) {
         return too_short<T>(method, fitting::fewest_for_ratios, c.last() + 1);
@@ -51,7 +51,7 @@ radius_estimate<T> domb_sykes(const strided_series<T>& c) {
     result.position = complex_number<T>{position, T(0)};
     result.count = 1;
     result.exponent = exponent.value;
-    result.exponent_uncertainty = exponent.uncertainty * safety;
+    result.exponent_uncertainty = exponent.uncertainty * safety + epsilon<T>() * (c.last() + 1) * (c.last() + 1);
     result.note = "intercept after removing 1/n to the power " + std::to_string(inverse.removed);
     return if_settled(in_variable(std::move(result), c.stride()));
 }

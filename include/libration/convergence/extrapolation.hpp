@@ -58,7 +58,7 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     }
     const int power = static_cast<int>(j) + 1;
     const T falls = T(s[last].n) / ((s[last].n - s[last - window].n) * power);
-    return {column[last], T(moved * (falls > 1 ? falls : T(1)) * 2), static_cast<int>(j)};
+    return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
 /// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0. In the variable u with u = -+1 at the
@@ -94,7 +94,7 @@ T fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::
 }  // namespace fitting
 
 /// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n grows from entry to entry; four entries at least,
-/// of size about 1 or scaled alike. The uncertainty was calibrated: on power laws in 1/n it is about twice the error.
+/// of size about 1 or scaled alike. On a power law in 1/n the uncertainty is about the error.
 /// O(N log N) for each column. Throws std::invalid_argument for fewer entries.
 template <rounding_scalar T>
 sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
@@ -149,8 +149,8 @@ sequence_limit<T> fitted_limit(const std::vector<sequence_entry<T>>& s) {
                 const T other = fitting::fitted_value(s, end / 2, end, degree);
                 moved = abs(other - value) > moved ? T(abs(other - value)) : moved;
             }
-            if (is_a_number(value) && (!best || moved * 4 < best->uncertainty)) {
-                best = sequence_limit<T>{value, T(moved * 4), static_cast<int>(degree)};
+            if (is_a_number(value) && (!best || moved * 2 < best->uncertainty)) {
+                best = sequence_limit<T>{value, T(moved * 2), static_cast<int>(degree)};
             }
         } catch (const std::domain_error&) {
             break;

@@ -136,11 +136,11 @@ hunter_guerrieri_sequences<T> hunter_guerrieri_sequences_of(const strided_series
 
 }  // namespace fitting
 
-/// By the extrapolated sequences. Needs twelve coefficients. O(N log N) for each column of the extrapolation.
+/// By the extrapolated sequences, with four times their uncertainty: calibrated. Needs twelve coefficients. O(N log N) for each column of the extrapolation.
 template <rounding_scalar T>
 radius_estimate<T> hunter_guerrieri(const strided_series<T>& c) {
     using std::sqrt;
-    constexpr int safety = 2;
+    constexpr int safety = 4;
     const std::string method = "hunter-guerrieri";
     if (c.last() + 1 < fewest_for_pairs) {
         return too_short<T>(method, fewest_for_pairs, c.last() + 1);
@@ -154,8 +154,9 @@ radius_estimate<T> hunter_guerrieri(const strided_series<T>& c) {
     const auto s = extrapolated_limit(sequences.s);
     const auto exponent = extrapolated_limit(sequences.exponent);
     const pair_quadratic<T> pair{s.value, d.value};
-    if (!(d.value > 0) || !pair.conjugate()) {
-        return no_estimate<T>(method, "its quadratic has no pair of complex roots");
+    if (!(d.value > 0) || !pair.conjugate(c.last())) {
+        return no_estimate<T>(method,
+                              "its quadratic has no pair of roots whose angle could be seen: no pair of singularities");
     }
     radius_estimate<T> result;
     result.method = method;

@@ -75,12 +75,10 @@ sequence_limit<T> exponent_from_slope(const std::vector<sequence_entry<T>>& root
 
 }  // namespace fitting
 
-/// By the extrapolated intercept. Needs twelve coefficients. O(N log N) for each column of the extrapolation.
+/// By the extrapolated intercept, with four times its uncertainty: calibrated. Needs twelve coefficients. O(N log N) for each column of the extrapolation.
 template <rounding_scalar T>
 radius_estimate<T> mercer_roberts(const strided_series<T>& c) {
-    using std::abs;
-    using std::sqrt;
-    constexpr int safety = 2;
+    constexpr int safety = 4;
     const std::string method = "mercer-roberts";
     if (c.last() + 1 < fewest_for_pairs) {
         return too_short<T>(method, fewest_for_pairs, c.last() + 1);
@@ -91,9 +89,10 @@ radius_estimate<T> mercer_roberts(const strided_series<T>& c) {
     }
     const auto intercept = extrapolated_limit(plot.roots);
     const auto cosine = extrapolated_limit(plot.cosines);
-    if (!(intercept.value > 0) || !(abs(cosine.value) < 1)) {
-        return no_estimate<T>(
-            method, "no angle has the cosine " + to_decimal(cosine.value, 6) + ": no pair of conjugate singularities");
+    const pair_quadratic<T> pair{T(intercept.value * cosine.value * 2), T(intercept.value * intercept.value)};
+    if (!(intercept.value > 0) || !pair.conjugate(c.last())) {
+        return no_estimate<T>(method, "the cosine " + to_decimal(cosine.value, 6) +
+                                          " is of no angle that could be seen: no pair of singularities");
     }
     const auto exponent = fitting::exponent_from_slope(plot.roots, intercept, c.stride());
     radius_estimate<T> result;
@@ -101,11 +100,10 @@ radius_estimate<T> mercer_roberts(const strided_series<T>& c) {
     const T radius = 1 / intercept.value;
     result.radius = radius;
     result.uncertainty = (intercept.uncertainty * radius + epsilon<T>() * safety) * radius * safety;
-    result.position =
-        complex_number<T>{T(radius * cosine.value), T(radius * sqrt((1 - cosine.value) * (1 + cosine.value)))};
+    result.position = pair.nearest_root();
     result.count = 2;
     result.exponent = exponent.value;
-    result.exponent_uncertainty = exponent.uncertainty * safety;
+    result.exponent_uncertainty = exponent.uncertainty * safety + epsilon<T>() * (safety * (c.last() + 1));
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 

@@ -64,7 +64,7 @@ radius_estimate<T> estimate_by_ratios(const std::string& method, const strided_s
     radius_estimate<T> result;
     result.method = method;
     result.radius = T(abs(end.value));
-    result.uncertainty = end.spread() * safety + *result.radius * epsilon<T>() * safety;
+    result.uncertainty = end.uncertainty() + *result.radius * epsilon<T>() * safety;
     result.position = complex_number<T>{end.value, T(0)};
     result.count = 1;
     return if_settled(in_variable(std::move(result), c.stride()));

@@ -91,8 +91,8 @@ radius_estimate<T> estimate_by_roots(const std::string& method, const strided_se
     if (static_cast<int>(sizes.size()) < fewest_sizes) {
         return too_short<T>(method, fewest_sizes, static_cast<int>(sizes.size()));
     }
-    const int width = coefficients * c.stride();
     const int end = sizes.back().n;
+    const int width = std::min(coefficients * c.stride(), end / 4);
     radius_estimate<T> result;
     result.method = method;
     const T radius = exp(-largest_root(sizes, end, width, p));

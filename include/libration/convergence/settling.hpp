@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +22,19 @@ struct settled_value {
     T lowest;
     T highest;
 
+    T moved_late;  ///< the largest distance from the last in the last half of them
+    T last_steps;  ///< and among the three before the last
+
     T spread() const { return highest - lowest; }
+    /// Four times the spread; or, where the last half moves less than a sixth of it, the error falls geometrically and is
+    /// continued so: four times moved_late^2/spread, and no less than the last steps.
+    T uncertainty() const {
+        if (moved_late * 6 < spread()) {
+            const T continued = moved_late * moved_late / spread();
+            return (continued > last_steps ? continued : last_steps) * 4;
+        }
+        return spread() * 4;
+    }
     /// "-0.31 and 2.1".
     std::string range() const { return to_decimal(lowest, 3) + " and " + to_decimal(highest, 3); }
     /// Whether the entries change sign, or differ by more than a quarter of the last one.
@@ -31,14 +44,25 @@ struct settled_value {
     }
 };
 
-/// A quarter of so many entries, four at least.
-inline int settling_window(int count) { return std::min(count, std::max(4, count / 4)); }
+/// A quarter of so many entries, four steps at least.
+inline int settling_window(int count) { return std::min(count, std::max(4, count / 4) + 1); }
 
 /// Of the last quarter of a sequence, which has one entry at least.
 template <rounding_scalar T>
 settled_value<T> settled_range(const std::vector<T>& last_quarter) {
+    using std::abs;
     const auto [low, high] = std::minmax_element(last_quarter.begin(), last_quarter.end());
-    return {last_quarter.back(), *low, *high};
+    const std::size_t count = last_quarter.size();
+    const auto moved_since = [&](std::size_t first) {
+        T moved(0);
+        for (std::size_t i = first; i < count; ++i) {
+            const T by = abs(last_quarter[i] - last_quarter.back());
+            moved = by > moved ? by : moved;
+        }
+        return moved;
+    };
+    return {last_quarter.back(), *low, *high, moved_since(count / 2),
+            moved_since(count - std::min<std::size_t>(4, count))};
 }
 
 /// Whether x is neither infinite nor NaN: only then is x - x = 0.

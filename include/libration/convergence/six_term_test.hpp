@@ -25,6 +25,7 @@ namespace fitting {
 
 template <rounding_scalar T>
 struct six_term_solution {
+    pair_quadratic<T> pair;
     complex_number<T> position;  ///< in w
     T radius;
     T exponent;
@@ -50,10 +51,10 @@ std::optional<six_term_solution<T>> solve_six_terms(const strided_series<T>& ser
         }
         const pair_quadratic<T> pair{x[0], x[2]};
         const complex_number<T> w = pair.nearest_root();
-        // x = (s, s (1 + nu), d, d (2 + 2 nu)): f' has the residue -(q + r w)/(-s + 2 d w) of f at a root w.
-        const auto above = complex_number<T>{x[0] - x[1], T(0)} * T(-1) - w * T(x[2] * 2 - x[3]);
+        // x = (s, s (1 + nu), d, d (2 + 2 nu)), so q + r w = s - x_1 - (2 d - x_3) w; nu is its quotient by -s + 2 d w.
+        const auto above = complex_number<T>{x[0] - x[1], T(0)} - w * T(x[2] * 2 - x[3]);
         const auto below = w * T(x[2] * 2) - complex_number<T>{x[0], T(0)};
-        return six_term_solution<T>{w, modulus_of(w), (above / below).re};
+        return six_term_solution<T>{pair, w, modulus_of(w), (above / below).re};
     } catch (const std::domain_error&) {
         return std::nullopt;
     }
@@ -85,6 +86,9 @@ radius_estimate<T> six_term_test(const strided_series<T>& c) {
         radii.push_back(solution->radius);
         exponents.push_back(solution->exponent);
     }
+    if (solution->position.im != 0 && !solution->pair.conjugate(c.last())) {
+        return no_estimate<T>(method, "its roots have no angle that could be seen: no pair of singularities");
+    }
     const auto radius = settled_range(radii);
     const auto exponent = settled_range(exponents);
     if (radius.scatters()) {
@@ -93,11 +97,11 @@ radius_estimate<T> six_term_test(const strided_series<T>& c) {
     radius_estimate<T> result;
     result.method = method;
     result.radius = radius.value;
-    result.uncertainty = radius.spread() * safety + radius.value * epsilon<T>() * (safety * (c.last() + 1));
+    result.uncertainty = radius.uncertainty() + radius.value * epsilon<T>() * (safety * (c.last() + 1));
     result.position = solution->position;
     result.count = solution->position.im == 0 ? 1 : 2;
     result.exponent = exponent.value;
-    result.exponent_uncertainty = exponent.spread() * safety + epsilon<T>() * safety * (c.last() + 1) * (c.last() + 1);
+    result.exponent_uncertainty = exponent.uncertainty() + epsilon<T>() * safety * (c.last() + 1) * (c.last() + 1);
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 

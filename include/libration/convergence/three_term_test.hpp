@@ -66,11 +66,11 @@ radius_estimate<T> three_term_test(const strided_series<T>& c) {
     radius_estimate<T> result;
     result.method = method;
     result.radius = T(abs(at.value));
-    result.uncertainty = at.spread() * safety + *result.radius * epsilon<T>() * (safety * (c.last() + 1));
+    result.uncertainty = at.uncertainty() + *result.radius * epsilon<T>() * (safety * (c.last() + 1));
     result.position = complex_number<T>{at.value, T(0)};
     result.count = 1;
     result.exponent = exponent.value;
-    result.exponent_uncertainty = exponent.spread() * safety + epsilon<T>() * safety * (c.last() + 1) * (c.last() + 1);
+    result.exponent_uncertainty = exponent.uncertainty() + epsilon<T>() * safety * (c.last() + 1) * (c.last() + 1);
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 
