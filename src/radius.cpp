@@ -166,17 +166,21 @@ radius_answers answers_in(const judged_list& list) {
     return answers;
 }
 
-// x to the last place of its uncertainty as that is printed, and to no more than the digits asked.
+// floor(log10 |x|).
+long magnitude(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
+
+// The digits of x down to the last place of its uncertainty as that is printed; 0 or less where x is below it.
+long supported_digits(const mpfr& x, const mpfr& uncertainty) {
+    return magnitude(x) - magnitude(uncertainty) + uncertainty_digits;
+}
+
+// x with the digits that its uncertainty supports, and no more than asked.
 std::string supported(const mpfr& x, const mpfr& uncertainty, long digits) {
     if (uncertainty == 0) {
         const integer whole = nearest_integer(x);
         return x == whole ? whole.str() : to_decimal(x, digits);
     }
-    if (x == 0) {
-        return "0";
-    }
-    const auto magnitude = [](const mpfr& y) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(y))))), MPFR_RNDD); };
-    const long count = magnitude(x) - magnitude(uncertainty) + uncertainty_digits;
+    const long count = x == 0 ? 0 : supported_digits(x, uncertainty);
     return count < 1 ? "0" : to_decimal(x, std::min(count, digits));
 }
 
@@ -186,6 +190,15 @@ std::string relative_error(const std::string& radius, const judged_list& list, l
     }
     const precision_scope scope(digits + guard_digits);
     return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(radius)) / *list.true_size - 1)), uncertainty_digits);
+}
+
+// The uncertainty of the radius as printed: where the digits asked cut it off, with a unit of its last place.
+mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
+    if (supported_digits(*estimate.radius, estimate.uncertainty) <= digits) {
+        return estimate.uncertainty;
+    }
+    const int last_place = static_cast<int>(magnitude(*estimate.radius) - digits + 1);
+    return estimate.uncertainty + pow(mpfr(10), last_place);
 }
 
 // Without commas, so that a reader that knows no quotes is right too.
@@ -204,7 +217,7 @@ std::vector<std::string> row_of(const radius_estimate<mpfr>& estimate, const jud
     }
     return {estimate.method,
             radius,
-            found ? to_decimal(estimate.uncertainty, uncertainty_digits) : "",
+            found ? to_decimal(printed_uncertainty(estimate, digits), uncertainty_digits) : "",
             list.exact_text,
             relative_error(radius, list, digits),
             estimate.position ? cell(estimate.position->re) : "",
