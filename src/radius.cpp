@@ -230,7 +230,7 @@ std::vector<std::string> row_of(const radius_estimate<mpfr>& estimate, const jud
             "heuristic"};
 }
 
-// "2 poles at 1.57 and mirror images": number, kind and position of the nearest singularities.
+// "2 poles at 1.57 and its image": number, kind and position of the nearest singularities.
 std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const std::vector<std::string>& row) {
     if (estimate.kind == singularity_kind::boundary) {
         return "the whole circle of convergence is a boundary";
@@ -246,7 +246,7 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const std::v
         const std::string& re = row[5];
         const std::string& im = row[6];
         words += " at " + (im == "0" ? re : re == "0" ? im + " i" : fmt::format("{} + {} i", re, im));
-        words += estimate.count > 1 ? " and mirror images" : "";
+        words += estimate.count > 2 ? " and its images" : estimate.count == 2 ? " and its image" : "";
     }
     return words;
 }

@@ -38,8 +38,9 @@ inline std::string command_line(const words& given) {
     return line;
 }
 
-/// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it.
-inline finished_process run_libration(const words& given, const std::filesystem::path& folder) {
+/// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it. Its stdin is `input`.
+inline finished_process run_libration(const words& given, const std::filesystem::path& folder,
+                                      const std::string& input = "/dev/null") {
     const temporary_folder captured;
     const std::string out = (captured.path() / "out").string();
     const std::string err = (captured.path() / "err").string();
@@ -56,7 +57,8 @@ inline finished_process run_libration(const words& given, const std::filesystem:
         const auto redirect = [](const char* path, int flags, int descriptor) {
             return ::dup2(::open(path, flags, 0600), descriptor) == descriptor;
         };
-        if (redirect("/dev/null", O_RDONLY, STDIN_FILENO) && redirect(out.c_str(), O_WRONLY | O_CREAT, STDOUT_FILENO) &&
+        if (redirect(input.c_str(), O_RDONLY, STDIN_FILENO) &&
+            redirect(out.c_str(), O_WRONLY | O_CREAT, STDOUT_FILENO) &&
             redirect(err.c_str(), O_WRONLY | O_CREAT, STDERR_FILENO) && ::chdir(folder.c_str()) == 0) {
             ::alarm(60);
             ::execv(arguments.front(), arguments.data());

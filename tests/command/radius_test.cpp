@@ -1,0 +1,272 @@
+// `libration radius`: its contract, the motions against the lattice of singularities, lists from files, and refusals.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command/printed.hpp"
+#include "libration/pendulum/singularities.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+const std::string header =
+    "method,radius,uncertainty,exact,relative_error,position_re,position_im,kind,count,note,exponent,"
+    "exponent_uncertainty,rigour";
+
+// T* and K~' of an energy to 80 digits.
+singularity_lattice<mpfr> lattice_of(const std::string& energy) {
+    return *singularities<mpfr>(motion::of_energy(read_exact(energy).coefficient, 1));
+}
+
+// |a - b| in units of the radius.
+void check_close(const std::string& printed, const mpfr& truth, const mpfr& radius, const std::string& allowed) {
+    INFO(printed << " is not " << to_decimal(truth, 60));
+    CHECK(abs(number_of(printed) - truth) <= radius * mpfr(allowed));
+}
+
+// The verdict about a point whose nearest column of singularities is `along` away, to 45 digits.
+void check_verdict(const std::string& energy, const std::string& at, const mpfr& along, const std::string& count) {
+    const auto rows = rows_of({"radius", "--energy", energy, "--at", at, "--order", "200", "--scalar", "mpfr:60"});
+    const table_row& verdict = rows.at(0);
+    INFO("E = " << energy << " at " << at << ": " << verdict.at("radius"));
+    const mpfr height = lattice_of(energy).height;
+    const mpfr radius = sqrt(along * along + height * height);
+    CHECK(verdict.at("method") == "verdict");
+    CHECK_THAT(verdict.at("exact"), right_to_the_last_digit_of(radius));
+    check_close(verdict.at("radius"), radius, radius, "1e-45");
+    check_close(verdict.at("position_re"), along, radius, "1e-45");
+    check_close(verdict.at("position_im"), height, radius, "1e-45");
+    CHECK(number_of(verdict.at("relative_error")) < mpfr("1e-45"));
+    CHECK(abs(number_of(verdict.at("radius")) - radius) <= number_of(verdict.at("uncertainty")));
+    CHECK(verdict.at("kind") == "logarithm");
+    CHECK(verdict.at("count") == count);
+}
+
+const std::vector<std::string> shown_energies{"0.5", "1", "1.71", "1.9998", "2.02", "4", "10"};
+
+void write_file(const temporary_folder& folder, const std::string& name, const std::string& text) {
+    std::ofstream(folder.path() / name, std::ios::binary) << text;
+}
+
+// The rows about a list in a file.
+std::vector<table_row> rows_about(const std::string& text, const words& options) {
+    const temporary_folder folder;
+    write_file(folder, "list.csv", text);
+    const auto done =
+        run_libration(words{"radius", "--coefficients", "list.csv", "--format", "csv"} + options, folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    CHECK(done.err.empty());
+    return csv_rows(done.out);
+}
+
+// tan x from y' = 1 + y^2, as n,fraction.
+std::string tangent(std::size_t count) {
+    std::vector<rational> a(count, rational(0));
+    std::string text = "n,coefficient\n0,0\n";
+    for (std::size_t n = 0; n + 1 < count; ++n) {
+        rational sum = n == 0 ? 1 : 0;
+        for (std::size_t k = 0; k <= n; ++k) {
+            sum += a[k] * a[n - k];
+        }
+        a[n + 1] = sum / static_cast<long>(n + 1);
+        text += std::to_string(n + 1) + "," + a[n + 1].str() + "\n";
+    }
+    return text;
+}
+
+// 1/n! as fractions.
+std::string exponential(int count) {
+    std::string text;
+    integer factorial = 1;
+    for (int n = 0; n < count; ++n) {
+        factorial *= n == 0 ? 1 : n;
+        text += "1/" + factorial.str() + "\n";
+    }
+    return text;
+}
+
+// The command line is refused with one line that mentions all of `mentioned`.
+void check_refused(const words& line, const words& mentioned, const temporary_folder& folder) {
+    const finished_process done = run_libration(line, folder.path());
+    INFO(command_line(line) << "\n" << done.err);
+    CHECK(done.exit_code == 2);
+    CHECK(done.out.empty());
+    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
+    for (const std::string& mention : mentioned) {
+        INFO("should mention " << mention);
+        CHECK(done.err.find(mention) != std::string::npos);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("radius prints the columns of the contract, the verdict first", "[command][radius]") {
+    const words line{"radius", "--energy", "1.71", "--order", "60", "--scalar", "mpfr:30"};
+    const std::string csv = output_of(line + words{"--format", "csv"});
+    CHECK(lines_of(csv).front() == header);
+    CHECK(csv.find('"') == std::string::npos);
+    const auto rows = csv_rows(csv);
+    REQUIRE(rows.size() > 4);
+    CHECK(rows.front().at("method") == "verdict");
+    for (const table_row& row : rows) {
+        INFO(row.at("method"));
+        CHECK(row.at("rigour") == "heuristic");
+        CHECK(row.at("exact") == rows.front().at("exact"));
+        CHECK(row.at("radius").empty() == row.at("uncertainty").empty());
+        CHECK((!row.at("radius").empty() || !row.at("note").empty()));
+    }
+    const auto json = nlohmann::ordered_json::parse(output_of(line + words{"--format", "json"}));
+    REQUIRE(json.size() == rows.size());
+    CHECK(json[0]["radius"] == rows.front().at("radius"));
+    const std::string text = output_of(line);
+    CHECK(text.find("only n = 0 mod 2 is other than 0") != std::string::npos);
+    CHECK(text.find(rows.front().at("radius")) != std::string::npos);
+    CHECK(text.ends_with("heuristic: coefficients prove no radius\n"));
+    CHECK(output_of(line + words{"--format", "latex"}).find("\\begin") != std::string::npos);
+}
+
+TEST_CASE("about the top the verdict is the lattice's radius and position to 45 digits", "[command][radius]") {
+    const precision_scope scope(80);
+    for (const std::string& energy : shown_energies) {
+        check_verdict(energy, "top", lattice_of(energy).effective_period, "4");
+    }
+}
+
+TEST_CASE("about the bottom the verdict is the lattice's radius and position to 45 digits", "[command][radius]") {
+    const precision_scope scope(80);
+    for (const std::string& energy : shown_energies) {
+        check_verdict(energy, "bottom", mpfr(0), "2");
+    }
+}
+
+TEST_CASE("about a time without symmetry the verdict is the lattice's radius and position to 45 digits",
+          "[command][radius]") {
+    const precision_scope scope(80);
+    for (const std::string& energy : shown_energies) {
+        check_verdict(energy, "1.1", lattice_of(energy).effective_period - mpfr(11) / 10, "2");
+    }
+}
+
+TEST_CASE("with a length and a gravity the radius is in seconds", "[command][radius]") {
+    const words line{"radius", "--energy", "1", "--order", "80", "--digits", "30"};
+    const auto plain = rows_of(line).at(0);
+    const auto seconds = rows_of(line + words{"--length", "2", "--gravity", "8"}).at(0);
+    const precision_scope scope(60);
+    CHECK_THAT(seconds.at("exact"), right_to_the_last_digit(to_decimal(mpfr(number_of(plain.at("exact")) / 2), 31)));
+    const mpfr difference = number_of(plain.at("radius")) / 2 - number_of(seconds.at("radius"));
+    CHECK(abs(difference) <= number_of(plain.at("uncertainty")));
+}
+
+TEST_CASE("the equilibria and the separatrix have what coefficients say", "[command][radius]") {
+    const auto rest = rows_of({"radius", "--energy", "0", "--order", "40"}).at(0);
+    CHECK(rest.at("exact") == "inf");
+    CHECK(rest.at("radius").empty());
+    CHECK(rest.at("relative_error").empty());
+    const auto critical = rows_of({"radius", "--energy", "2", "--at", "bottom", "--order", "120"}).at(0);
+    const precision_scope scope(80);
+    CHECK_THAT(critical.at("exact"), right_to_the_last_digit_of(pi<mpfr>() / 2));
+    check_close(critical.at("radius"), pi<mpfr>() / 2, mpfr(1), "1e-30");
+}
+
+TEST_CASE("every fixed scalar gives its verdict, also where the coefficients are far below its range",
+          "[command][radius]") {
+    for (const std::string scalar : {"double", "long-double", "quad"}) {
+        INFO(scalar);
+        const auto verdict = rows_of({"radius", "--energy", "1.71", "--order", "1000", "--scalar", scalar}).at(0);
+        CHECK(number_of(verdict.at("relative_error")) < mpfr("1e-12"));
+    }
+}
+
+TEST_CASE("the tangent in a file has two simple poles at pi/2 and -pi/2", "[command][radius]") {
+    const auto verdict = rows_about(tangent(120), {"--scalar", "mpfr:40"}).at(0);
+    const precision_scope scope(80);
+    check_close(verdict.at("radius"), pi<mpfr>() / 2, mpfr(1), "1e-30");
+    check_close(verdict.at("position_re"), pi<mpfr>() / 2, mpfr(1), "1e-30");
+    CHECK(verdict.at("position_im") == "0");
+    CHECK(verdict.at("kind") == "pole");
+    CHECK(verdict.at("count") == "2");
+    CHECK(verdict.at("exact").empty());
+    CHECK(verdict.at("relative_error").empty());
+    CHECK(verdict.at("note").find("only n = 1 mod 2 is other than 0") != std::string::npos);
+}
+
+TEST_CASE("the exponential in a file has no finite radius", "[command][radius]") {
+    for (const table_row& row : rows_about(exponential(120), {})) {
+        INFO(row.at("method"));
+        CHECK(row.at("radius").empty());
+        CHECK(row.at("note").find("no finite radius seen up to N = 119") != std::string::npos);
+    }
+}
+
+TEST_CASE("a hundred coefficients with the digits of double give twelve digits", "[command][radius]") {
+    const std::string list =
+        output_of({"coefficients", "--energy", "1.71", "--order", "99", "--scalar", "mpfr:17", "--format", "csv"});
+    const auto verdict = rows_about(list, {"--scalar", "mpfr:60"}).at(0);
+    const precision_scope scope(80);
+    const auto lattice = lattice_of("1.71");
+    const mpfr radius = sqrt(lattice.effective_period * lattice.effective_period + lattice.height * lattice.height);
+    check_close(verdict.at("radius"), radius, radius, "1e-12");
+    CHECK(number_of(verdict.at("uncertainty")) < mpfr("1e-9"));
+}
+
+TEST_CASE("coefficients that no double holds have a radius in double", "[command][radius]") {
+    // 1/(1 - x/10^30) times 10^5000.
+    std::string list;
+    for (int n = 0; n < 60; ++n) {
+        list += "1e" + std::to_string(5000 - 30 * n) + "\n";
+    }
+    const auto verdict = rows_about(list, {"--scalar", "double"}).at(0);
+    CHECK(verdict.at("radius").substr(0, 3) == "1.0");
+    CHECK(verdict.at("radius").ends_with("e30"));
+    CHECK(verdict.at("kind") == "pole");
+}
+
+TEST_CASE("--coefficients - reads from stdin, and --order cuts a list", "[command][radius]") {
+    const temporary_folder folder;
+    write_file(folder, "tan.csv", tangent(80));
+    const words options{"--scalar", "mpfr:30", "--format", "csv"};
+    const auto by_name = run_libration(words{"radius", "--coefficients", "tan.csv"} + options, folder.path());
+    const auto by_stdin = run_libration(words{"radius", "--coefficients", "-"} + options, folder.path(),
+                                        (folder.path() / "tan.csv").string());
+    CHECK(by_stdin.exit_code == 0);
+    CHECK(by_stdin.out == by_name.out);
+    CHECK(rows_about(tangent(80), {"--order", "59"}) == rows_about(tangent(60), {}));
+}
+
+TEST_CASE("a malformed line of coefficients is named with its number", "[command][radius][bad input]") {
+    const temporary_folder folder;
+    write_file(folder, "bad.csv", "n,coefficient\r\n0,1\r\n\r\n1,1.2.3\r\n");
+    write_file(folder, "empty.csv", "# nothing\n\n");
+    write_file(folder, "good.csv", "1\n1/2\n1/3\n");
+    const words file{"radius", "--coefficients"};
+    check_refused(file + words{"bad.csv"}, {"--coefficients 'bad.csv'", "line 4", "'1,1.2.3'", "write "}, folder);
+    check_refused(file + words{"empty.csv"}, {"--coefficients 'empty.csv'", "no coefficient", "write "}, folder);
+    check_refused(file + words{"missing.csv"}, {"--coefficients 'missing.csv'", "name "}, folder);
+    check_refused(file + words{"."}, {"--coefficients '.'", "folder", "name "}, folder);
+    check_refused(file + words{"-"}, {"--coefficients '-'", "no coefficient"}, folder);
+    check_refused(file + words{"good.csv", "--order", "3"}, {"--order '3'", "is 2"}, folder);
+    check_refused(file + words{"good.csv", "--at", "top"}, {"--at 'top'", "leave "}, folder);
+    check_refused(file + words{"good.csv", "--energy", "1"}, {"'good.csv'", "--energy '1'", "give "}, folder);
+    check_refused(file + words{"good.csv", "--length", "1"}, {"'good.csv'", "--length '1'", "give "}, folder);
+}
+
+TEST_CASE("radius refuses what is no motion, no order and no point", "[command][radius][bad input]") {
+    const temporary_folder folder;
+    check_refused({"radius"}, {"--energy", "--coefficients", "add "}, folder);
+    check_refused({"radius", "--order", "3"}, {"--energy", "--coefficients"}, folder);
+    check_refused({"radius", "--energy", "1"}, {"--order", "add "}, folder);
+    check_refused({"radius", "--energy", "1", "--order", "x"}, {"--order 'x'"}, folder);
+    check_refused({"radius", "--energy", "2", "--order", "30", "--at", "top"}, {"--at 'top'"}, folder);
+    check_refused({"radius", "--energy", "1", "--order", "30", "--at", "left"}, {"--at 'left'"}, folder);
+    check_refused({"radius", "--energy", "1", "--order", "30", "--scalar", "float"}, {"--scalar 'float'"}, folder);
+    // e^x in its unit, N = 1200: a_0 is e^-750 of the largest.
+    write_file(folder, "exp.csv", exponential(1200));
+    check_refused({"radius", "--coefficients", "exp.csv", "--scalar", "double"}, {"range", "use --scalar mpfr:"},
+                  folder);
+}
