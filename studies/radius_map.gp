@@ -43,7 +43,7 @@ do for [kind in terminals] {
         set size 1 / 3.0, high / all
         set origin 0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': radius'
-        set ylabel 'R/T*'
+        set ylabel 'R/T*' offset 1.5
         set yrange [0:highest * 1.15]
         if (i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
         plot for [j=1:shown] [0:1] radius(x, k[j]) with lines lw 1.8 dt j lc rgb shade[j] notitle, \
@@ -52,15 +52,18 @@ do for [kind in terminals] {
         unset key
         set origin 1 / 3.0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': rate on [0, T*]'
-        set ylabel 'max(x, 1-x) T*/R'
+        set ylabel 'max(x, 1-x) T*/R' offset 1.5
         set yrange [0:1.6]
         set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb '#888888' dt 3
+        set label 2 'diverges at an end' at graph 0.03, first 1.06 textcolor rgb '#555555'
+        set arrow 2 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888' lw 1
         plot for [j=1:shown] [0:1] rate(x, k[j]) with lines lw 1.8 dt j lc rgb shade[j], \
              for [j=1:shown] rows(pick(j), n, 16, '$16') using 1:2 with points pt mark[j] ps 0.8 lw 1.3 lc rgb shade[j]
-        unset arrow 1
+        unset arrow 1; unset arrow 2
+        unset label 2
         set origin 2 / 3.0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': relative error of R'
-        set ylabel 'log_{10} |R estimated/R - 1|'
+        set ylabel 'log_{10} |R estimated/R - 1|' offset 1
         set yrange [lowest:1]
         plot for [j=1:shown] rows(pick(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark[j] ps 0.8 lw 1.3 lc rgb shade[j]
     }

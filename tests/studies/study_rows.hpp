@@ -1,9 +1,11 @@
 // The rows of a study as its CSV gives them.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command/printed.hpp"
@@ -27,16 +29,31 @@ inline std::vector<study_table> tables_of_study(const std::string& name, const s
     return what.run(order_of(what, said, 2).request);
 }
 
+/// The rows of a table as its CSV holds them, quoted cells included.
+inline std::vector<table_row> rows_of_table(const study_table& part) {
+    const table read = from_csv(to_csv(part.data));
+    std::vector<table_row> rows;
+    rows.reserve(read.rows.size());
+    for (const auto& cells : read.rows) {
+        table_row row;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            row[read.columns[i].name] = cells[i];
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 /// The rows of one of them.
 inline std::vector<table_row> rows_of_study(const std::string& name, const study_words& said, std::size_t table = 0) {
-    return csv_rows(to_csv(tables_of_study(name, said).at(table).data));
+    return rows_of_table(tables_of_study(name, said).at(table));
 }
 
 /// The rows of all of them, by suffix.
 inline std::map<std::string, std::vector<table_row>> rows_by_suffix(const std::string& name, const study_words& said) {
     std::map<std::string, std::vector<table_row>> rows;
     for (const study_table& part : tables_of_study(name, said)) {
-        rows[part.suffix] = csv_rows(to_csv(part.data));
+        rows[part.suffix] = rows_of_table(part);
     }
     return rows;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/pendulum/descent_cover.hpp"
+#include "libration/scalar/complex_number.hpp"
 
 namespace libration {
 

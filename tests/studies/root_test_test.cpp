@@ -1,0 +1,90 @@
+// The study root_test against closed forms of the first coefficients and the asymptotic form of the later ones.
+#include <catch2/catch.hpp>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "studies/study_rows.hpp"
+#include "sweep/input_error.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+std::vector<table_row> roots(const study_words& words) { return rows_of_study("root_test", words); }
+
+}  // namespace
+
+TEST_CASE("the first roots are those of Taylor's theorem", "[studies][root_test]") {
+    const precision_scope scope(60);
+    // a_2 = -sin(theta_0)/2 about the top of libration, sin(theta_0)^2 = E (2 - E); a_1 = sqrt(2 E) in size about the bottom.
+    for (const char* const energy : {"0.5", "1", "1.71"}) {
+        const mpfr e = number_of(energy);
+        const mpfr top = sqrt(mpfr(2 / sqrt(mpfr(e * (2 - e)))));
+        const mpfr bottom = 1 / sqrt(mpfr(2 * e));
+        for (const table_row& row : roots({{"--energies", energy}, {"--orders", "8"}, {"--points", "0,1"}})) {
+            const std::string place = row.at("point") + " " + row.at("n");
+            if (place == "0 2") {
+                CHECK_THAT(row.at("root"), right_to_the_last_digit_of(top));
+                CHECK_THAT(row.at("corrected"), right_to_the_last_digit_of(mpfr(top / sqrt(mpfr(2)))));
+            } else if (place == "1 1") {
+                CHECK_THAT(row.at("root"), right_to_the_last_digit_of(bottom));
+                CHECK(row.at("corrected") == row.at("root"));
+            }
+        }
+    }
+}
+
+TEST_CASE("without a phase the error is that of the amplitude alone", "[studies][root_test]") {
+    const precision_scope scope(40);
+    std::map<std::string, int> rows;
+    for (const table_row& row : roots({{"--energies", "1"}, {"--orders", "120"}, {"--points", "0,1"}})) {
+        const int n = std::stoi(row.at("n"));
+        ++rows[row.at("point")];
+        const mpfr amplitude = row.at("point") == "0" ? 8 : 4;
+        CHECK(row.at("amplitude") == (row.at("point") == "0" ? "8" : "4"));
+        if (n >= 60) {
+            // |a_n| = A/n R^-n to 5^(-n/2) at E = 1, in a column of 12 digits.
+            const mpfr expected = pow(mpfr(n / amplitude), mpfr(1) / n) - 1;
+            CHECK(abs(number_of(row.at("root_error")) - expected) < mpfr("1e-12"));
+            const mpfr corrected = pow(amplitude, mpfr(-1) / n) - 1;
+            CHECK(abs(number_of(row.at("corrected_error")) - corrected) < mpfr("1e-12"));
+        }
+    }
+    // n = 2, 6, ..., 118 about the top, n = 1, 3, ..., 119 about the bottom.
+    CHECK(rows == std::map<std::string, int>{{"0", 30}, {"1", 60}});
+}
+
+TEST_CASE("the amplitude bounds the coefficients of a pair", "[studies][root_test]") {
+    const precision_scope scope(40);
+    for (const table_row& row : roots({{"--energies", "0.5,2.02"}, {"--orders", "110"}, {"--points", "0,1/3"}})) {
+        if (std::stoi(row.at("n")) >= 100) {
+            // R/R2 is 0.918 at E = 2.02 about the top: up to 0.918^100 more, here within the last of 4 digits.
+            const mpfr size = pow(mpfr(1 + number_of(row.at("corrected_error"))), -std::stoi(row.at("n")));
+            CHECK(size <= number_of(row.at("amplitude")) * mpfr("1.001"));
+        }
+    }
+}
+
+TEST_CASE("the table of estimates holds the tests by size and the verdict", "[studies][root_test]") {
+    const precision_scope scope(40);
+    bool verdict = false;
+    const study_words words{{"--energies", "1.71"}, {"--orders", "50"}, {"--points", "0"}};
+    for (const table_row& row : rows_by_suffix("root_test", words).at("estimates")) {
+        const std::string& method = row.at("method");
+        CHECK((method == "verdict" || method == "root" || method == "root-corrected" || method == "top-line"));
+        if (method == "verdict") {
+            verdict = true;
+            CHECK(number_of(row.at("relative_error")) < mpfr("1e-18"));
+        }
+    }
+    CHECK(verdict);
+}
+
+TEST_CASE("what has no root test is refused", "[studies][root_test]") {
+    CHECK_THROWS_AS(roots({{"--energies", "0"}}), std::domain_error);
+    CHECK_THROWS_AS(roots({{"--energies", "1,2"}}), std::domain_error);
+    CHECK_THROWS_AS(roots({{"--orders", "3"}}), input_error);
+}
