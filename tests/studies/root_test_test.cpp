@@ -72,7 +72,8 @@ TEST_CASE("the table of estimates holds the tests by size and the verdict", "[st
     const precision_scope scope(40);
     bool verdict = false;
     const study_words words{{"--energies", "1.71"}, {"--orders", "50"}, {"--points", "0"}};
-    for (const table_row& row : rows_by_suffix("root_test", words).at("estimates")) {
+    const auto rows = rows_by_suffix("root_test", words).at("estimates");
+    for (const table_row& row : rows) {
         const std::string& method = row.at("method");
         CHECK((method == "verdict" || method == "root" || method == "root-corrected" || method == "top-line"));
         if (method == "verdict") {
