@@ -63,7 +63,7 @@ do for [kind in terminals] {
                 if (s) { set label 10 + j '' at 0, s point pt 13 ps 1.8 lc rgb '#D55E00' front }
             }
             if (straight == shown && !bad) { set yrange [-1.25:0.25]; unset arrow 1 }
-            if (straight) { set label 2 'exact: ±1/R^p, and the slope of a logarithm' at graph 0.98, 0.94 right textcolor rgb '#555555' }
+            if (straight) { set label 2 '◆ exact: ±1/R^p, and the slope of a logarithm' at graph 0.98, 0.94 right textcolor rgb '#555555' }
             if (straight < shown && !bad) { set label 3 (straight ? 'elsewhere ' : '').'a pair is nearest: no intercept' at graph 0.98, 0.865 right textcolor rgb '#555555' }
             if (bad) { set label 3 'bottom rows: not defined, divided by 0' at graph 0.98, 0.23 right textcolor rgb '#555555' }
             eval 'plot '.lines.'for [j=1:shown] ratios(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:2 with points pt mark[j] ps 0.9 lw 1.3 lc rgb shade[j] title "E = ".shorter(pick(j)), for [j=1:shown] undefined(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:(column(2) - 0.09 * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb shade[j] notitle'
@@ -81,13 +81,15 @@ load scripts.'/style.gp'
 answers = data.'/domb_sykes_intercepts.csv'
 present = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
 methods = system(sprintf("for m in ratio-in-power domb-sykes mercer-roberts verdict; do cut -d, -f4 '%s' | grep -qx $m && echo $m || true; done", answers))
-says(m) = m eq 'verdict' ? 'verdict of all tests' : m
+brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # "order,log10 error" of a method, 0 drawn at the floor; behind them a point out of sight.
 lowest = system(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", answers)) + 0
 errors(m, p, e) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $9 != \"\" {print $3 \",\" ($9 ~ /inf/ ? %g : $9)} END {print \"\\n-9,9\"}' '%s'", e, p, m, lowest, answers)
 given(m, p) = system(sprintf("awk -F, '$2 == \"%s\" && $4 == \"%s\" && $9 != \"\" { ++n } END { print n + 0 }' '%s'", p, m, answers)) + 0
 across = words(methods)
+# A step of 1, 2 or 5 times a power of ten for about four tics.
+tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))
 high = 300
 all = head + high * down + foot + 0.0
 do for [kind in terminals] {
@@ -95,6 +97,7 @@ do for [kind in terminals] {
     set multiplot
     set label 1 'Relative error of R by the tests, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
     set xrange [0:last * 1.04]
+    set xtics tic_step(last)
     set yrange [lowest:2]
     set xlabel 'order N'
     set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
@@ -104,7 +107,7 @@ do for [kind in terminals] {
             m = word(methods, i)
             set origin (i - 1.0) / across, (foot + high * (down - q)) / all
             set size 1.0 / across, high / all
-            set title about(p).': '.says(m) noenhanced
+            set title brief(p).': '.m noenhanced
             if (i == 1) { set ylabel 'log_{10} |R estimated/R - 1|' } else { unset ylabel }
             if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
             if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb '#555555' }

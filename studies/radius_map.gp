@@ -52,7 +52,7 @@ do for [kind in terminals] {
         unset key
         set origin 1 / 3.0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': rate on [0, T*]'
-        set ylabel 'max(x, 1-x) T*/R' offset 1.5
+        set ylabel 'max(x, 1-x) T*/R' offset 1
         set yrange [0:1.6]
         set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb '#888888' dt 3
         set label 2 'diverges at an end' at graph 0.03, first 1.06 textcolor rgb '#555555'
@@ -63,7 +63,7 @@ do for [kind in terminals] {
         unset label 2
         set origin 2 / 3.0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': relative error of R'
-        set ylabel 'log_{10} |R estimated/R - 1|' offset 1
+        set ylabel 'log_{10} |R estimated/R - 1|'
         set yrange [lowest:1]
         plot for [j=1:shown] rows(pick(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark[j] ps 0.8 lw 1.3 lc rgb shade[j]
     }

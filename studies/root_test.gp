@@ -62,7 +62,7 @@ reset
 load scripts.'/style.gp'
 answers = data.'/root_test_estimates.csv'
 methods = system(sprintf("for m in root root-corrected top-line verdict; do cut -d, -f4 '%s' | grep -qx $m && echo $m || true; done", answers))
-says(m) = m eq 'verdict' ? 'verdict of all tests' : m
+brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 newest = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # Column k over the order, 0 drawn at the floor.
 floor_of(which) = system(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
@@ -71,6 +71,8 @@ of_sizes = floor_of('$4 != "verdict"')
 answer(m, p, e, k, low) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $%d != \"\" {print $3 \",\" ($%d ~ /inf/ ? %g : $%d)} END {print \"\\n-9,9\"}' '%s'", e, p, m, k, k, low, k, answers)
 given(m, p) = system(sprintf("awk -F, '$2 == \"%s\" && $4 == \"%s\" && $9 != \"\" { ++n } END { print n + 0 }' '%s'", p, m, answers)) + 0
 columns = words(methods)
+# A step of 1, 2 or 5 times a power of ten for about four tics.
+tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))
 down = across
 high = 300
 all = head + high * down + foot + 0.0
@@ -79,6 +81,7 @@ do for [kind in terminals] {
     set multiplot
     set label 1 'Relative error (marks) and uncertainty (thin lines) of R, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
     set xrange [0:newest * 1.04]
+    set xtics tic_step(newest)
     set xlabel 'order N'
     set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
     do for [q=1:down] {
@@ -89,7 +92,7 @@ do for [kind in terminals] {
             set origin (i - 1.0) / columns, (foot + high * (down - q)) / all
             set size 1.0 / columns, high / all
             set yrange [low:m eq 'verdict' ? 2 : 1]
-            set title about(p).': '.says(m) noenhanced
+            set title brief(p).': '.m noenhanced
             if (i == 1) { set ylabel 'log_{10} relative to R' } else { unset ylabel }
             if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
             if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb '#555555' }
