@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "libration/convergence/coefficient_ratios.hpp"
@@ -84,40 +85,84 @@ std::vector<int> powers_of(const plotted& p) {
     return powers;
 }
 
-// The rows of one plot, and its row in the list of plots.
-std::pair<rows, std::vector<std::string>> plot_of(const plotted& p, int power, long digits) {
-    const strided_series<mpfr> c(p.list, p.pattern.first % power, power);
-    const mpfr unit = pow(p.radius, power);
-    const auto limit = limit_of_ratios(p.m, p.point.coefficient, power);
+// The series of one list in t^power, and the ratios that are defined, times R^power, by n.
+struct plot {
+    const plotted& of;
+    int power;
+    strided_series<mpfr> series;
     std::map<int, mpfr> defined;
-    for (const auto& ratio : ratios_of(c)) {
-        defined[ratio.n] = ratio.value;
+    std::optional<int> limit;
+};
+
+plot plot_in(const plotted& p, int power) {
+    plot result{p,
+                power,
+                strided_series<mpfr>(p.list, p.pattern.first % power, power),
+                {},
+                limit_of_ratios(p.m, p.point.coefficient, power)};
+    for (const auto& ratio : ratios_of(result.series)) {
+        result.defined[ratio.n] = ratio.value;
     }
+    return result;
+}
+
+rows ratio_rows(const plot& drawn, long digits) {
+    const plotted& p = drawn.of;
+    const mpfr unit = pow(p.radius, drawn.power);
     rows all;
-    all.reserve(static_cast<std::size_t>(c.last()));
-    int zero = 0;
-    std::vector<mpfr> late;
-    for (int k = 1; k <= c.last(); ++k) {
-        const int n = c.power(k);
-        const auto found = defined.find(n);
-        const bool there = found != defined.end();
-        const mpfr scaled = there ? found->second : mpfr(0);
-        zero += there && scaled == 0 ? 1 : 0;
-        if (there && 2 * k > c.last()) {
-            late.push_back(scaled);
+    all.reserve(static_cast<std::size_t>(drawn.series.last()));
+    for (int k = 1; k <= drawn.series.last(); ++k) {
+        const int n = drawn.series.power(k);
+        const auto found = drawn.defined.find(n);
+        std::vector<std::string> ratio(3);
+        if (found != drawn.defined.end()) {
+            ratio = {to_decimal(mpfr(found->second / unit), digits), to_decimal(found->second, digits),
+                     log10_text(found->second)};
         }
-        all.push_back({p.at.energy, p.point.text, std::to_string(power), std::to_string(n),
-                       to_decimal(mpfr(mpfr(1) / n), digits), there ? to_decimal(mpfr(scaled / unit), digits) : "",
-                       there ? to_decimal(scaled, digits) : "", there ? log10_text(scaled) : "",
-                       limit ? to_decimal(mpfr(*limit * (1 - mpfr(power) / n)), digits) : "", p.at.gap});
+        const mpfr one_over_n = mpfr(1) / n;
+        const std::string line =
+            drawn.limit ? to_decimal(mpfr(*drawn.limit * (1 - drawn.power * one_over_n)), digits) : "";
+        all.push_back(joined(joined({p.at.energy, p.point.text, std::to_string(drawn.power), std::to_string(n),
+                                     to_decimal(one_over_n, digits)},
+                                    ratio),
+                             {line, p.at.gap}));
     }
-    const bool every = !late.empty() && static_cast<int>(late.size()) == c.last() - c.last() / 2;
-    const auto extremes = std::minmax_element(late.begin(), late.end());
-    return {std::move(all),
-            {p.at.energy, p.point.text, std::to_string(power), std::to_string(c.first()), std::to_string(c.last()),
-             std::to_string(c.last() - static_cast<int>(defined.size())), std::to_string(zero),
-             every ? to_decimal(*extremes.first, digits) : "", every ? to_decimal(*extremes.second, digits) : "",
-             limit ? std::to_string(*limit) : "", to_decimal(p.radius, digits), p.pattern.text()}};
+    return all;
+}
+
+// The ratios of the second half of n by size; nothing where one of them is not defined.
+std::vector<mpfr> late_ratios(const plot& drawn) {
+    const int last = drawn.series.last();
+    std::vector<mpfr> late;
+    late.reserve(drawn.defined.size());
+    for (int k = last / 2 + 1; k <= last; ++k) {
+        const auto found = drawn.defined.find(drawn.series.power(k));
+        if (found == drawn.defined.end()) {
+            return {};
+        }
+        late.push_back(found->second);
+    }
+    std::sort(late.begin(), late.end());
+    return late;
+}
+
+std::vector<std::string> list_row(const plot& drawn, long digits) {
+    const plotted& p = drawn.of;
+    const auto zero =
+        std::count_if(drawn.defined.begin(), drawn.defined.end(), [](const auto& ratio) { return ratio.second == 0; });
+    const auto late = late_ratios(drawn);
+    return {p.at.energy,
+            p.point.text,
+            std::to_string(drawn.power),
+            std::to_string(drawn.series.first()),
+            std::to_string(drawn.series.last()),
+            std::to_string(drawn.series.last() - static_cast<int>(drawn.defined.size())),
+            std::to_string(zero),
+            late.empty() ? "" : to_decimal(late.front(), digits),
+            late.empty() ? "" : to_decimal(late.back(), digits),
+            drawn.limit ? std::to_string(*drawn.limit) : "",
+            to_decimal(p.radius, digits),
+            p.pattern.text()};
 }
 
 struct plots {
@@ -132,9 +177,10 @@ plots plots_at(const sweep_energy& at, const exact& point, const std::vector<int
     const precision_scope scope(scalar.digits + guard_digits);
     const plotted p = plotted_list(at, point, orders.back());
     for (const int power : powers_of(p)) {
-        auto [points, list] = plot_of(p, power, scalar.digits);
+        const plot drawn = plot_in(p, power);
+        rows points = ratio_rows(drawn, scalar.digits);
         std::move(points.begin(), points.end(), std::back_inserter(all.points));
-        all.lists.push_back(std::move(list));
+        all.lists.push_back(list_row(drawn, scalar.digits));
     }
     return all;
 }
@@ -190,7 +236,7 @@ const study& domb_sykes() {
                         "N, last powers of the lists judged; the largest is drawn"},
                        {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
-        .seconds = 3,
+        .seconds = 4,
         .run = run};
     return result;
 }

@@ -16,6 +16,7 @@ about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '
 down = least(words(points), 6)
 array mark[6] = [4, 6, 8, 2, 12, 10]
 edge = 2.85               # ratios beyond it are drawn there
+widest = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", file)) >= 12 ? 0.21 : 0.55
 # The power that symmetry leaves at (e, p), and where theory has its intercept in t^power.
 power(e, p) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { last = $3 } END { print last }' '%s'", e, p, lists)) + 0
 limit(e, p, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $10 + 0 }' '%s'", e, p, k, lists)) + 0
@@ -35,22 +36,23 @@ do for [kind in terminals] {
     eval use_terminal(kind, target.'/domb_sykes', 1180, all)
     set multiplot
     set label 1 'Domb-Sykes plots: ratios of coefficients times the exact R^p, in t^p' at screen 0.5, 1 - 20 / all center font ',16'
-    set xrange [0:0.21]
+    set xrange [0:widest]
     set yrange [-3:3]
     set xlabel '1/n'
     set lmargin 8; set rmargin 2; set tmargin 2.2; set bmargin 3.4
     do for [q=1:down] {
         p = word(points, q)
-        scatters = 0
-        do for [side=1:2] {
+        symmetric = 0
+        do for [j=1:shown] { symmetric = symmetric + (power(pick(j), p) > 1) }
+        do for [side=1:(symmetric ? 2 : 1)] {
             set origin (side - 1) * 0.5, (foot + high * (down - q)) / all
-            set size 0.5, high / all
+            set size symmetric ? 0.5 : 1, high / all
             set title about(p).', '.(side == 1 ? 'in t' : title_of(apart(p)))
             set ylabel side == 1 ? 'a_n/a_{n-1} · R' : 'a_n/a_{n-p} · R^p'
             if (q == 1 && side == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
             set yrange [-3:3]
-            set arrow 1 from 0, 1 to 0.21, 1 nohead lc rgb '#bbbbbb' lw 0.8 back
-            set arrow 2 from 0, -1 to 0.21, -1 nohead lc rgb '#bbbbbb' lw 0.8 back
+            set arrow 1 from 0, 1 to widest, 1 nohead lc rgb '#bbbbbb' lw 0.8 back
+            set arrow 2 from 0, -1 to widest, -1 nohead lc rgb '#bbbbbb' lw 0.8 back
             lines = ''
             straight = 0
             bad = 0
@@ -59,7 +61,7 @@ do for [kind in terminals] {
                 s = limit(pick(j), p, k)
                 straight = straight + (s != 0)
                 bad = bad + system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $6 }' '%s'", pick(j), p, k, lists))
-                lines = lines.(s ? sprintf("[0:0.21] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", s, k) : '')
+                lines = lines.(s ? sprintf("[0:%g] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", widest, s, k) : '')
                 if (s) { set label 10 + j '' at 0, s point pt 13 ps 1.8 lc rgb '#D55E00' front }
             }
             if (straight == shown && !bad) { set yrange [-1.25:0.25]; unset arrow 1 }

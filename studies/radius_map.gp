@@ -63,7 +63,7 @@ do for [kind in terminals] {
         unset label 2
         set origin 2 / 3.0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': relative error of R'
-        set ylabel 'log_{10} |R estimated/R - 1|'
+        set ylabel 'log_{10} |R estimated/R - 1|' offset 0
         set yrange [lowest:1]
         plot for [j=1:shown] rows(pick(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark[j] ps 0.8 lw 1.3 lc rgb shade[j]
     }
