@@ -104,14 +104,14 @@ const study& root_test() {
         .label = "",
         .question = "How slowly does the root test find the radius of convergence?",
         .reading =
-            "The relative error of |a_n|^(-1/n) (top) and of |n a_n|^(-1/n) (bottom row) over n, both axes "
+            "The relative error of |a_n|^(-1/n) (top row) and of |n a_n|^(-1/n) (bottom row) over n, both "
             "logarithmic. The coefficients are R^-n times a power of n, and the root of that power is what the plain "
-            "test errs by: ln(n)/n, the grey line, which is still 1% at n = 600. The factor n takes the power away, "
-            "as it should for logarithms, and leaves ln(A)/n by the amplitude A of the coefficients: more than a "
-            "third digit would cost ten times the coefficients. About the bottom, and at E = 1 about the top, the "
-            "errors lie on these lines; elsewhere about the top the phase of a complex pair makes them scatter. The "
-            "second figure compares what the tests that look at sizes alone answer, and the uncertainty that they "
-            "give, with the verdict of all tests from the same coefficients.",
+            "test errs by: ln(n)/n, the broad grey line, still 1% at n = 600. The factor n takes the power of "
+            "logarithms away and leaves ln(A)/n by the amplitude A of the coefficients: each further digit costs ten "
+            "times the coefficients. About the bottom, and about the top at E = 1, the errors lie on the dotted "
+            "lines of the amplitude; elsewhere the phase of a complex pair makes them scatter. The second figure "
+            "compares what the tests that look at sizes alone answer, and the uncertainty that they give, with the "
+            "verdict of all tests on the same lists: two digits from 400 coefficients, against all 30 from 80.",
         .parameters = {{"--energies", "0.5,1,1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},

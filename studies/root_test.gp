@@ -20,6 +20,7 @@ amplitude(p) = system(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'",
 # "n,log10 error"; behind them a point out of sight, for gnuplot warns of a file without points.
 errors(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $%d !~ /inf/ {print $3 \",\" $%d} END {print \"1e-9,9\"}' '%s'", e, p, k, k, file)
 log10_of(x) = x == 0 ? NaN : log10(abs(x))
+highest = system(sprintf("awk -F, 'BEGIN { l = 0.2 } NR > 1 { for (c = 9; c <= 10; ++c) if ($c !~ /inf/ && $c + 0 > l) l = $c + 0 } END { print l + 0.3 }' '%s'", file)) + 0
 array mark[6] = [4, 6, 8, 2, 12, 10]
 high = 350
 head = 40
@@ -31,6 +32,7 @@ do for [kind in terminals] {
     set multiplot
     set label 1 (across < 2 ? 'The root test against n' : 'The root test, plain and corrected, against the exact radius') at screen 0.5, 1 - 20 / all center font ',16'
     set logscale x
+    set xtics (2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000)
     set xrange [2:last * 1.15]
     set samples 600
     set xlabel 'n'
@@ -42,7 +44,7 @@ do for [kind in terminals] {
             set origin (i - 1.0) / across, (foot + high * (1 - row)) / all
             set size 1.0 / across, high / all
             set title about(p).(row == 0 ? ': |a_n|^{-1/n}' : ': |n a_n|^{-1/n}')
-            set yrange [row == 0 ? -4 : -5 : row == 0 ? 0.5 : 0.5]
+            set yrange [row == 0 ? -4 : -5 : highest]
             if (i == 1) { set ylabel 'log_{10} |relative error|' } else { unset ylabel }
             if (row == 0 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
             set label 2 row == 0 ? 'grey: ln(n)/n' : sprintf('grey: ln(A)/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb '#555555'
