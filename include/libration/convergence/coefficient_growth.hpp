@@ -21,7 +21,7 @@ enum class growth { unknown, geometric, entire, divergent };
 /// How the coefficients grow, and gamma.
 template <rounding_scalar T>
 struct coefficient_growth {
-    growth kind = growth::unknown;  ///< unknown with fewer than twelve non-zero coefficients
+    growth kind = growth::unknown;  ///< unknown with fewer than eight non-zero coefficients
     T gamma = T(0);
 };
 
@@ -56,12 +56,14 @@ std::vector<T> fit_sizes(const std::vector<size_point<T>>& points, const T& last
 
 }  // namespace fitting
 
-/// The growth of the coefficients. gamma counts from 1/8 + 8/K on, since k^(-nu-1) leaves about 1.6 (nu + 1)/K. O(K).
+/// The growth of the coefficients. gamma counts below -1/8 - 12/K, since k^(-nu-1) leaves about 1.6 (nu + 1)/K and few
+/// coefficients of a pair scatter; and above 1/4 + 16/K, for small coefficients that a nearer singularity overtakes are
+/// more common than divergent series. O(K).
 template <rounding_scalar T>
 coefficient_growth<T> growth_of(const strided_series<T>& c) {
     using std::abs;
     using std::log;
-    constexpr std::size_t fewest = 12;
+    constexpr std::size_t fewest = 8;
     std::vector<fitting::size_point<T>> points;
     const T last(c.last());
     for (int k = c.last() / 4 + 1; k <= c.last(); ++k) {
@@ -82,8 +84,9 @@ coefficient_growth<T> growth_of(const strided_series<T>& c) {
     }
     // beta x + gamma' x log x with x = k/K: gamma = gamma'/K.
     const T gamma = fitting::fit_sizes(upper.size() < fewest / 2 ? points : upper, last)[2] / last;
-    const T least = T(1) / 8 + T(8) / last;
-    const growth kind = gamma < -least ? growth::entire : gamma > least ? growth::divergent : growth::geometric;
+    const T falling = -T(1) / 8 - T(12) / last;
+    const T growing = T(1) / 4 + T(16) / last;
+    const growth kind = gamma < falling ? growth::entire : gamma > growing ? growth::divergent : growth::geometric;
     return {kind, gamma};
 }
 

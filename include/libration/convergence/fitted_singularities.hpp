@@ -178,6 +178,9 @@ radius_estimate<T> estimate_by_recurrence(const std::string& method, const strid
     const mpfr radius = modulus_of(first.at);
     result.radius = in_scalar(radius);
     result.uncertainty = in_scalar(first.moved.likely) * safety + *result.radius * rounding;
+    if (result.uncertainty >= *result.radius) {
+        return no_estimate<T>(method, "its roots do not settle");
+    }
     result.exponent = in_scalar(first.exponent);
     result.exponent_uncertainty = in_scalar(first.exponent_moved) * safety;
     const mpfr certain = first.moved.likely + radius * widen(rounding);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,36 +70,48 @@ radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests
     return no_estimate<T>("verdict", "a lacunary series, of which the root test gives no radius");
 }
 
-/// The most certain answer of the tests that may decide, confirmed by another one: where it differs from all of them by more
-/// than both allow, the least difference is the uncertainty.
+/// The answers of the tests that may decide, or of all to a factor of 3/2 where these have none, by growing relative
+/// uncertainty.
+template <rounding_scalar T>
+std::vector<radius_estimate<T>> answers_by_certainty(const std::vector<radius_estimate<T>>& tests) {
+    std::vector<radius_estimate<T>> answers;
+    const auto take = [&](bool all) {
+        std::copy_if(tests.begin(), tests.end(), std::back_inserter(answers), [&](const auto& each) {
+            return each.radius && (may_decide(each.method) || (all && each.uncertainty * 2 < *each.radius));
+        });
+    };
+    take(false);
+    if (answers.empty()) {
+        take(true);
+    }
+    std::stable_sort(answers.begin(), answers.end(), [](const auto& a, const auto& b) {
+        return a.uncertainty * *b.radius < b.uncertainty * *a.radius;
+    });
+    return answers;
+}
+
+/// The most certain answer, confirmed by another one: where it differs from all others by more than both allow, the least
+/// difference is the uncertainty.
 template <rounding_scalar T>
 radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, const coefficient_pattern& pattern) {
     using std::abs;
     if (pattern.lacunary) {
         return lacunary_verdict(tests);
     }
-    std::vector<const radius_estimate<T>*> answers;
-    for (const auto& each : tests) {
-        if (each.radius && may_decide(each.method)) {
-            answers.push_back(&each);
-        }
-    }
+    const auto answers = answers_by_certainty(tests);
     if (answers.empty()) {
-        return no_estimate<T>("verdict", "no test that may decide gives a radius: " + pattern.text());
+        return no_estimate<T>("verdict", "no test gives a radius to a factor of 3/2: " + pattern.text());
     }
-    std::sort(answers.begin(), answers.end(),
-              [](const auto* a, const auto* b) { return a->uncertainty * *b->radius < b->uncertainty * *a->radius; });
-    radius_estimate<T> verdict = *answers.front();
+    radius_estimate<T> verdict = answers.front();
     verdict.method = "verdict";
-    verdict.note = "by " + answers.front()->method;
-    // Of the others, the one that leaves least doubt.
+    verdict.note = "by " + answers.front().method;
     const radius_estimate<T>* witness = nullptr;
     T doubt(0);
-    for (const auto* other : answers) {
-        const T apart = abs(*verdict.radius - *other->radius);
-        const T left = apart <= verdict.uncertainty + other->uncertainty ? verdict.uncertainty : apart;
-        if (other != answers.front() && (witness == nullptr || left < doubt)) {
-            witness = other;
+    for (std::size_t i = 1; i < answers.size(); ++i) {
+        const T apart = abs(*verdict.radius - *answers[i].radius);
+        const T left = apart <= verdict.uncertainty + answers[i].uncertainty ? verdict.uncertainty : apart;
+        if (witness == nullptr || left < doubt) {
+            witness = &answers[i];
             doubt = left;
         }
     }
