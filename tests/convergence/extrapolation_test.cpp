@@ -13,6 +13,7 @@ TEMPLATE_LIST_TEST_CASE("Neville's table is exact for a polynomial in the recipr
     using T = typename TestType::type;
     const typename TestType::precision precision;
     std::vector<sequence_entry<T>> s;
+    s.reserve(51);
     for (int n = 10; n <= 60; ++n) {
         s.push_back({n, T(2 + T(3) / n - T(5) / (n * n))});
     }
@@ -32,6 +33,7 @@ TEMPLATE_LIST_TEST_CASE("fits see through what oscillates about a power law", "[
     using std::abs;
     using std::cos;
     std::vector<sequence_entry<T>> s;
+    s.reserve(381);
     for (int n = 20; n <= 400; ++n) {
         s.push_back({n, T(1 + T(1) / n + cos(T(n)) / (n * n))});
     }

@@ -14,6 +14,8 @@ TEMPLATE_LIST_TEST_CASE("a settled sequence tells its range and how its error go
     const typename TestType::precision precision;
     std::vector<T> slow;
     std::vector<T> fast;
+    slow.reserve(11);
+    fast.reserve(11);
     T power(1);
     for (int n = 30; n <= 40; ++n, power /= 4) {
         slow.push_back(T(1 + T(1) / n));

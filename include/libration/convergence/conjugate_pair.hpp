@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "libration/convergence/strided_series.hpp"

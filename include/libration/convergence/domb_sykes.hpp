@@ -6,7 +6,6 @@
 // than one singularity is nearest: the ratios scatter.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>

@@ -6,7 +6,6 @@
 // singularities and for lacunary series; fails only by being slow.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
