@@ -1,4 +1,5 @@
-// A pair of conjugate singularities in w = x^stride as the quadratic 1 - s w + d w^2, what the tests for pairs solve for.
+// A pair of conjugate singularities in w = x^stride as the quadratic 1 - s w + d w^2, what the tests for pairs solve
+// for.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +26,8 @@ struct pair_quadratic {
         const T larger = s < 0 ? T(s - sqrt(square)) : T(s + sqrt(square));
         return {T(2 / larger), T(0)};
     }
-    /// Whether the roots are conjugate, at an angle that turns by half a circle at least within k powers of w: a pair at a
-    /// smaller angle looks like a single singularity.
+    /// Whether the roots are conjugate, at an angle that turns by half a circle at least within k powers of w: a pair
+    /// at a smaller angle looks like a single singularity.
     bool conjugate(int k) const {
         const T angle_from_axis = d * 4 - s * s;
         return angle_from_axis * k * k > d * 36;
@@ -39,7 +40,8 @@ private:
     }
 };
 
-/// The coefficients of the last three quarters, and six before them, divided by the largest: products of them stay in range.
+/// The coefficients of the last three quarters, and six before them, divided by the largest: products of them stay in
+/// range.
 template <rounding_scalar T>
 class scaled_coefficients {
 public:

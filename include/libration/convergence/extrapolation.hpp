@@ -1,10 +1,10 @@
 // The limit of a sequence s_n = s + s_1/n + s_2/n^2 + ..., n -> infinity, with an estimate of its error.
 //
-// Neville's table: the value at 1/n = 0 of the polynomial in 1/n through s_n and j earlier entries, s - S = O(n^-(j+1)); with
-// steps h between the entries taken [Guttmann1989, 2.2]. Rounding grows with the column like (n/h)^j/j!, so the best column
-// is the one whose last entries move least; larger steps amplify less. What oscillates is amplified in the same way and
-// shows in the movement: then column 0 is the best one. Where the oscillation falls faster than what it hides, polynomials
-// in 1/n fitted by least squares to many entries reach further.
+// Neville's table: the value at 1/n = 0 of the polynomial in 1/n through s_n and j earlier entries, s - S =
+// O(n^-(j+1)); with steps h between the entries taken [Guttmann1989, 2.2]. Rounding grows with the column like
+// (n/h)^j/j!, so the best column is the one whose last entries move least; larger steps amplify less. What oscillates
+// is amplified in the same way and shows in the movement: then column 0 is the best one. Where the oscillation falls
+// faster than what it hides, polynomials in 1/n fitted by least squares to many entries reach further.
 #pragma once
 
 #include <algorithm>
@@ -62,8 +62,8 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
-/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0. In the variable u with u = -+1 at the
-/// ends n = m and n = m/2, so that the normal equations are well conditioned.
+/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0. In the variable u with u = -+1 at
+/// the ends n = m and n = m/2, so that the normal equations are well conditioned.
 template <rounding_scalar T>
 T fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last, std::size_t degree) {
     std::vector<std::vector<T>> normal(degree + 1, std::vector<T>(degree + 1, T(0)));
@@ -94,9 +94,9 @@ T fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::
 
 }  // namespace fitting
 
-/// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n grows from entry to entry; four entries at least,
-/// of size about 1 or scaled alike. On a power law in 1/n the uncertainty is about the error.
-/// O(N log N) for each column. Throws std::invalid_argument for fewer entries.
+/// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n grows from entry to entry; four entries at
+/// least, of size about 1 or scaled alike. On a power law in 1/n the uncertainty is about the error. O(N log N) for
+/// each column. Throws std::invalid_argument for fewer entries.
 template <rounding_scalar T>
 sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
     constexpr std::size_t fewest = 4;
@@ -128,9 +128,9 @@ sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
     return *std::move(best);
 }
 
-/// By least squares with a polynomial of degree p <= 4 in 1/n on the last half of the entries; the degree is the one whose
-/// value moves least as the last eighth and the last quarter of the entries are left out, and the last one, two, three. For
-/// sequences that oscillate about a power law. Four entries at least. O(N).
+/// By least squares with a polynomial of degree p <= 4 in 1/n on the last half of the entries; the degree is the one
+/// whose value moves least as the last eighth and the last quarter of the entries are left out, and the last one, two,
+/// three. For sequences that oscillate about a power law. Four entries at least. O(N).
 template <rounding_scalar T>
 sequence_limit<T> fitted_limit(const std::vector<sequence_entry<T>>& s) {
     using std::abs;

@@ -2,10 +2,10 @@
 //
 // Coefficients of (1 - s w + d w^2)^nu, w = x^stride, s = 2 cos(phi)/R, d = 1/R^2, satisfy with m = n/stride
 //     m c_k - s (m - 1 - nu) c_{k-1} + d (m - 2 - 2 nu) c_{k-2} = 0 [HunterGuerrieri1980].
-// Three successive ones have a solution (1, s, d) only where their determinant is 0: a quadratic equation for nu. Two of the
-// recurrences then give s and d; a fourth tells which root is meant. Exact for this function and for a pair of
-// logarithms; with other factors the error falls like 1/n^2, and the sequences of s, d and nu are extrapolated in 1/n. Fails
-// where the nearest singularities are not one pair: d <= 0, or the sequences do not settle.
+// Three successive ones have a solution (1, s, d) only where their determinant is 0: a quadratic equation for nu. Two
+// of the recurrences then give s and d; a fourth tells which root is meant. Exact for this function and for a pair of
+// logarithms; with other factors the error falls like 1/n^2, and the sequences of s, d and nu are extrapolated in 1/n.
+// Fails where the nearest singularities are not one pair: d <= 0, or the sequences do not settle.
 #pragma once
 
 #include <array>
@@ -136,7 +136,8 @@ hunter_guerrieri_sequences<T> hunter_guerrieri_sequences_of(const strided_series
 
 }  // namespace fitting
 
-/// By the extrapolated sequences, with four times their uncertainty: calibrated. Needs twelve coefficients. O(N log N) for each column of the extrapolation.
+/// By the extrapolated sequences, with four times their uncertainty: calibrated. Needs twelve coefficients. O(N log N)
+/// for each column of the extrapolation.
 template <rounding_scalar T>
 radius_estimate<T> hunter_guerrieri(const strided_series<T>& c) {
     using std::sqrt;

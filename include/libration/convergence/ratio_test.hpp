@@ -1,7 +1,7 @@
 // The ratio test: |a_{n-1}/a_n| -> R for a single nearest singularity.
 //
-// For (1 - w/w0)^nu, c_{k-1}/c_k = w0 (1 + (nu + 1)/k + ...): the error falls like 1/N. Fails, and then says so, where more
-// than one singularity is nearest: the ratios do not converge, or divide by 0.
+// For (1 - w/w0)^nu, c_{k-1}/c_k = w0 (1 + (nu + 1)/k + ...): the error falls like 1/N. Fails, and then says so, where
+// more than one singularity is nearest: the ratios do not converge, or divide by 0.
 #pragma once
 
 #include <string>
@@ -72,8 +72,8 @@ radius_estimate<T> estimate_by_ratios(const std::string& method, const strided_s
 
 }  // namespace fitting
 
-/// The textbook's test on all coefficients: R = |a_{N-1}/a_N|, refused where symmetry makes coefficients 0. The uncertainty is
-/// four times the movement over the last quarter. Needs eight coefficients. O(N).
+/// The textbook's test on all coefficients: R = |a_{N-1}/a_N|, refused where symmetry makes coefficients 0. The
+/// uncertainty is four times the movement over the last quarter. Needs eight coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> ratio_test(const strided_series<T>& c) {
     return fitting::estimate_by_ratios("ratio", c);

@@ -1,7 +1,7 @@
 // The root test: a radius of convergence from the size of coefficients alone.
 //
-// |a_n|^(-1/n) -> R along the largest coefficients, whatever the singularities are (Cauchy and Hadamard). For
-// a_n ~ A n^(-nu-1) R^-n the logarithm is wrong by ((nu + 1) log n - log A)/n; |n a_n|^(-1/n) by (nu log n - log A)/n, only
+// |a_n|^(-1/n) -> R along the largest coefficients, whatever the singularities are (Cauchy and Hadamard). For a_n ~ A
+// n^(-nu-1) R^-n the logarithm is wrong by ((nu + 1) log n - log A)/n; |n a_n|^(-1/n) by (nu log n - log A)/n, only
 // O(1/n) for a logarithm, nu = 0. Works for lacunary series, too; fails only by being slow.
 #pragma once
 
@@ -108,8 +108,8 @@ radius_estimate<T> estimate_by_roots(const std::string& method, const strided_se
 
 }  // namespace fitting
 
-/// |a_n|^(-1/n). The uncertainty is twice the largest difference from the results of three quarters, a half and a quarter
-/// of the list. Needs six coefficients other than 0. O(N).
+/// |a_n|^(-1/n). The uncertainty is twice the largest difference from the results of three quarters, a half and a
+/// quarter of the list. Needs six coefficients other than 0. O(N).
 template <rounding_scalar T>
 radius_estimate<T> root_test(const strided_series<T>& c) {
     return fitting::estimate_by_roots("root", c, 0);

@@ -1,7 +1,7 @@
 // Whether a sequence of estimates has settled: its last entries, how far they move, and the answer that follows.
 //
-// An error that falls like 1/n^p, p >= 1, moves by (4/3)^p - 1 of itself, a third at least, over the last quarter of n; one
-// that oscillates moves by its own size. Tests take four times the movement as uncertainty: calibrated, not proved.
+// An error that falls like 1/n^p, p >= 1, moves by (4/3)^p - 1 of itself, a third at least, over the last quarter of n;
+// one that oscillates moves by its own size. Tests take four times the movement as uncertainty: calibrated, not proved.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ struct settled_value {
     T last_steps;  ///< and among the three before the last
 
     T spread() const { return highest - lowest; }
-    /// Four times the spread; or, where the last half moves less than a sixth of it, the error falls geometrically and is
-    /// continued so: four times moved_late^2/spread, and no less than the last steps.
+    /// Four times the spread; or, where the last half moves less than a sixth of it, the error falls geometrically and
+    /// is continued so: four times moved_late^2/spread, and no less than the last steps.
     T uncertainty() const {
         if (moved_late * 6 < spread()) {
             const T continued = moved_late * moved_late / spread();

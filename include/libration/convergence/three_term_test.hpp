@@ -4,8 +4,8 @@
 //     n c_k/c_{k-1} = (n - stride - stride nu)/w0,
 // and the difference of two such equations has nu eliminated [ChangCorliss1980]:
 //     1/w0 = (n c_k/c_{k-1} - (n - stride) c_{k-1}/c_{k-2})/stride,   nu + 1 = (n/stride) (1 - w0 c_k/c_{k-1}).
-// Exact for this f; with other factors the error falls like 1/n^2, that of nu like 1/n. Fails, and then says so, where more
-// than one singularity is nearest: successive results differ.
+// Exact for this f; with other factors the error falls like 1/n^2, that of nu like 1/n. Fails, and then says so, where
+// more than one singularity is nearest: successive results differ.
 #pragma once
 
 #include <string>
@@ -35,8 +35,8 @@ three_term_solution<T> solve_three_terms(const strided_series<T>& c, int k) {
 
 }  // namespace fitting
 
-/// From the last three coefficients. The uncertainty is four times the movement over the last quarter, and what a rounding of
-/// the coefficients makes of 1/w0, n times as much. Needs eight coefficients. O(N).
+/// From the last three coefficients. The uncertainty is four times the movement over the last quarter, and what a
+/// rounding of the coefficients makes of 1/w0, n times as much. Needs eight coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> three_term_test(const strided_series<T>& c) {
     using std::abs;

@@ -1,9 +1,9 @@
 // The top-line test of Chang and Corliss: the slope of a straight line along the largest coefficients.
 //
-// log |a_n| = -n log R - (nu + 1) log n + log A + what oscillates, never above 0: the upper hull of the points (n, log |a_n|)
-// has the slope -log R - (nu + 1)/n [ChangCorliss1980]. The slope is that of the chord of the hull over the last half of the
-// list between its quarter points, so that a last coefficient in a trough does not count. Works for any number of
-// singularities and for lacunary series; fails only by being slow.
+// log |a_n| = -n log R - (nu + 1) log n + log A + what oscillates, never above 0: the upper hull of the points (n, log
+// |a_n|) has the slope -log R - (nu + 1)/n [ChangCorliss1980]. The slope is that of the chord of the hull over the last
+// half of the list between its quarter points, so that a last coefficient in a trough does not count. Works for any
+// number of singularities and for lacunary series; fails only by being slow.
 #pragma once
 
 #include <cstddef>
