@@ -62,7 +62,7 @@ std::optional<six_term_solution<T>> solve_six_terms(const strided_series<T>& ser
 
 }  // namespace fitting
 
-/// From the last six coefficients. The uncertainty is four times the movement over the last quarter, and what a
+/// From the last six coefficients. The uncertainty is that of the settling of the last quarter, and what a
 /// rounding of the coefficients does at least. Needs twelve coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> six_term_test(const strided_series<T>& c) {

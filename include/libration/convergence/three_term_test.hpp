@@ -35,7 +35,7 @@ three_term_solution<T> solve_three_terms(const strided_series<T>& c, int k) {
 
 }  // namespace fitting
 
-/// From the last three coefficients. The uncertainty is four times the movement over the last quarter, and what a
+/// From the last three coefficients. The uncertainty is that of the settling of the last quarter, and what a
 /// rounding of the coefficients makes of 1/w0, n times as much. Needs eight coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> three_term_test(const strided_series<T>& c) {
