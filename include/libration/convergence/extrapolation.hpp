@@ -1,7 +1,7 @@
 // The limit of a sequence s_n = s + s_1/n + s_2/n^2 + ..., n -> infinity, with an estimate of its error.
 //
 // Neville's table: the value at 1/n = 0 of the polynomial in 1/n through s_n and j earlier entries, s - S =
-// O(n^-(j+1)); with steps h between the entries taken [Guttmann1989, 2.2]. Rounding grows with the column like
+// O(n^-(j+1)); with steps h between the entries taken [Guttmann1989]. Rounding grows with the column like
 // (n/h)^j/j!, so the best column is the one whose last entries move least; larger steps amplify less. What oscillates
 // is amplified in the same way and shows in the movement: then column 0 is the best one. Where the oscillation falls
 // faster than what it hides, polynomials in 1/n fitted by least squares to many entries reach further.
