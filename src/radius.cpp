@@ -230,18 +230,29 @@ std::vector<std::string> row_of(const radius_estimate<mpfr>& estimate, const jud
             "heuristic"};
 }
 
-// "2 poles at 1.57 and its image": number, kind and position of the nearest singularities.
+// "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points".
+std::string what_in_words(const radius_estimate<mpfr>& estimate) {
+    const bool one = estimate.count == 1;
+    const char* const plural = one ? "" : "s";
+    std::string what = one ? "singularity" : "singularities";
+    if (estimate.kind == singularity_kind::pole) {
+        const rational order = -simple_exponent(estimate).value_or(rational(-1));
+        what =
+            order == 1 ? fmt::format("simple pole{}", plural) : fmt::format("pole{} of order {}", plural, order.str());
+    } else if (estimate.kind == singularity_kind::logarithm) {
+        what = fmt::format("logarithm{}", plural);
+    } else if (estimate.kind == singularity_kind::algebraic) {
+        what = fmt::format("algebraic branch point{}", plural);
+    }
+    return estimate.count > 0 ? fmt::format("{} {}", estimate.count, what) : what;
+}
+
+// "2 simple poles at 1.57 and its image": number, kind and position of the nearest singularities.
 std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const std::vector<std::string>& row) {
     if (estimate.kind == singularity_kind::boundary) {
         return "the whole circle of convergence is a boundary";
     }
-    const bool one = estimate.count == 1;
-    std::string what = estimate.kind == singularity_kind::pole        ? "pole"
-                       : estimate.kind == singularity_kind::logarithm ? "logarithm"
-                       : estimate.kind == singularity_kind::algebraic ? "algebraic branch point"
-                                                                      : "singularit";
-    what += what == "singularit" ? (one ? "y" : "ies") : one ? "" : "s";
-    std::string words = estimate.count > 0 ? fmt::format("{} {}", estimate.count, what) : what;
+    std::string words = what_in_words(estimate);
     if (estimate.position) {
         const std::string& re = row[5];
         const std::string& im = row[6];

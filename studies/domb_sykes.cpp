@@ -236,7 +236,7 @@ const study& domb_sykes() {
                         "N, last powers of the lists judged; the largest is drawn"},
                        {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
-        .seconds = 4,
+        .seconds = 2,
         .run = run};
     return result;
 }

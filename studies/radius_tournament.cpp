@@ -320,7 +320,7 @@ const study& radius_tournament() {
                   {"--orders", "20", ""},
                   {"--points", "0", ""},
                   {"--scalar", "double", ""}},
-        .seconds = 30,
+        .seconds = 16,
         .run = run};
     return result;
 }

@@ -119,7 +119,7 @@ const study& root_test() {
                         "N, last powers of the lists judged; roots are drawn up to the largest"},
                        {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
-        .seconds = 5,
+        .seconds = 2,
         .run = run};
     return result;
 }

@@ -44,7 +44,14 @@ TEMPLATE_LIST_TEST_CASE("the six-term test finds a pair in a power of x and refu
     for (int n = 0; n <= 60; ++n) {
         three[n] += 1;
     }
-    CHECK(six_term_test(every_coefficient(three)).note.find("successive results differ") == 0);
+    // Three singularities on the circle make results that differ, in some steps by real roots; arcsin in t^2 has one alone.
+    CHECK_FALSE(six_term_test(every_coefficient(three)).radius);
+    auto arcsine = power_series<T>::zero(60);
+    arcsine[0] = T(1);
+    for (int k = 1; k <= 60; ++k) {
+        arcsine[k] = arcsine[k - 1] * (2 * k - 1) * (2 * k - 1) / (2 * k * (2 * k + 1));
+    }
+    CHECK(six_term_test(every_coefficient(arcsine)).note.find("its roots are real") == 0);
     CHECK(six_term_test(every_coefficient(power_series<T>::zero(60))).note.find("its equations are singular") == 0);
 }
 

@@ -20,7 +20,7 @@ namespace libration {
 template <rounding_scalar T>
 radius_estimate<T> domb_sykes(const strided_series<T>& c) {
     using std::abs;
-    constexpr int safety = 1;
+    constexpr int safety = 2;
     const std::string method = "domb-sykes";
     if (c.last() + 1 < fitting::fewest_for_ratios) {
         return too_short<T>(method, fitting::fewest_for_ratios, c.last() + 1);

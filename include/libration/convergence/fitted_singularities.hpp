@@ -92,8 +92,8 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     return found.nearest.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
-/// Where few digits are certain, steps may be small by chance: the root is then no more certain than it agrees with that of
-/// the next degree on either side, whichever is nearer.
+/// Where few digits are certain, steps may be small by chance: the root is then no more certain than four times its distance
+/// from that of the next degree on either side, whichever is nearer.
 inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best) {
     constexpr int few_digits = 1'000'000;
     fitted_singularity& first = all[best].nearest.front();
@@ -107,7 +107,7 @@ inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std:
             nearest = nearest && *nearest < apart ? *nearest : apart;
         }
     }
-    first.moved.likely = std::max(first.moved.likely, *nearest);
+    first.moved.likely = std::max(first.moved.likely, *nearest) * 4;
 }
 
 }  // namespace fitting

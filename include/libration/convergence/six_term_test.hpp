@@ -86,7 +86,10 @@ radius_estimate<T> six_term_test(const strided_series<T>& c) {
         radii.push_back(solution->radius);
         exponents.push_back(solution->exponent);
     }
-    if (solution->position.im != 0 && !solution->pair.conjugate(c.last())) {
+    if (solution->position.im == 0) {
+        return no_estimate<T>(method, "its roots are real: no conjugate pair of singularities");
+    }
+    if (!solution->pair.conjugate(c.last())) {
         return no_estimate<T>(method, "its roots have no angle that could be seen: no pair of singularities");
     }
     const auto radius = settled_range(radii);
@@ -99,7 +102,7 @@ radius_estimate<T> six_term_test(const strided_series<T>& c) {
     result.radius = radius.value;
     result.uncertainty = radius.uncertainty() + radius.value * epsilon<T>() * (safety * (c.last() + 1));
     result.position = solution->position;
-    result.count = solution->position.im == 0 ? 1 : 2;
+    result.count = 2;
     result.exponent = exponent.value;
     result.exponent_uncertainty = exponent.uncertainty() + epsilon<T>() * safety * (c.last() + 1) * (c.last() + 1);
     return if_settled(in_variable(std::move(result), c.stride()));
