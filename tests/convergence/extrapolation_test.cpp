@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "convergence/known_series.hpp"
+#include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
 using namespace libration;

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "convergence/singular_series.hpp"
 #include "libration/convergence/differential_approximants.hpp"
 #include "scalars.hpp"
-#include "singular_series.hpp"
 
 using namespace libration;
 using namespace libration::tests;

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "convergence/singular_series.hpp"
 #include "scalars.hpp"
-#include "singular_series.hpp"
 
 using namespace libration;
 using namespace libration::tests;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "libration/convergence/known_singularity.hpp"
-#include "libration/pendulum/descent_cover.hpp"
+#include "libration/pendulum/descent_series.hpp"
 
 namespace libration {
 
@@ -18,12 +18,9 @@ inline known_series<mpfr> known_descent_series(std::string name, const motion& m
         const auto scaled = taylor_coefficients(start_at(exact_solution<mpfr>(m), cover.place), order, cover.radius);
         return rescale(scaled, mpfr(1 / cover.radius));
     };
-    const auto position = [m, x] {
-        const auto cover = cover_from<mpfr>(m, x);
-        return complex_number<mpfr>{mpfr(from_rational<mpfr>(rational(1 - x)) * cover.effective_period), cover.height};
-    };
-    const int count = x == 0 ? 4 : 2;
-    return singular_series<mpfr>(std::move(name), expand, {position, count, singularity_kind::logarithm, rational(0)});
+    const auto position = [m, x] { return nearest_on_descent(cover_from<mpfr>(m, x), x); };
+    return singular_series<mpfr>(std::move(name), expand,
+                                 {position, nearest_count_on_descent(x), singularity_kind::logarithm, rational(0)});
 }
 
 }  // namespace libration
