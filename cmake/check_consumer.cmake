@@ -1,6 +1,7 @@
-# cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README=] -P check_consumer.cmake
-# Configures, builds and runs the project that finds libration in PREFIX. With README its program is the file's first
-# ```cpp block, and it has to print exactly the ```text block that comes next.
+# cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README= | -D PROGRAM= -D SCALARS=]
+#     [-D WITHOUT_FLINT=ON] -P check_consumer.cmake
+# Configures, builds and runs the project that finds libration in PREFIX, as on a machine without FLINT where told so.
+# With README its program is the file's first ```cpp block, and it has to print exactly the ```text block that comes next.
 
 set(arguments "")
 if(README)
@@ -30,6 +31,14 @@ if(README)
     string(SUBSTRING "${text}" 0 ${end} expected)
 endif()
 
+foreach(name IN ITEMS PROGRAM SCALARS)
+    if(DEFINED ${name})
+        list(APPEND arguments -D ${name}=${${name}})
+    endif()
+endforeach()
+if(WITHOUT_FLINT)
+    list(APPEND arguments -D CMAKE_DISABLE_FIND_PACKAGE_FLINT=ON)
+endif()
 execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${PROJECT} -B ${BUILD}/build --fresh -G ${GENERATOR}
         -D CMAKE_CXX_COMPILER=${COMPILER}

@@ -4,6 +4,9 @@ find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
+if(NOT TARGET libration::ball)
+    message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
+endif()
 
 set(generated_dir ${PROJECT_BINARY_DIR}/generated)
 
@@ -41,7 +44,7 @@ add_library(libration-studies STATIC ${sweep_sources} ${study_sources} ${generat
 add_dependencies(libration-studies libration-version)
 target_include_directories(libration-studies PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
 target_link_libraries(libration-studies
-    PUBLIC libration::libration fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
+    PUBLIC libration::libration libration::ball fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE libration-warnings)
 target_precompile_headers(libration-studies PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
 

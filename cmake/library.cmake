@@ -27,6 +27,16 @@ if(LIBRATION_HAS_QUADMATH)
     target_link_libraries(libration INTERFACE $<$<CXX_COMPILER_ID:GNU>:quadmath>)
 endif()
 
+# Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_package(FLINT 2.9 QUIET)
+if(FLINT_FOUND)
+    add_library(libration-ball INTERFACE)
+    add_library(libration::ball ALIAS libration-ball)
+    set_target_properties(libration-ball PROPERTIES EXPORT_NAME ball)
+    target_link_libraries(libration-ball INTERFACE libration FLINT::FLINT)
+endif()
+
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/libration)
 configure_package_config_file(cmake/libration-config.cmake.in
@@ -43,7 +53,13 @@ install(DIRECTORY include/libration
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     COMPONENT headers
     FILES_MATCHING PATTERN "*.hpp")
+if(TARGET libration-ball)
+    # In a file of its own, which is read only where FLINT is found.
+    install(TARGETS libration-ball EXPORT libration-ball-targets)
+    install(EXPORT libration-ball-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
+endif()
 install(FILES
+    cmake/FindFLINT.cmake
     ${PROJECT_BINARY_DIR}/libration-config.cmake
     ${PROJECT_BINARY_DIR}/libration-config-version.cmake
     DESTINATION ${package_dir}

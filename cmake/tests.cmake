@@ -12,7 +12,10 @@ endif()
 
 add_executable(libration-tests ${test_sources})
 target_include_directories(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(libration-tests PRIVATE libration::libration Catch2::Catch2WithMain libration-warnings)
+if(NOT TARGET libration::ball)
+    message(FATAL_ERROR "the tests need FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
+endif()
+target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2WithMain libration-warnings)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
 target_compile_definitions(libration-tests PRIVATE
     LIBRATION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
@@ -53,6 +56,13 @@ add_test(NAME install
 add_test(NAME consumer
     COMMAND ${consumer}
         -D BUILD=${PROJECT_BINARY_DIR}/consumer
+        -D WITHOUT_FLINT=ON
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+add_test(NAME consumer_of_balls
+    COMMAND ${consumer}
+        -D BUILD=${PROJECT_BINARY_DIR}/consumer_of_balls
+        -D PROGRAM=proved.cpp
+        -D SCALARS=ball
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 add_test(NAME readme_example
     COMMAND ${consumer}
@@ -60,7 +70,7 @@ add_test(NAME readme_example
         -D README=${PROJECT_SOURCE_DIR}/README.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
-set_tests_properties(consumer readme_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
+set_tests_properties(consumer consumer_of_balls readme_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
 # The reader of our tables in docs/ that Debian can run.
 if(LIBRATION_BUILD_COMMAND)

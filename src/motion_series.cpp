@@ -2,23 +2,26 @@
 
 #include "agreement.hpp"
 #include "libration/pendulum/coefficients.hpp"
+#include "libration/pendulum/vanishing_coefficients.hpp"
+#include "proofs.hpp"
 #include "sweep/input_error.hpp"
 
 namespace libration {
 
 namespace {
 
-// The scaled coefficients are rounded in T, and leave its range only here, in mpfr.
+// The scaled coefficients are rounded in T, and leave its range only here, in its wide arithmetic.
 template <class T>
-std::vector<mpfr> coefficients_in(const series_request& request) {
+std::vector<wide_t<T>> coefficients_in(const series_request& request) {
+    using W = wide_t<T>;
     const exact_solution<T> solution(request.chosen.of);
     const expansion<T> series = expand(solution, request.at, request.order);
-    const mpfr scale = widen(series.scale) * time_unit<mpfr>(request.chosen.of);
-    std::vector<mpfr> values;
+    const W scale = widen(series.scale) * time_unit<W>(request.chosen.of);
+    std::vector<W> values;
     values.reserve(static_cast<std::size_t>(request.order) + 1);
-    mpfr power(1);
+    W power(1);
     for (int n = 0; n <= request.order; ++n) {
-        values.push_back(widen(series.scaled[n]) / power);
+        values.push_back(W(widen(series.scaled[n]) / power));
         power *= scale;
     }
     return values;
@@ -51,6 +54,16 @@ std::vector<mpfr> coefficient_values(const series_request& request) {
         });
     };
     return scalar.kind == scalar_kind::arbitrary ? agreed_values(scalar.digits, compute) : compute(20);
+}
+
+std::vector<proved_decimal> proved_coefficients(const series_request& request) {
+    const motion& m = request.chosen.of;
+    const auto compute = [&] { return coefficients_in<ball>(request); };
+    const auto vanishing = [&] {
+        const std::optional<phase<ball>> at = phase_of(request.at, exact_solution<ball>(m));
+        return vanishing_coefficients(m, at->side == 0 ? std::optional(at->quarter) : std::nullopt, request.order);
+    };
+    return proved_decimals(request.scalar.digits, compute, vanishing);
 }
 
 std::optional<mpfr> exact_radius(const series_request& request, long digits) {

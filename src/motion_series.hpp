@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libration/pendulum/expansion.hpp"
+#include "libration/scalar/ball_decimal.hpp"
 #include "options.hpp"
 
 namespace libration {
@@ -25,6 +26,9 @@ expansion_point point_of(const std::optional<std::string>& at, const chosen_moti
 /// a_0 .. a_N in the motion's unit of time: right to the digits of an mpfr scalar; as a fixed scalar computes them in time
 /// scaled by the radius, and without its bounds of range.
 std::vector<mpfr> coefficient_values(const series_request& request);
+
+/// a_0 .. a_N with every printed digit proved. Throws std::runtime_error where a proof is impossible.
+std::vector<proved_decimal> proved_coefficients(const series_request& request);
 
 /// The radius of convergence about the point from the lattice of singularities, in the motion's unit of time, to `digits`
 /// digits; nothing where it is infinite.

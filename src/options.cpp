@@ -156,6 +156,9 @@ chosen_motion motion_options::choose() const {
 
 chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
     chosen_motion chosen = choose();
+    if (scalar.kind == scalar_kind::proved) {
+        return chosen;  // no energy is outside the range of a ball
+    }
     try {
         with_scalar(scalar, 0, [&]<class T>() { energies<T>(chosen.of); });
     } catch (const std::range_error&) {
@@ -179,10 +182,20 @@ std::optional<std::string> motion_options::first_given() const {
     return std::nullopt;
 }
 
-void arithmetic_options::add_to(CLI::App& command) {
+namespace {
+
+std::string names_of(arithmetics offered) {
+    return offered == arithmetics::rounding ? "double, long-double, quad or mpfr:DIGITS"
+                                            : "double, long-double, quad, mpfr:DIGITS or ball:DIGITS (proved)";
+}
+
+}  // namespace
+
+void arithmetic_options::add_to(CLI::App& command, arithmetics offered) {
+    offered_ = offered;
     command.add_option("--digits", digits_, "significant digits to print, each right to one unit in the last")
         ->type_name("D");
-    command.add_option("--scalar", scalar_, "arithmetic: double, long-double, quad or mpfr:DIGITS")->type_name("S");
+    command.add_option("--scalar", scalar_, "arithmetic: " + names_of(offered))->type_name("S");
 }
 
 arithmetic arithmetic_options::choose() const {
@@ -195,8 +208,8 @@ arithmetic arithmetic_options::choose() const {
         const long wanted = digits.value_or(50);
         return {{scalar_kind::arbitrary, wanted}, wanted};
     }
-    const scalar_spec scalar = reading("--scalar", *scalar_, "write double, long-double, quad or mpfr:DIGITS",
-                                       [&] { return read_scalar(*scalar_); });
+    const scalar_spec scalar =
+        reading("--scalar", *scalar_, "write " + names_of(offered_), [&] { return read_scalar(*scalar_, offered_); });
     if (digits && *digits > scalar.digits) {
         throw input_error("--digits", *digits_, fmt::format("is more than the {} of {}", scalar.digits, scalar.name()),
                           fmt::format("ask for fewer or for --scalar mpfr:{}", *digits));

@@ -50,11 +50,12 @@ struct arithmetic {
 /// --digits D and --scalar S: without S, mpfr of the digits asked; without both, mpfr:50.
 class arithmetic_options {
 public:
-    void add_to(CLI::App& command);
+    void add_to(CLI::App& command, arithmetics offered = arithmetics::rounding);
     arithmetic choose() const;
 
 private:
     std::optional<std::string> digits_, scalar_;
+    arithmetics offered_ = arithmetics::rounding;
 };
 
 /// --format text|csv|json and --out FILE.

@@ -8,6 +8,7 @@
 #include "agreement.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
+#include "proofs.hpp"
 #include "subcommand.hpp"
 #include "sweep/input_error.hpp"
 
@@ -67,7 +68,7 @@ period_request choose(const period_options& options) {
 
 // T and T* in the motion's units.
 template <class T>
-std::vector<mpfr> period_values(const period_request& request) {
+std::vector<wide_t<T>> period_values(const period_request& request) {
     const motion& m = request.chosen.of;
     const T seconds = time_unit<T>(m);
     const T tstar = effective_period_by({request.method, request.order.value_or(0)}, orbit_of<T>(m)) * seconds;
@@ -87,11 +88,34 @@ std::vector<mpfr> period_values(const period_request& request) {
 
 constexpr long error_digits = 6;
 
+struct period_texts {
+    std::string period = "inf";
+    std::string tstar = "inf";
+    std::string error = "0";
+};
+
 // |T* as printed - truth|, the truth by the mean with more digits.
 std::string error_of(const std::string& tstar, const period_request& request) {
     const precision_scope more(request.numbers.scalar.digits + 30);
     const mpfr truth = effective_period(orbit_of<mpfr>(request.chosen.of)) * time_unit<mpfr>(request.chosen.of);
     return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(tstar)) - truth)), error_digits);
+}
+
+period_texts proved_texts(const period_request& request) {
+    const auto values = proved_decimals(request.numbers.digits, [&] { return period_values<ball>(request); });
+    const motion& m = request.chosen.of;
+    // What the printed T* misses is not 0: it is rational, and T* at an algebraic energy is not [Schneider].
+    const auto error = proved_decimals(error_digits, [&] {
+        const ball truth = effective_period(orbit_of<ball>(m)) * time_unit<ball>(m);
+        return std::vector<ball>{abs(from_exact<ball>(read_exact(values[1].text)) - truth)};
+    });
+    return {values[0].text, values[1].text, error[0].text};
+}
+
+period_texts rounded_texts(const period_request& request) {
+    const auto values = period_values(request);
+    const std::string tstar = to_decimal(values[1], request.numbers.digits);
+    return {to_decimal(values[0], request.numbers.digits), tstar, error_of(tstar, request)};
 }
 
 int run_period(const period_options& options) {
@@ -100,18 +124,16 @@ int run_period(const period_options& options) {
     const motion& m = request.chosen.of;
     const long digits = request.numbers.digits;
     const energy_texts texts = energy_texts_of(request.chosen, digits);
-    std::string period = "inf";
-    std::string tstar = "inf";
-    std::string error = "0";
+    period_texts printed;
     if (!at_critical_energy(m.regime())) {
-        const auto values = period_values(request);
-        period = to_decimal(values[0], digits);
-        tstar = to_decimal(values[1], digits);
-        error = error_of(tstar, request);
+        const bool proved = request.numbers.scalar.kind == scalar_kind::proved;
+        printed = proved ? proved_texts(request) : rounded_texts(request);
     }
     const std::string regime(name_of(m.regime()));
     const std::string order = request.order ? std::to_string(*request.order) : "";
-    const table data{period_columns, {{texts.energy, texts.gap, options.method, order, period, tstar, error, regime}}};
+    const table data{
+        period_columns,
+        {{texts.energy, texts.gap, options.method, order, printed.period, printed.tstar, printed.error, regime}}};
     std::string text;
     for (std::size_t i = 0; i < data.columns.size(); ++i) {
         if (!data.rows[0][i].empty()) {
@@ -128,7 +150,7 @@ subcommand period_command(CLI::App& program) {
     const auto options = std::make_shared<period_options>();
     CLI::App* command = program.add_subcommand("period", "the period T and the effective period T* of a motion");
     options->motion.add_to(*command);
-    options->arithmetic.add_to(*command);
+    options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command->add_option("--method", options->method, "agm; series (Kold) or resummed (Knew), with --order")
         ->capture_default_str();

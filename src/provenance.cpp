@@ -6,10 +6,23 @@
 
 #include <boost/version.hpp>
 
+#include "libration/scalar/ball_value.hpp"
 #include "libration/scalar/quad.hpp"
 #include "version.hpp"
 
 namespace libration {
+
+namespace {
+
+std::string balls() {
+#if __has_include(<flint/arb.h>)
+    return fmt::format("FLINT {}", FLINT_VERSION);
+#else
+    return fmt::format("FLINT {}, Arb {}", FLINT_VERSION, arb_version);
+#endif
+}
+
+}  // namespace
 
 std::vector<std::pair<std::string, std::string>> provenance() {
     return {{"libration", std::string(build::version)},
@@ -20,7 +33,7 @@ std::vector<std::pair<std::string, std::string>> provenance() {
             {"MPFR thread-safe", mpfr_buildopt_tls_p() != 0 ? "yes" : "no"},
             {"GMP", gmp_version},
             {"quad", LIBRATION_HAS_FLOAT128 != 0 ? "__float128 (libquadmath)" : "cpp_bin_float_quad"},
-            {"ball arithmetic", "none in this version"}};
+            {"ball arithmetic", balls()}};
 }
 
 std::string version_text() {

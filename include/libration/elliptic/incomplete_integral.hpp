@@ -12,8 +12,9 @@ namespace libration {
 /// Descending Landen [DLMF 19.8(ii)]: phi_{n+1} = phi_n + delta_n, tan delta_n = (b_n/a_n) tan phi_n, and
 /// F = phi_N / (2^N a_N). Sine and cosine travel as a pair, so that an angle next to pi/2 keeps the digits of its
 /// cosine, where F is steepest; the increments all have the sign of phi, so their sum does not cancel. The branch of
-/// delta_n is the one next to phi_n: they differ by less than pi/2. The last level leaves out at most
-/// |phi| k_N^2 / (b_N/a_N (1 + b_N/a_N)).
+/// delta_n is the one next to phi_n: they differ by less than pi/2, and the other branches by more than 3 pi/2; on balls
+/// less than pi has to be certain (precision_exhausted). At the last level the integrand lies in [1, 1/k_N'], and
+/// 1/k_N' - 1 = k_N^2/(k_N' (1 + k_N')): so it leaves out at most that share of phi_N, k_N' = b_N/a_N.
 template <scalar T>
 T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& chain) {
     using std::atan2;
@@ -21,12 +22,15 @@ T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& cha
     T s = sine;
     T c = cosine;
     T angle = atan2(s, c);
+    const T half_turn = pi<T>();
     for (int n = 0; n < chain.levels(); ++n) {
         const T bs = chain.b(n) * s;
         const T ac = chain.a(n) * c;
         const T principal = atan2(bs, ac);
-        const integer turns = nearest_integer(widen(T((angle - principal) / (pi<T>() * 2))));
-        angle += principal + from_rational<T>(rational(turns)) * pi<T>() * 2;
+        const integer turns = nearest_integer(widen(T((angle - principal) / (half_turn * 2))));
+        const T delta = principal + from_rational<T>(rational(turns)) * half_turn * 2;
+        require_below(T(angle - delta), half_turn, "a branch of the arc tangent");
+        angle += delta;
         const T scale = 1 / sqrt((bs * bs + ac * ac) * (s * s + c * c));
         const T next_s = s * c * (chain.a(n) + chain.b(n)) * scale;
         c = (c * ac - s * bs) * scale;

@@ -22,16 +22,23 @@ struct jacobi_values {
     T dn;
 };
 
-/// sn, cn, dn at |u| <= K/2, from a chain already made. Two divisions a level.
+/// sn, cn, dn at |u| <= K/2, from a chain already made; on balls at |u| < K, which has to be certain
+/// (precision_exhausted). Two divisions a level.
+///
+/// At the last level, am' = dn lies in [k_N', 1] and 1 - k_N' = k_N^2/(1 + k_N'): so |am(v, k_N) - v| <= k_N^2 |v| and
+/// 1 - dn <= k_N^2 for every v. There v = a_N u, and |v| < pi/2 proves |u| < K, since a_N >= agm(1, k') = pi/(2K); then
+/// cos am > 0 at every level, which the signs of t and cn rest on.
 template <scalar T>
 jacobi_values<T> jacobi_at(const T& u, const landen_chain<T>& chain) {
     using std::sqrt;
     using std::tan;
     const int last = chain.levels();
     const T angle = u * chain.a(last);
-    // At the last level |am(v, k_N) - v| <= k_N^2 |v|, tan' <= 4 around [-pi/4, pi/4], and 1 - dn <= k_N^2.
+    if constexpr (proved_scalar<T>) {
+        require_below(angle, T(pi<T>() / 2), "the quarter of an argument");
+    }
     const T left_out = chain.last_parameter();
-    T t = enclose(T(tan(angle)), T(left_out * angle * 4));
+    T t = tan(enclose(angle, T(left_out * angle)));
     T d = enclose(T(1), left_out);
     for (int n = last - 1; n >= 0; --n) {
         const T square = t * t;

@@ -56,8 +56,8 @@ phase<T> phase_of(const expansion_point& point, const exact_solution<T>& solutio
     return timeline<T>::at_quarter(top);
 }
 
-/// A Taylor series of theta about a point: coefficients a_n scale^n, the scale being the radius of convergence (1 where
-/// that is infinite), in dimensionless time.
+/// A Taylor series of theta about a point: coefficients a_n scale^n, the scale being the radius of convergence, of a ball
+/// its midpoint (1 where that is infinite), in dimensionless time.
 template <scalar T>
 struct expansion {
     power_series<T> scaled;
@@ -74,7 +74,7 @@ expansion<T> expand(const exact_solution<T>& solution, const expansion_point& po
     if (const auto lattice = singularities<T>(solution.of())) {
         radius = lattice->radius(at);
     }
-    const T scale = radius.value_or(T(1));
+    const T scale = midpoint(radius.value_or(T(1)));
     return {taylor_coefficients(start_at(solution, at), order, scale, by), scale, radius};
 }
 

@@ -24,9 +24,11 @@ public:
         const orbit<T> o = orbit_of<T>(m);
         effective_period_ = effective_period(o);
         rate_ = pi<T>() / (singularity_height(o) * 2);
-        // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10.
-        const mpfr decay = widen(T(rate_ * effective_period_ * 2));
-        pairs_ = 3 + static_cast<long>(nearest_integer(mpfr(mpfr((digits<T>() + 8) * 7) / 10 / decay)));
+        // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves out
+        // is enclosed whatever it is.
+        using W = wide_t<T>;
+        const W decay = widen(T(rate_ * effective_period_ * 2));
+        pairs_ = 3 + static_cast<long>(nearest_integer(W(W((digits<T>() + 8) * 7) / 10 / decay)));
     }
 
     long pairs() const { return pairs_; }

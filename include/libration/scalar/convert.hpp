@@ -16,6 +16,10 @@ template <rounding_scalar T>
 struct wide_scalar<T> {
     using type = mpfr;
 };
+template <proved_scalar T>
+struct wide_scalar<T> {
+    using type = T;
+};
 template <class T>
 using wide_t = typename wide_scalar<T>::type;
 
@@ -113,5 +117,30 @@ inline integer nearest_integer(const mpfr& x) {
 
 /// The sign of a wide value that decides a branch: -1, 0 or 1. A rounding scalar takes its value at its word.
 inline int decided_sign(const mpfr& x) { return mpfr_sgn(handle(x)); }
+
+/// A number next to x that is exact: x itself for a rounding scalar, the midpoint of a ball. For a choice that is free (a
+/// scale, a point), so that what follows has one uncertainty less.
+template <rounding_scalar T>
+T midpoint(const T& x) {
+    return x;
+}
+
+/// Whether a < b is certain: a rounding scalar takes its values at their word.
+template <rounding_scalar T>
+bool certainly_less(const T& a, const T& b) {
+    return a < b;
+}
+
+/// What a formula takes for granted, |x| < limit: on a rounding scalar it holds within rounding; on a ball it has to be
+/// certain, or precision_exhausted is thrown, because the formula would enclose something else.
+template <class T>
+requires rounding_scalar<T> || proved_scalar<T>
+void require_below(const T& x, const T& limit, const char* what) {
+    if constexpr (proved_scalar<T>) {
+        if (!certainly_less(T(abs(x)), limit)) {
+            throw precision_exhausted(what);
+        }
+    }
+}
 
 }  // namespace libration

@@ -13,9 +13,12 @@
 
 namespace libration {
 
-enum class scalar_kind { binary64, extended, binary128, arbitrary };
+enum class scalar_kind { binary64, extended, binary128, arbitrary, proved };
 
-/// A scalar named at run time: double, long-double, quad or mpfr:DIGITS.
+/// What a reader of names offers: a computation that has no proofs refuses balls by not asking for them.
+enum class arithmetics { rounding, proved_too };
+
+/// A scalar named at run time: double, long-double, quad, mpfr:DIGITS or ball:DIGITS.
 struct scalar_spec {
     scalar_kind kind = scalar_kind::arbitrary;
     long digits = 50;  ///< correct digits wanted in a result; for the fixed scalars those that print a value in full
@@ -26,6 +29,7 @@ struct scalar_spec {
             case scalar_kind::binary64: return "double";
             case scalar_kind::extended: return "long-double";
             case scalar_kind::binary128: return "quad";
+            case scalar_kind::proved: return "ball:" + std::to_string(digits);
             default: return "mpfr:" + std::to_string(digits);
         }
     }
@@ -51,7 +55,7 @@ inline long read_digits(std::string_view text) {
 }
 
 /// Reads a scalar's name. Throws std::invalid_argument saying what is wrong.
-inline scalar_spec read_scalar(std::string_view name) {
+inline scalar_spec read_scalar(std::string_view name, arithmetics offered = arithmetics::rounding) {
     if (name == "double") {
         return {scalar_kind::binary64, std::numeric_limits<double>::max_digits10};
     }
@@ -64,19 +68,25 @@ inline scalar_spec read_scalar(std::string_view name) {
     if (name.starts_with("mpfr:")) {
         return {scalar_kind::arbitrary, read_digits(name.substr(5))};
     }
-    if (name.starts_with("ball")) {
-        throw std::invalid_argument("is not built into this version, which has no proved arithmetic yet");
+    if (name.starts_with("ball:")) {
+        if (offered == arithmetics::rounding) {
+            throw std::invalid_argument("is proved arithmetic, which is not offered here");
+        }
+        return {scalar_kind::proved, read_digits(name.substr(5))};
     }
     throw std::invalid_argument("is not a scalar");
 }
 
-/// Calls f<T>() with the type that the spec names; mpfr at spec.digits + guard digits of working precision.
+/// Calls f<T>() with the rounding type that the spec names; mpfr at spec.digits + guard digits of working precision.
+/// Balls are not among them: their digits come from repeating until they are proved, and this header needs no FLINT.
+/// Throws std::logic_error for them.
 template <class F>
 decltype(auto) with_scalar(const scalar_spec& spec, long guard, F&& f) {
     switch (spec.kind) {
         case scalar_kind::binary64: return std::forward<F>(f).template operator()<double>();
         case scalar_kind::extended: return std::forward<F>(f).template operator()<long double>();
         case scalar_kind::binary128: return std::forward<F>(f).template operator()<quad>();
+        case scalar_kind::proved: throw std::logic_error(spec.name() + " among the scalars that round");
         default: break;
     }
     const precision_scope scope(spec.digits + guard);

@@ -10,8 +10,8 @@
 namespace libration {
 
 /// arsinh x, a few units in the last place, relative next to 0 too.
-template <rounding_scalar T>
-T arsinh(const T& x) {
+template <class T>
+requires rounding_scalar<T> || proved_scalar<T> T arsinh(const T& x) {
     using std::asinh;
 #if LIBRATION_HAS_FLOAT128
     if constexpr (std::same_as<T, quad>) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "libration/scalar/mpfr.hpp"
+#include "libration/scalar/proved.hpp"
 #include "libration/scalar/quad.hpp"
 
 namespace libration {
@@ -16,7 +17,7 @@ namespace libration {
 template <class T>
 concept fixed_scalar = std::same_as<T, double> || std::same_as<T, long double> || std::same_as<T, quad>;
 
-/// A scalar that rounds (and proves nothing): everything but a ball.
+/// A scalar that rounds (and proves nothing): everything but a ball, which is a proved_scalar.
 template <class T>
 concept rounding_scalar = fixed_scalar<T> || std::same_as<T, mpfr>;
 
@@ -61,7 +62,8 @@ int digits() {
 
 /// Remembers the precision in which an object computed what it keeps, and refuses a use that asks for more: the digits
 /// would be there, and wrong.
-template <rounding_scalar T>
+template <class T>
+requires rounding_scalar<T> || proved_scalar<T>
 class born_precision {
 public:
     /// Throws std::logic_error where the working precision has grown since.
@@ -77,10 +79,11 @@ private:
 };
 
 /// Whether a number with this binary exponent (2^(e-1) <= |x| < 2^e) is neither below the normal range of T nor above it.
-/// The exponents of mpfr never end in practice.
-template <rounding_scalar T>
+/// The exponents of mpfr and ball never end in practice.
+template <class T>
+requires rounding_scalar<T> || proved_scalar<T>
 bool holds_exponent(long exponent) {
-    if constexpr (std::same_as<T, mpfr>) {
+    if constexpr (std::same_as<T, mpfr> || proved_scalar<T>) {
         return true;
     } else {
         return exponent >= std::numeric_limits<T>::min_exponent && exponent <= std::numeric_limits<T>::max_exponent;

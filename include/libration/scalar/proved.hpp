@@ -1,0 +1,51 @@
+// The proved scalar `ball` by name alone: what scalar/ball.hpp defines is declared here, where templates and the concept
+// see it, so that no other header needs FLINT and the order of includes does not matter.
+#pragma once
+
+#include <concepts>
+#include <stdexcept>
+#include <string>
+
+#include "libration/scalar/mpfr.hpp"
+
+namespace libration {
+
+class ball;
+struct exact;
+
+/// A scalar whose results contain the truth: only the ball.
+template <class T>
+concept proved_scalar = std::same_as<T, ball>;
+
+/// A decision (a sign, a branch, a digit) that the enclosures at hand do not prove: repeat with more digits.
+class precision_exhausted : public std::runtime_error {
+public:
+    explicit precision_exhausted(const std::string& what)
+        : std::runtime_error(what + " is not decided by this many digits") {}
+};
+
+/// What the functions of the same names are for rounding scalars; on balls every result contains the exact one.
+template <proved_scalar T>
+int digits();
+template <proved_scalar T>
+T epsilon();
+template <proved_scalar T>
+T pi();
+template <proved_scalar T>
+T enclose(const T& value, const T& bound);
+template <proved_scalar T>
+long binary_exponent(const T& x);
+template <proved_scalar T>
+T widen(const T& x);
+template <proved_scalar T>
+T narrow(const T& x);
+template <proved_scalar T>
+T midpoint(const T& x);
+template <proved_scalar T>
+bool certainly_less(const T& a, const T& b);
+template <proved_scalar T>
+T from_rational(const rational& q);
+template <proved_scalar T>
+T from_exact(const exact& number);
+
+}  // namespace libration
