@@ -22,6 +22,19 @@ struct jacobi_values {
     T dn;
 };
 
+/// d_n from the t^2 of level n+1. On balls where b_n is next to a_n it is 1 less a small term, whose radius is small:
+/// the quotient knows nothing of what its parts have in common, and widens balls threefold a level.
+template <scalar T>
+T next_dn(const T& square, int n, const landen_chain<T>& chain) {
+    const T below = chain.a(n + 1) + chain.a(n) * square;
+    if constexpr (proved_scalar<T>) {
+        if (certainly_less(chain.a(n), T(chain.b(n) * 2))) {
+            return 1 - (chain.a(n) - chain.b(n)) * square / below;
+        }
+    }
+    return (chain.a(n + 1) + chain.b(n) * square) / below;
+}
+
 /// sn, cn, dn at |u| <= K/2, from a chain already made; on balls at |u| < K, which has to be certain
 /// (precision_exhausted). Two divisions a level.
 ///
@@ -43,7 +56,7 @@ jacobi_values<T> jacobi_at(const T& u, const landen_chain<T>& chain) {
     for (int n = last - 1; n >= 0; --n) {
         const T square = t * t;
         t *= chain.a(n) / (chain.a(n + 1) * d);
-        d = (chain.a(n + 1) + chain.b(n) * square) / (chain.a(n + 1) + chain.a(n) * square);
+        d = next_dn(square, n, chain);
     }
     const T cn = 1 / sqrt(1 + t * t);
     return {t * cn, cn, d};

@@ -25,10 +25,11 @@ struct decimal_parts {
     std::string text() const { return place_point(negative, digits, exponent); }
     /// 10^exponent in units of the last digit.
     long last_place() const { return exponent - static_cast<long>(digits.size()); }
-    /// The number, exactly where the working precision holds its digits and its power of 10.
+    /// The number, exactly where the working precision holds it.
     ball value() const {
-        const ball significand = from_rational<ball>(rational(integer(digits)));
-        return significand * unit() * (negative ? -1 : 1);
+        const ball significand = from_rational<ball>(rational(integer(digits))) * (negative ? -1 : 1);
+        return last_place() < 0 ? significand / pow(ball(10), -last_place())
+                                : significand * pow(ball(10), last_place());
     }
     /// One unit of the last digit.
     ball unit() const { return pow(ball(10), last_place()); }
