@@ -60,8 +60,12 @@ std::vector<proved_decimal> proved_coefficients(const series_request& request) {
     const motion& m = request.chosen.of;
     const auto compute = [&] { return coefficients_in<ball>(request); };
     const auto vanishing = [&] {
-        const std::optional<phase<ball>> at = phase_of(request.at, exact_solution<ball>(m));
-        return vanishing_coefficients(m, at->side == 0 ? std::optional(at->quarter) : std::nullopt, request.order);
+        const phase<ball> at = phase_of(request.at, exact_solution<ball>(m));
+        const bool from_start = request.at.where == expansion_point::place::start;
+        const auto cosine = at.side == 0 ? rational_cosine_at(m, at.quarter)
+                            : from_start ? rational_cosine_at_start(m)
+                                         : std::nullopt;
+        return cosine ? vanishing_coefficients(*m.energy(), *cosine, request.order) : std::vector<bool>();
     };
     return proved_decimals(request.scalar.digits, compute, vanishing);
 }

@@ -101,11 +101,17 @@ TEST_CASE("too few digits, too many and more than the scalar has are refused", "
 }
 
 TEST_CASE("a scalar that this program does not have is refused", "[command][bad input]") {
-    for (const std::string value :
-         {"mpfr:0", "mpfr:-1", "mpfr:", "mpfr", "mpfr:1000000", "mpfr:x", "float", "Double", "ball:50", ""}) {
+    for (const std::string value : {"mpfr:0", "mpfr:-1", "mpfr:", "mpfr", "mpfr:1000000", "mpfr:x", "float", "Double",
+                                    "ball", "ball:", "ball:0", ""}) {
         check_value({"period", "--energy", "1"}, "--scalar", value);
         check_value({"study", "error_norm", "--energies", "1"}, "--scalar", value);
     }
+}
+
+TEST_CASE("proved arithmetic is refused where there are no proofs", "[command][bad input]") {
+    check_value({"trajectory", "--energy", "1", "--times", "0"}, "--scalar", "ball:50");
+    check_value({"radius", "--energy", "1", "--order", "20"}, "--scalar", "ball:50");
+    check_value({"study", "error_norm", "--energies", "1"}, "--scalar", "ball:50");
 }
 
 TEST_CASE("an order that is no whole number of 0 or more is refused", "[command][bad input]") {

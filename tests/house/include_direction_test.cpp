@@ -157,6 +157,28 @@ complaints doubles(const house& all) {
     return found;
 }
 
+// The headers that a program can only compile with FLINT; every other one has to leave them alone.
+bool needs_flint(const std::string& path) {
+    static const std::regex of_balls("include/libration/scalar/ball(_[a-z]+)?\\.hpp");
+    return std::regex_match(path, of_balls);
+}
+
+complaints flint_includes(const house& all) {
+    static const std::regex include(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])", std::regex::multiline);
+    static const std::regex flint("(flint/.*|arb|arf|mag|acb|fmpz|fmpq)\\.?.*\\.h");
+    complaints found;
+    for (const auto& [path, text] : all) {
+        if (!path.starts_with("include/") || needs_flint(path)) continue;
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), include); match != std::sregex_iterator();
+             ++match) {
+            const std::string name = (*match)[1];
+            if (needs_flint(included_file(all, path, name)) || std::regex_match(name, flint))
+                found.push_back(path + " includes " + name + ", which needs FLINT");
+        }
+    }
+    return found;
+}
+
 house this_house() {
     const fs::path top = LIBRATION_SOURCE_DIR;
     house all;
@@ -186,6 +208,18 @@ TEST_CASE("no #include points backwards", "[house]") {
     const auto found = backward_includes(all);
     INFO(lines(found));
     CHECK(found.empty());
+}
+
+TEST_CASE("a program that stops at mpfr needs no FLINT", "[house]") {
+    const auto found = flint_includes(this_house());
+    INFO(lines(found));
+    CHECK(found.empty());
+    const std::string ball = "include/libration/scalar/ball.hpp", value = "include/libration/scalar/ball_value.hpp",
+                      elliptic = "include/libration/elliptic/jacobi.hpp";
+    CHECK(flint_includes({{ball, "#include \"libration/scalar/ball_value.hpp\"\n"}, {value, "#include <arb.h>\n"}})
+              .empty());
+    CHECK(flint_includes({{ball, ""}, {elliptic, "#include \"libration/scalar/ball.hpp\"\n"}}).size() == 1);
+    CHECK(flint_includes({{elliptic, "#include <flint/arb.h>\n#include <arb.h>\n#include <array>\n"}}).size() == 2);
 }
 
 TEST_CASE("no double hides in the templated headers", "[house]") {

@@ -52,6 +52,14 @@ TEST_CASE("with_scalar passes on what the function returns", "[scalar][dispatch]
                     std::domain_error);
 }
 
+TEST_CASE("a ball is read where proofs are offered, and is no scalar that rounds", "[scalar][dispatch]") {
+    const scalar_spec ball = read_scalar("ball:50", arithmetics::proved_too);
+    CHECK(ball.kind == scalar_kind::proved);
+    CHECK(ball.digits == 50);
+    CHECK(ball.name() == "ball:50");
+    CHECK_THROWS_AS(with_scalar(ball, 0, []<class T>() { return digits<T>(); }), std::logic_error);
+}
+
 TEST_CASE("a bad scalar is refused with what is wrong", "[scalar][dispatch]") {
     for (const auto* name : {"", "float", "Double", "double ", "mpfr", "mpfr50", "MPFR:50"}) {
         INFO(name);
@@ -59,7 +67,9 @@ TEST_CASE("a bad scalar is refused with what is wrong", "[scalar][dispatch]") {
     }
     CHECK_THROWS_WITH(read_scalar("mpfr:0"), Contains("less than one digit"));
     CHECK_THROWS_WITH(read_scalar("mpfr:"), Contains("whole number"));
-    CHECK_THROWS_WITH(read_scalar("ball:50"), Contains("ball") || Contains("proved"));
+    CHECK_THROWS_WITH(read_scalar("ball:50"), Contains("not offered here"));
+    CHECK_THROWS_WITH(read_scalar("ball", arithmetics::proved_too), "is not a scalar");
+    CHECK_THROWS_WITH(read_scalar("ball:0", arithmetics::proved_too), Contains("less than one digit"));
     CHECK_THROWS_AS(read_scalar("float"), std::invalid_argument);
 }
 

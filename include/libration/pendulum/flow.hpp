@@ -23,7 +23,7 @@ struct flow_state {
 /// whose right-hand sides are polynomials. A step takes 11/10 as many powers as the precision has digits, plus 10, and
 /// is as long as the last of them allow. It never ends on a path through a singularity. Errors: some epsilon a step,
 /// grown by the flow itself (like e^t next to the top).
-template <scalar T>
+template <rounding_scalar T>
 class flow {
 public:
     /// From theta and omega at time 0.

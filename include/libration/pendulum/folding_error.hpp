@@ -42,7 +42,7 @@ struct angle_pair {
 /// counterclockwise, whose descent is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T*
 /// errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations.
 /// Throws std::domain_error at E = 2.
-template <scalar T>
+template <rounding_scalar T>
 angle_pair<T> folding_error(const rational& energy, const period_rule& by, const integer& periods, int points) {
     using std::abs;
     const motion m = motion::of_energy(energy);

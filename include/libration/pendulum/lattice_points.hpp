@@ -9,14 +9,14 @@
 namespace libration {
 
 /// The odd multiple of `step` > 0 that is nearest to x >= 0.
-template <scalar T>
+template <rounding_scalar T>
 T nearest_odd_multiple(const T& x, const T& step) {
     const integer below = nearest_integer(widen(T((x / step - 1) / 2)));
     return step * from_rational<T>(rational(below < 0 ? integer(1) : integer(below * 2 + 1)));
 }
 
 /// The singularity nearest to a time since the top with re, im >= 0: odd multiples of T* and of K~'.
-template <scalar T>
+template <rounding_scalar T>
 complex_number<T> nearest_singularity(const singularity_lattice<T>& lattice, const complex_number<T>& time) {
     return {nearest_odd_multiple(time.re, lattice.effective_period), nearest_odd_multiple(time.im, lattice.height)};
 }

@@ -114,7 +114,7 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
 }
 
 /// The distance from the first singularity, T* + i K~', to the nearest of the poles next to it; nothing where no pole is.
-template <scalar T>
+template <rounding_scalar T>
 std::optional<T> distance_from_first(const pade_poles<T>& found, const singularity_lattice<T>& lattice) {
     std::optional<T> least;
     for (const pade_pole<T>& p : found.poles) {

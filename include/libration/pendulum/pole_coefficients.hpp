@@ -11,7 +11,7 @@ namespace libration {
 
 /// The poles of the first quadrant nearest to the top, in units of T*: (2p+1) + i (2q+1) K~'/T*, each with the sign of
 /// its part of n a_n T*^n/8.
-template <scalar T>
+template <rounding_scalar T>
 struct nearest_poles {
     struct pole {
         T re;
@@ -48,8 +48,9 @@ struct nearest_poles {
 /// a_n T*^n, n = 0 .. N, about the top: the first four a digit of T by descent_series(), the others as
 ///     a_n = +-(8/n) sum_{p,q>=0} (-1)^.. Im z_pq^-n
 /// [theorem A, from the residues +-2i of omega], with the poles that nearest_poles keeps. Relative to 8/(n R^n) an error
-/// of n epsilon. O(N) for the poles of a few columns.
-template <scalar T>
+/// of n epsilon. O(N) for the poles of a few columns. Not for balls: a step of a turning power widens rectangles of them, up
+/// to sqrt 2 times.
+template <rounding_scalar T>
 power_series<T> descent_series_by_poles(const descent<T>& d, int order) {
     const int first = std::max(64, static_cast<int>(4 * decimal_digits(digits<T>())));
     power_series<T> a = descent_series(d, std::min(order, first));

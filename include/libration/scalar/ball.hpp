@@ -123,6 +123,14 @@ T narrow(const T& x) {
 }
 
 template <proved_scalar T>
+T sum_of_products(const T* x, int x_step, const T* y, int y_step, int count) {
+    static_assert(sizeof(T) == sizeof(arb_struct), "FLINT walks through an array of balls");
+    T sum;
+    arb_dot(sum.handle(), nullptr, 0, x->handle(), x_step, y->handle(), y_step, count, T::working_bits());
+    return sum;
+}
+
+template <proved_scalar T>
 T midpoint(const T& x) {
     T result;
     arf_set(arb_midref(result.handle()), arb_midref(x.handle()));

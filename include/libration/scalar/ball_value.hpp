@@ -1,4 +1,4 @@
-// The class `ball`: a midpoint and a radius of FLINT/Arb [Johansson 2017], closed under arithmetic. The one header that
+// The class `ball`: a midpoint and a radius of FLINT/Arb [Arb], closed under arithmetic. The one header that
 // includes FLINT.
 #pragma once
 

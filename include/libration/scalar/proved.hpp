@@ -41,6 +41,9 @@ template <proved_scalar T>
 T narrow(const T& x);
 template <proved_scalar T>
 T midpoint(const T& x);
+/// sum_i x[i x_step] y[i y_step], i < count, with one rounding at the end: what a convolution is made of.
+template <proved_scalar T>
+T sum_of_products(const T* x, int x_step, const T* y, int y_step, int count);
 template <proved_scalar T>
 bool certainly_less(const T& a, const T& b);
 template <proved_scalar T>

@@ -29,6 +29,9 @@ T convolution(const power_series<T>& a, const power_series<T>& b, int n, int fir
     if (of_a != parity::any && (first % 2 == 0) != (of_a == parity::even)) {
         ++first;
     }
+    if constexpr (proved_scalar<T>) {
+        return first > last ? T(0) : sum_of_products(&a[first], step, &b[n - first], -step, (last - first) / step + 1);
+    }
     T sum(0);
     for (int k = first; k <= last; k += step) {
         add_product(sum, a[k], b[n - k]);
