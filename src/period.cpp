@@ -112,6 +112,18 @@ period_texts proved_texts(const period_request& request) {
     return {values[0].text, values[1].text, error[0].text};
 }
 
+// Energy and gap as they were typed, or with every digit proved.
+energy_texts proved_energy_texts(const chosen_motion& chosen, long digits) {
+    if (chosen.energy && chosen.gap) {
+        return {*chosen.energy, *chosen.gap};
+    }
+    const auto pair = proved_decimals(digits, [&] {
+        auto [energy, gap] = energies<ball>(chosen.of);
+        return std::vector<ball>{std::move(energy), std::move(gap)};
+    });
+    return {pair[0].text, pair[1].text};
+}
+
 period_texts rounded_texts(const period_request& request) {
     const auto values = period_values(request);
     const std::string tstar = to_decimal(values[1], request.numbers.digits);
@@ -123,10 +135,11 @@ int run_period(const period_options& options) {
     const period_request request = choose(options);
     const motion& m = request.chosen.of;
     const long digits = request.numbers.digits;
-    const energy_texts texts = energy_texts_of(request.chosen, digits);
+    const bool proved = request.numbers.scalar.kind == scalar_kind::proved;
+    const energy_texts texts =
+        proved ? proved_energy_texts(request.chosen, digits) : energy_texts_of(request.chosen, digits);
     period_texts printed;
     if (!at_critical_energy(m.regime())) {
-        const bool proved = request.numbers.scalar.kind == scalar_kind::proved;
         printed = proved ? proved_texts(request) : rounded_texts(request);
     }
     const std::string regime(name_of(m.regime()));
