@@ -1,74 +1,21 @@
-// The scalar `ball`: proved enclosures of any precision through FLINT/Arb, FLINT 2.9 with Arb 2.23 or FLINT 3. A program
-// that includes this header links the CMake target libration::ball; no other header of the library includes it.
+// The scalar `ball`: proved enclosures of any precision through FLINT/Arb [Arb], FLINT 2.9 with Arb 2.23 or FLINT 3. A
+// program that includes this header links the CMake target libration::ball; no header outside of scalar/ball*.hpp
+// includes it.
 //
 // Every result contains the exact one, given GMP, MPFR, FLINT/Arb and the compiler, and given that the loops which stop
-// early end in enclose(value, bound) with a bound proved in their header. Precision only decides how narrow a result is:
-// where it proves too little (a sign, a branch, the digits asked for), precision_exhausted is thrown, and the caller
-// repeats with more digits.
+// early end in enclose(value, bound) with a bound proved in their header. Precision only decides how narrow a result
+// is: where it proves too little (a sign, a branch, the digits asked for), precision_exhausted is thrown, and the
+// caller repeats with more digits.
 #pragma once
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "libration/scalar/ball_functions.hpp"
+#include "libration/scalar/ball_predicates.hpp"
 #include "libration/scalar/enclose.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
-
-inline bool is_finite(const ball& x) { return arb_is_finite(x.handle()) != 0; }
-inline bool contains_zero(const ball& x) { return arb_contains_zero(x.handle()) != 0; }
-/// Whether it is one number, with radius 0.
-inline bool is_exact(const ball& x) { return arb_is_exact(x.handle()) != 0; }
-/// Whether every number of `inside` is one of `outside`.
-inline bool contains(const ball& outside, const ball& inside) {
-    return arb_contains(outside.handle(), inside.handle()) != 0;
-}
-inline bool overlaps(const ball& a, const ball& b) { return arb_overlaps(a.handle(), b.handle()) != 0; }
-
-/// The midpoint as an mpfr, exactly. Throws std::range_error beyond the exponents of MPFR.
-inline mpfr midpoint_of(const ball& x) {
-    const slong bits = std::max(arb_bits(x.handle()), ball::working_bits());
-    const precision_scope enough(decimal_digits(static_cast<long>(bits)));
-    mpfr result;
-    if (arf_get_mpfr(handle(result), arb_midref(x.handle()), MPFR_RNDN) != 0) {
-        throw std::range_error("the midpoint of a ball is outside the range of mpfr");
-    }
-    return result;
-}
-
-/// An upper bound of the radius, as an exact ball.
-inline ball radius_of(const ball& x) {
-    ball result;
-    arf_set_mag(arb_midref(result.handle()), arb_radref(x.handle()));
-    return result;
-}
-
-/// The sign that all numbers of a ball have; 0 for the number 0 alone. Throws precision_exhausted where they differ.
-inline int decided_sign(const ball& x) {
-    if (arb_is_zero(x.handle()) != 0) {
-        return 0;
-    }
-    if (arb_is_positive(x.handle()) == 0 && arb_is_negative(x.handle()) == 0) {
-        throw precision_exhausted("a sign");
-    }
-    return arb_is_positive(x.handle()) != 0 ? 1 : -1;
-}
-
-/// The integer nearest to the midpoint, ties to even: a choice among the neighbours, which decides nothing. Throws
-/// precision_exhausted for a ball without bounds.
-inline integer nearest_integer(const ball& x) {
-    if (!is_finite(x)) {
-        throw precision_exhausted("a nearest integer");
-    }
-    integer result;
-    fmpz_t nearest;
-    fmpz_init(nearest);
-    arf_get_fmpz(nearest, arb_midref(x.handle()), ARF_RND_NEAR);
-    fmpz_get_mpz(result.backend().data(), nearest);
-    fmpz_clear(nearest);
-    return result;
-}
 
 template <proved_scalar T>
 int digits() {
@@ -95,8 +42,8 @@ T enclose(const T& value, const T& bound) {
     return result;
 }
 
-/// The e with |x| < 2^e for the whole ball, within a factor of 2 where the ball is narrow; exponent_of_zero for 0 alone.
-/// Throws precision_exhausted for a ball without bounds.
+/// The e with |x| < 2^e for the whole ball, within a factor of 2 where the ball is narrow; exponent_of_zero for 0
+/// alone. Throws precision_exhausted for a ball without bounds.
 template <proved_scalar T>
 long binary_exponent(const T& x) {
     if (!is_finite(x)) {

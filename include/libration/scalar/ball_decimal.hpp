@@ -53,8 +53,8 @@ inline std::string upper_bound_text(const ball& x) {
     return bound == 0 ? "0" : parts_of(bound, 3, MPFR_RNDU).text();
 }
 
-/// The midpoint with `count` significant digits, where every number of the ball is less than one unit of the last of them
-/// away from what is printed; nothing where that is not so. The ball 0 alone is printed as 0.
+/// The midpoint with `count` significant digits, where every number of the ball is less than one unit of the last of
+/// them away from what is printed; nothing where that is not so. The ball 0 alone is printed as 0.
 /// Throws std::invalid_argument when count < 1.
 inline std::optional<proved_decimal> to_proved_decimal(const ball& x, long count) {
     if (count < 1) {

@@ -1,5 +1,5 @@
-// The elementary functions of balls, found by unqualified calls as those of every scalar: each result contains all values
-// on its arguments, and everything where an argument may be outside the domain.
+// The elementary functions of balls, found by unqualified calls as those of every scalar: each result contains all
+// values on its arguments, and everything where an argument may be outside the domain.
 #pragma once
 
 #include "libration/scalar/ball_value.hpp"
@@ -39,7 +39,8 @@ inline ball abs(const ball& x) {
     return result;
 }
 
-/// The angle of the point (x, y) in (-pi, pi]; all of [-pi, pi] where the arguments meet the negative x axis from below.
+/// The angle of the point (x, y) in (-pi, pi]; all of [-pi, pi] where the arguments meet the negative x axis from
+/// below.
 inline ball atan2(const ball& y, const ball& x) {
     ball result;
     arb_atan2(result.handle(), y.handle(), x.handle(), ball::working_bits());

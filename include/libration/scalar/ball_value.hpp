@@ -17,10 +17,11 @@
 
 namespace libration {
 
-/// All numbers from midpoint - radius to midpoint + radius. An operation on balls contains every result of that operation
-/// on numbers of them, its midpoint rounded to the working precision of the thread (precision_scope, as for mpfr). An
-/// undefined one (1/0, the root of what may be negative) contains everything. Balls have no order and no equality: ask
-/// certainly_less(), contains_zero(), decided_sign(). A ball may be read by several threads and moved between them.
+/// All numbers from midpoint - radius to midpoint + radius. An operation on balls contains every result of that
+/// operation on numbers of them, its midpoint rounded to the working precision of the thread (precision_scope, as for
+/// mpfr). An undefined one (1/0, the root of what may be negative) contains everything. Balls have no order and no
+/// equality: ask certainly_less(), contains_zero(), decided_sign(). A ball may be read by several threads and moved
+/// between them.
 class ball {
 public:
     ball() { arb_init(value_); }
