@@ -106,6 +106,7 @@ period_texts proved_texts(const period_request& request) {
     const motion& m = request.chosen.of;
     // What the printed T* misses is not 0: it is rational, and T* at an algebraic energy is not [Schneider].
     const auto error = proved_decimals(error_digits, [&] {
+        const precision_scope more(request.numbers.digits + working_digits());
         const ball truth = effective_period(orbit_of<ball>(m)) * time_unit<ball>(m);
         return std::vector<ball>{abs(from_exact<ball>(read_exact(values[1].text)) - truth)};
     });
