@@ -76,6 +76,19 @@ public:
         return result;
     }
 
+    // x/y for adding to a number of the size of y and of so many bits: fewer where x is small beside y^2.
+    static ball quotient(const ball& x, const ball& y, long bits) {
+        const long few = std::clamp(bits + exponent(x) - 2 * exponent(y) + 8, 8L, bits);
+        ball result;
+        if (bits > 640 && few < bits - 100) {
+            arb_set_round(result.handle(), y.handle(), few);
+            arb_div(result.handle(), x.handle(), result.handle(), few);
+        } else {
+            arb_div(result.handle(), x.handle(), y.handle(), bits);
+        }
+        return result;
+    }
+
 private:
     static constexpr int most_terms = 4;
     static constexpr std::array<ulong, 18> series{1,

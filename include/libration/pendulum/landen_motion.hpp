@@ -66,7 +66,7 @@ public:
         // V = 1/X: V_n = V_{n+1} + (c_n^2/4)/V_{n+1}.
         ball inverse = denominator / values.second;
         for (int n = nome_.levels() - 1; n >= 1; --n) {
-            inverse += nome_.step(n) / inverse;
+            inverse += landen_nome::quotient(nome_.step(n), inverse, nome_.bits());
         }
         return atan(cut_ / inverse / 2) * 4;
     }
