@@ -23,6 +23,7 @@ namespace {
 
 constexpr const char* number_remedy = "write a number such as 1.71, 171/100 or 1e-30";
 constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150deg";
+constexpr const char* times_remedy = "write times such as 0,1.5,T/4 or a range 0:20:401";
 constexpr int largest_order = 100'000;
 
 exact angle_of(const std::string& option, const std::string& value) {
@@ -49,6 +50,26 @@ exact number_of(const std::string& option, const std::string& value) {
         throw input_error(option, value, "has a unit", number_remedy);
     }
     return number;
+}
+
+long digits_of(const std::optional<std::string>& value) {
+    return value ? reading("--digits", *value, fmt::format("write a number from 1 to {}", most_digits),
+                           [&] { return read_digits(*value); })
+                 : 50;
+}
+
+std::vector<exact> times_of(const std::string& value, regime r) {
+    auto times = reading("--times", value, times_remedy, [&] { return read_grid(value); });
+    for (const exact& time : times) {
+        if (time.measure == unit::degree) {
+            throw input_error("--times", value, "has the angle '" + time.text + "'", times_remedy);
+        }
+        if (time.measure == unit::period && at_critical_energy(r)) {
+            throw input_error("--times", value, "has '" + time.text + "', a multiple of an infinite period",
+                              "write times without T at E = 2");
+        }
+    }
+    return times;
 }
 
 int order_of(const std::string& option, const std::string& value) {

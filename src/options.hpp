@@ -75,6 +75,12 @@ private:
 /// A number of an option; throws input_error.
 exact number_of(const std::string& option, const std::string& value);
 
+/// The --digits D of a command without a choice of arithmetic; 50 where it is not given.
+long digits_of(const std::optional<std::string>& value);
+
+/// The times of a motion in this regime: a list or a range, multiples of T among them where it has a period.
+std::vector<exact> times_of(const std::string& value, regime r);
+
 /// The --order N of a method.
 int order_of(const std::string& option, const std::string& value);
 

@@ -16,6 +16,8 @@ subcommand period_command(CLI::App& program);
 subcommand coefficients_command(CLI::App& program);
 subcommand trajectory_command(CLI::App& program);
 subcommand radius_command(CLI::App& program);
+subcommand reference_command(CLI::App& program);
+subcommand elliptic_command(CLI::App& program);
 subcommand study_command(CLI::App& program);
 subcommand studies_command(CLI::App& program);
 subcommand figure_command(CLI::App& program);

@@ -12,7 +12,6 @@
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
 #include "subcommand.hpp"
-#include "sweep/grid.hpp"
 #include "sweep/input_error.hpp"
 #include "sweep/progress.hpp"
 
@@ -41,8 +40,6 @@ struct trajectory_request {
     std::vector<exact> times;
 };
 
-constexpr const char* times_remedy = "write times such as 0,1.5,T/4 or a range 0:20:401";
-
 trajectory_method read_method(const std::string& name) {
     if (name == "exact" || name == "rk4") {
         return name == "exact" ? trajectory_method::exact : trajectory_method::rk4;
@@ -54,20 +51,6 @@ trajectory_method read_method(const std::string& name) {
         throw input_error("--method", name, "is not built into this version", "use exact, series, resummed or rk4");
     }
     throw input_error("--method", name, "is no method for a trajectory", "write exact, series, resummed or rk4");
-}
-
-std::vector<exact> read_times(const std::string& text, regime r) {
-    auto times = reading("--times", text, times_remedy, [&] { return read_grid(text); });
-    for (const exact& time : times) {
-        if (time.measure == unit::degree) {
-            throw input_error("--times", text, "has the angle '" + time.text + "'", times_remedy);
-        }
-        if (time.measure == unit::period && at_critical_energy(r)) {
-            throw input_error("--times", text, "has '" + time.text + "', a multiple of an infinite period",
-                              "write times without T at E = 2");
-        }
-    }
-    return times;
 }
 
 bool is_partial_sum(trajectory_method method) {
@@ -93,7 +76,7 @@ trajectory_request choose(const trajectory_options& options) {
         throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
     }
     const int order = options.order ? order_of("--order", *options.order) : 0;
-    return {std::move(chosen), numbers, method, order, step, read_times(options.times, r)};
+    return {std::move(chosen), numbers, method, order, step, times_of(options.times, r)};
 }
 
 // theta, omega (in the motion's units) and the true theta at each time.

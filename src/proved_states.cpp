@@ -1,0 +1,142 @@
+#include "proved_states.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "libration/pendulum/critical_formula.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
+#include "proofs.hpp"
+
+namespace libration {
+
+namespace {
+
+// From so many digits on, a trial with few of them finds out what a motion loses: repeating would cost more.
+constexpr long worth_a_trial = 500;
+constexpr long trial_digits = 20;
+constexpr long first_guard = 20;
+
+std::vector<std::string> texts_of(const std::vector<proved_decimal>& values) {
+    std::vector<std::string> texts;
+    texts.reserve(values.size());
+    for (const proved_decimal& value : values) {
+        texts.push_back(value.text);
+    }
+    return texts;
+}
+
+// The digits that a time loses before its point; multiples of T are reduced exactly.
+long digits_before_point(const motion& m, const exact& time) {
+    if (time.measure == unit::period || time.is_zero()) {
+        return 0;
+    }
+    const precision_scope rough(20);
+    const mpfr dimensionless = from_exact<mpfr>(time) / time_unit<mpfr>(m);
+    return decimal_digits(std::max(0L, binary_exponent(dimensionless)));
+}
+
+// One unit in the last of the digits that were printed; of 0, that of the same digits of 1.
+ball last_unit(const std::string& printed, const ball& value, long digits) {
+    if (printed == "0") {
+        return pow(ball(10), -digits);
+    }
+    const auto parts = parts_of(midpoint_of(value), digits, MPFR_RNDN);
+    return parts.unit();
+}
+
+}  // namespace
+
+const proved_motion& proved_states::motion_here() { return made_.try_emplace(working_digits(), motion_).first->second; }
+
+long proved_states::more_digits(const exact& time) {
+    const long before = digits_before_point(motion_, time);
+    if (digits_ < worth_a_trial) {
+        return before;
+    }
+    long needed = 0;
+    proved_decimals(trial_digits, [&] {
+        needed = working_digits() - trial_digits - first_guard;
+        const precision_scope wider(working_digits() + before);
+        const enclosed_state state = motion_here().at(time);
+        return std::vector<ball>{state.theta, state.omega};
+    });
+    return before + needed;
+}
+
+proved_states::state_text proved_states::at(const exact& time) {
+    const long more = more_digits(time);
+    const auto values = proved_decimals(digits_, [&] {
+        const precision_scope wider(working_digits() + more);
+        enclosed_state state = motion_here().at(time);
+        return std::vector<ball>{std::move(state.theta), std::move(state.omega)};
+    });
+    return {values[0].text, values[1].text};
+}
+
+proved_states::constant_texts proved_states::constants() {
+    const bool critical = at_critical_energy(motion_.regime());
+    const bool at_rest = motion_.regime() == regime::stable_equilibrium || (critical && motion_.omega0_sign() == 0);
+    const auto values = texts_of(proved_decimals(digits_, [&] {
+        const proved_motion& here = motion_here();
+        std::vector<ball> list;
+        if (!critical) {
+            list.push_back(here.effective_period());
+            list.push_back(list[0] * quarters_per_period(motion_.regime()));
+        }
+        if (!at_rest) {
+            list.push_back(here.radius());
+        }
+        return list;
+    }));
+    const std::string radius = at_rest ? "inf" : values.back();
+    return critical ? constant_texts{"inf", "inf", radius} : constant_texts{values[1], values[0], radius};
+}
+
+std::vector<std::string> proved_states::energies() {
+    return texts_of(proved_decimals(digits_, [&] {
+        auto pair = libration::energies<ball>(motion_);
+        return std::vector<ball>{std::move(pair.energy), std::move(pair.gap)};
+    }));
+}
+
+std::vector<ball> proved_states::second_route(const exact& time) const {
+    const ball seconds = time_unit<ball>(motion_);
+    if (motion_.regime() == regime::separatrix) {
+        const ball theta = critical_formula(motion_, ball(from_exact<ball>(time) / seconds));
+        const ball half = (theta - whole_turns<ball>(motion_.turns())) / 2;
+        return {theta, cos(half) * (2 * motion_.direction()) / seconds};
+    }
+    const auto state = separatrix_sum<ball>(motion_)(time);
+    return {state.value, state.slope / seconds};
+}
+
+bool proved_states::confirms(const exact& time, const state_text& printed) {
+    if (motion_here().at_rest()) {
+        return true;
+    }
+    const long before = digits_before_point(motion_, time);
+    for (long guard = first_guard; guard <= most_guard_digits; guard *= 2) {
+        const precision_scope scope(digits_ + before + guard);
+        try {
+            const std::vector<ball> second = second_route(time);
+            bool narrow_enough = true;
+            bool same = true;
+            for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+                const std::string& text = i == 0 ? printed.theta : printed.omega;
+                const ball first = from_exact<ball>(read_exact(text));
+                const ball unit = last_unit(text, first, digits_);
+                narrow_enough = narrow_enough && certainly_less(radius_of(second[i]), unit);
+                same = same && overlaps(enclose(first, unit), second[i]);
+            }
+            if (!same || narrow_enough) {
+                return same;
+            }
+        } catch (const precision_exhausted&) {
+            continue;
+        }
+    }
+    throw std::runtime_error("a check is impossible: the second route needs more than " +
+                             std::to_string(most_guard_digits) + " guard digits");
+}
+
+}  // namespace libration

@@ -1,0 +1,50 @@
+// theta, omega and the constants of one motion as proved decimals: what depends on the energy alone is made once for every
+// working precision and shared by all times.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "libration/pendulum/proved_motion.hpp"
+
+namespace libration {
+
+/// The digits of one motion. Not for several threads at once.
+class proved_states {
+public:
+    proved_states(motion m, long digits) : motion_(std::move(m)), digits_(digits) {}
+
+    struct state_text {
+        std::string theta;
+        std::string omega;
+    };
+    /// T, T* and the radius about the top; inf where they are infinite.
+    struct constant_texts {
+        std::string period;
+        std::string tstar;
+        std::string radius;
+    };
+
+    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws std::runtime_error where the
+    /// precision ends before the digits are proved.
+    state_text at(const exact& time);
+    constant_texts constants();
+    /// E and 2-E.
+    std::vector<std::string> energies();
+
+    /// Whether a second proved route, the sum over separatrix solutions (on the separatrix the closed formula), encloses
+    /// theta and omega within one unit of the last digit of what was printed. At rest there is nothing to compare.
+    bool confirms(const exact& time, const state_text& printed);
+
+private:
+    const proved_motion& motion_here();
+    std::vector<ball> second_route(const exact& time) const;
+    long more_digits(const exact& time);
+
+    motion motion_;
+    long digits_;
+    std::map<long, proved_motion> made_;  ///< by working digits
+};
+
+}  // namespace libration
