@@ -35,13 +35,11 @@ long digits_before_point(const motion& m, const exact& time) {
     return decimal_digits(std::max(0L, binary_exponent(dimensionless)));
 }
 
-// One unit in the last of the digits that were printed; of 0, that of the same digits of 1.
-ball last_unit(const std::string& printed, const ball& value, long digits) {
-    if (printed == "0") {
-        return pow(ball(10), -digits);
-    }
-    const auto parts = parts_of(midpoint_of(value), digits, MPFR_RNDN);
-    return parts.unit();
+// Whether a ball is narrower than one unit in the last of its digits; around 0, of those of 1.
+bool shows_digits(const ball& x, const ball& size, long digits) {
+    const ball unit = is_exact(size) && contains_zero(size) ? pow(ball(10), -digits)
+                                                            : parts_of(midpoint_of(size), digits, MPFR_RNDN).unit();
+    return certainly_less(radius_of(x), unit);
 }
 
 }  // namespace
@@ -102,34 +100,29 @@ std::vector<std::string> proved_states::energies() {
 std::vector<ball> proved_states::second_route(const exact& time) const {
     const ball seconds = time_unit<ball>(motion_);
     if (motion_.regime() == regime::separatrix) {
-        const ball theta = critical_formula(motion_, ball(from_exact<ball>(time) / seconds));
-        const ball half = (theta - whole_turns<ball>(motion_.turns())) / 2;
-        return {theta, cos(half) * (2 * motion_.direction()) / seconds};
+        const ball elapsed = from_exact<ball>(time) / seconds;
+        return {critical_formula(motion_, elapsed), critical_speed(motion_, elapsed) / seconds};
     }
     const auto state = separatrix_sum<ball>(motion_)(time);
     return {state.value, state.slope / seconds};
 }
 
-bool proved_states::confirms(const exact& time, const state_text& printed) {
-    if (motion_here().at_rest()) {
-        return true;
-    }
+bool proved_states::confirms(const exact& time) {
     const long before = digits_before_point(motion_, time);
     for (long guard = first_guard; guard <= most_guard_digits; guard *= 2) {
         const precision_scope scope(digits_ + before + guard);
         try {
-            const std::vector<ball> second = second_route(time);
-            bool narrow_enough = true;
-            bool same = true;
-            for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-                const std::string& text = i == 0 ? printed.theta : printed.omega;
-                const ball first = from_exact<ball>(read_exact(text));
-                const ball unit = last_unit(text, first, digits_);
-                narrow_enough = narrow_enough && certainly_less(radius_of(second[i]), unit);
-                same = same && overlaps(enclose(first, unit), second[i]);
+            const proved_motion& here = motion_here();
+            if (here.at_rest()) {
+                return true;
             }
-            if (!same || narrow_enough) {
-                return same;
+            const enclosed_state first = here.at(time);
+            const std::vector<ball> second = second_route(time);
+            if (!overlaps(first.theta, second[0]) || !overlaps(first.omega, second[1])) {
+                return false;
+            }
+            if (shows_digits(second[0], first.theta, digits_) && shows_digits(second[1], first.omega, digits_)) {
+                return true;
             }
         } catch (const precision_exhausted&) {
             continue;

@@ -33,9 +33,10 @@ public:
     /// E and 2-E.
     std::vector<std::string> energies();
 
-    /// Whether a second proved route, the sum over separatrix solutions (on the separatrix the closed formula), encloses
-    /// theta and omega within one unit of the last digit of what was printed. At rest there is nothing to compare.
-    bool confirms(const exact& time, const state_text& printed);
+    /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
+    /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At rest
+    /// there is nothing to compare. Throws std::runtime_error where they do not get so narrow.
+    bool confirms(const exact& time);
 
 private:
     const proved_motion& motion_here();

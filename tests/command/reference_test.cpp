@@ -1,0 +1,169 @@
+// The proved digits of `libration reference` against the reference tables, closed forms, symmetries and its own second route.
+#include <catch2/catch.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "command/printed.hpp"
+#include "command/reference_motion.hpp"
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+std::vector<table_row> reference_of(words motion) {
+    motion.insert(motion.begin(), "reference");
+    return rows_of(motion);
+}
+
+table_row single_reference(const words& motion) {
+    auto rows = reference_of(motion);
+    REQUIRE(rows.size() == 1);
+    return rows.front();
+}
+
+void check_failed(const words& line, int code, const std::string& mentioned) {
+    const temporary_folder folder;
+    const finished_process done = run_libration(line, folder.path());
+    INFO(command_line(line) << "\n" << done.err);
+    CHECK(done.exit_code == code);
+    CHECK(done.out.empty());
+    CHECK(done.err.find(mentioned) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("every state of the reference table is proved to 50 digits and confirmed by the second route",
+          "[command][reference]") {
+    std::size_t states = 0;
+    for (const reference_motion& motion : reference_motions()) {
+        INFO(command_line(motion.options));
+        const auto rows = reference_of(motion.options + words{motion.times(), "--check"});
+        REQUIRE(rows.size() == motion.rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            INFO("time " << rows[i].at("time"));
+            for (const std::string name : {"theta", "omega", "period", "tstar"}) {
+                CHECK_THAT(rows[i].at(name), right_to_the_last_digit(motion.rows[i].at(name)));
+            }
+            if (!motion.rows[i].at("radius").empty()) {
+                CHECK_THAT(rows[i].at("radius"), right_to_the_last_digit(motion.rows[i].at("radius")));
+            }
+            CHECK(rows[i].at("rigour") == "proved");
+            ++states;
+        }
+    }
+    CHECK(states > 200);
+}
+
+TEST_CASE("the columns of a reference keep their order", "[command][reference]") {
+    const std::string csv = output_of({"reference", "--energy", "1.71", "--time", "1", "--format", "csv"});
+    CHECK(lines_of(csv).front() ==
+          "energy,gap,regime,theta0,omega0,time,theta,omega,period,tstar,radius,digits,rigour,direction");
+}
+
+TEST_CASE("half way down theta is 2 asin of k over the root of 1 + k'", "[command][reference]") {
+    const precision_scope scope(150);
+    for (const std::string energy : {"1e-20", "0.5", "1", "1.71"}) {
+        INFO(energy);
+        const mpfr e = from_exact<mpfr>(read_exact(energy));
+        const mpfr k = sqrt(e / 2);
+        const mpfr complement = sqrt((2 - e) / 2);
+        const mpfr expected = asin(k / sqrt(1 + complement)) * 2;
+        const auto row = single_reference({"--energy", energy, "--time", "T/8", "--digits", "80"});
+        CHECK_THAT(row.at("theta"), right_to_the_last_digit_of(expected));
+    }
+}
+
+TEST_CASE("the swing from 90 degrees is lemniscatic and exactly 0 after a quarter", "[command][reference]") {
+    const precision_scope scope(150);
+    const mpfr gamma = tgamma(mpfr("0.25"));
+    const auto rows = reference_of({"--theta0", "90deg", "--omega0", "0", "--time", "0,T/4,T/2,3T/4,1e30T"});
+    REQUIRE(rows.size() == 5);
+    CHECK_THAT(rows[0].at("period"), right_to_the_last_digit_of(gamma * gamma / sqrt(pi<mpfr>())));
+    const std::vector<std::string> thetas{"+", "0", "-", "0", "+"};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const mpfr expected = pi<mpfr>() / 2 * (thetas[i] == "-" ? -1 : thetas[i] == "0" ? 0 : 1);
+        CHECK_THAT(rows[i].at("theta"), right_to_the_last_digit_of(expected));
+    }
+    CHECK_THAT(rows[1].at("omega"), right_to_the_last_digit_of(-sqrt(mpfr(2))));
+    CHECK(rows[2].at("omega") == "0");
+}
+
+TEST_CASE("symmetric starts by state agree with the canonical motion moved by quarters", "[command][reference]") {
+    // From -90deg the state at t is minus that from +90deg; from 0 with omega0 = sqrt(2E) it is a quarter later.
+    const auto above = reference_of({"--energy", "1", "--time", "0.3,7,T/3"});
+    const auto below = reference_of({"--theta0", "-90deg", "--omega0", "0", "--time", "0.3,7,T/3"});
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        CHECK_THAT(below[i].at("theta"), right_to_the_last_digit_of(-number_of(above[i].at("theta"))));
+        CHECK_THAT(below[i].at("omega"), right_to_the_last_digit_of(-number_of(above[i].at("omega"))));
+    }
+    const auto falling = reference_of({"--theta0", "0", "--omega0", "-1", "--time", "T/8", "--check"});
+    const auto canonical = reference_of({"--energy", "0.5", "--time", "3T/8"});
+    CHECK(falling[0].at("theta") == canonical[0].at("theta"));
+    const auto turned = single_reference({"--theta0", "3pi", "--omega0", "-0.2", "--time", "T/3", "--check"});
+    const auto clockwise = single_reference({"--energy", "2.02", "--direction", "-", "--time", "T/3"});
+    const precision_scope scope(100);
+    CHECK_THAT(turned.at("theta"), right_to_the_last_digit_of(number_of(clockwise.at("theta")) + pi<mpfr>() * 2));
+}
+
+TEST_CASE("gaps of 1e-1000 keep every digit of a tiny omega", "[command][reference]") {
+    // Near the top pi - theta grows from its start k' 2 as cosh: omega = -2 k' sinh t (1 + O(k'^2 e^2t)), k'^2 = gap/2.
+    const precision_scope scope(120);
+    const mpfr t = 5;
+    const mpfr expected = -sqrt(mpfr(2)) * pow(mpfr(10), -500) * sinh(t);
+    const auto row = single_reference({"--gap", "1e-1000", "--time", "5", "--digits", "60", "--check"});
+    CHECK_THAT(row.at("omega"), right_to_the_last_digit_of(expected));
+    CHECK_THAT(row.at("theta"), right_to_the_last_digit_of(pi<mpfr>()));
+}
+
+TEST_CASE("fewer digits are the beginning of more digits", "[command][reference]") {
+    for (const words& motion :
+         {words{"--energy", "1.71", "--time", "1e20"}, words{"--theta0", "2.5", "--omega0", "-0.3", "--time", "1e20"},
+          words{"--gap", "-1e-20", "--time", "1e3"}}) {
+        INFO(command_line(motion));
+        const auto few = single_reference(motion + words{"--digits", "7"});
+        const auto many = single_reference(motion + words{"--digits", "1000"});
+        for (const std::string name : {"theta", "omega", "period", "tstar", "radius", "gap"}) {
+            CHECK_THAT(few.at(name), right_to_the_last_digit(many.at(name)));
+        }
+        CHECK(significant_digits(many.at("theta")) == 1000);
+    }
+}
+
+TEST_CASE("equilibria and the separatrix are their closed forms", "[command][reference]") {
+    const precision_scope scope(120);
+    const auto up = single_reference({"--theta0", "pi", "--omega0", "0", "--time", "5"});
+    CHECK_THAT(up.at("theta"), right_to_the_last_digit_of(pi<mpfr>()));
+    CHECK((up.at("omega") == "0" && up.at("radius") == "inf" && up.at("tstar") == "inf"));
+    const auto down = single_reference({"--energy", "0", "--time", "T/3"});
+    CHECK((down.at("theta") == "0" && down.at("omega") == "0" && down.at("radius") == "inf"));
+    CHECK_THAT(down.at("period"), right_to_the_last_digit_of(pi<mpfr>() * 2));
+    const auto between = single_reference({"--energy", "2", "--time", "3", "--check"});
+    CHECK_THAT(between.at("theta"), right_to_the_last_digit_of(atan(sinh(mpfr(3))) * 2));
+    CHECK_THAT(between.at("omega"), right_to_the_last_digit_of(2 / cosh(mpfr(3))));
+    CHECK_THAT(between.at("radius"), right_to_the_last_digit_of(pi<mpfr>() / 2));
+}
+
+TEST_CASE("a length of 4 at a gravity of 1 doubles times and halves omega", "[command][reference]") {
+    for (const words& motion :
+         {words{"--energy", "1.71"}, words{"--energy", "2"}, words{"--energy", "1.71", "--theta0", "1"}}) {
+        const auto plain = single_reference(motion + words{"--time", "0.35", "--digits", "60"});
+        const auto scaled =
+            single_reference(motion + words{"--time", "0.7", "--length", "4", "--gravity", "1", "--check"});
+        CHECK_THAT(scaled.at("theta"), right_to_the_last_digit(plain.at("theta")));
+        CHECK_THAT(scaled.at("omega"), right_to_the_last_digit_of(number_of(plain.at("omega")) / 2));
+        CHECK_THAT(scaled.at("radius"), right_to_the_last_digit_of(number_of(plain.at("radius")) * 2));
+    }
+}
+
+TEST_CASE("what a reference cannot answer is refused with the reason", "[command][reference]") {
+    const words motion{"reference", "--energy", "1.71"};
+    check_failed(motion + words{"--time", "1", "--digits", "100001"}, 2, "--digits '100001'");
+    check_failed(motion + words{"--time", "1", "--digits", "0"}, 2, "--digits '0'");
+    check_failed(motion + words{"--time", "30deg"}, 2, "30deg");
+    check_failed(motion + words{"--time", "1", "--digits", "20000", "--check"}, 2, "--check");
+    check_failed({"reference", "--energy", "2", "--time", "T/4"}, 2, "infinite period");
+    check_failed({"reference", "--energy", "2", "--time", "1e30"}, 2, "--times '1e30'");
+    check_failed({"reference", "--theta0", "1", "--omega0", "pi", "--time", "1"}, 2, "--omega0 'pi'");
+}
