@@ -58,7 +58,8 @@ int main(int argc, char** argv) {
         libration::reference_command(program),  libration::elliptic_command(program),
         libration::study_command(program),      libration::studies_command(program),
         libration::figure_command(program),     libration::claims_command(program),
-        libration::reproduce_command(program),  libration::cite_command(program)};
+        libration::reproduce_command(program),  libration::verify_command(program),
+        libration::cite_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

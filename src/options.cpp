@@ -189,18 +189,30 @@ chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
     return chosen;
 }
 
+std::array<motion_options::named, 7> motion_options::all() const {
+    return {named{"--energy", &energy_},       named{"--gap", &gap_},
+            named{"--theta0", &theta0_},       named{"--omega0", &omega0_},
+            named{"--direction", &direction_}, named{"--length", &length_},
+            named{"--gravity", &gravity_}};
+}
+
 std::optional<std::string> motion_options::first_given() const {
-    using named = std::pair<const char*, const std::optional<std::string>*>;
-    const std::array<named, 7> all{named{"--energy", &energy_},       named{"--gap", &gap_},
-                                   named{"--theta0", &theta0_},       named{"--omega0", &omega0_},
-                                   named{"--direction", &direction_}, named{"--length", &length_},
-                                   named{"--gravity", &gravity_}};
-    for (const auto& [name, value] : all) {
+    for (const auto& [name, value] : all()) {
         if (*value) {
             return fmt::format("{} '{}'", name, **value);
         }
     }
     return std::nullopt;
+}
+
+const std::optional<std::string>& motion_options::given(std::string_view option) const {
+    const auto options = all();
+    const auto* const found =
+        std::find_if(options.begin(), options.end(), [&](const named& each) { return each.first == option; });
+    if (found == options.end()) {
+        throw std::logic_error("no option of a motion: " + std::string(option));
+    }
+    return *found->second;
 }
 
 namespace {

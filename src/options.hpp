@@ -2,8 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libration/pendulum/motion.hpp"
@@ -30,13 +33,19 @@ public:
     chosen_motion choose_for(const scalar_spec& scalar) const;
     /// The first option that was given, as "--energy '1.71'"; nothing where none was.
     std::optional<std::string> first_given() const;
+    /// What was given for the option of this name, "--energy" say.
+    const std::optional<std::string>& given(std::string_view option) const;
+    /// gravity/length; 1 where neither is given. Throws input_error where one of them is.
+    rational stiffness() const;
 
 private:
     chosen_motion choose() const;
     chosen_motion by_energy() const;
     chosen_motion by_state() const;
     int direction() const;
-    rational stiffness() const;
+
+    using named = std::pair<const char*, const std::optional<std::string>*>;
+    std::array<named, 7> all() const;
 
     std::optional<std::string> energy_, gap_, theta0_, omega0_, direction_, length_, gravity_;
 };

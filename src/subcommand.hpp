@@ -23,6 +23,7 @@ subcommand studies_command(CLI::App& program);
 subcommand figure_command(CLI::App& program);
 subcommand claims_command(CLI::App& program);
 subcommand reproduce_command(CLI::App& program);
+subcommand verify_command(CLI::App& program);
 subcommand cite_command(CLI::App& program);
 
 }  // namespace libration

@@ -1,0 +1,42 @@
+// A CSV file as a stream of records: one at a time, in constant memory, with the line on which each starts.
+#pragma once
+
+#include <deque>
+#include <istream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace libration {
+
+/// A record as it stands in the file, without its line end.
+struct csv_record {
+    long line;
+    std::string text;
+};
+
+/// Splits a stream into records: lines, joined where a quoted cell holds a line end. A quote that nothing closes within
+/// 64 KiB spoils its own line only. Blank lines are left out, line ends are LF or CRLF, a byte-order mark is dropped.
+class csv_records {
+public:
+    explicit csv_records(std::istream& in) : in_(in) {}
+    std::optional<csv_record> next();
+
+private:
+    bool take_line(std::string& line);
+
+    std::istream& in_;
+    std::deque<std::string> pending_;  // lines that were read ahead
+    long line_ = 0;
+};
+
+/// The cells of a record; nothing where a quote is not closed. Quotes count at the start of a cell and are doubled within.
+std::optional<std::vector<std::string>> cells_of(const std::string& record);
+
+/// A cell as it is written, quoted where CSV needs it.
+std::string written_cell(const std::string& cell);
+
+/// A text without the blanks around it.
+std::string trimmed(const std::string& text);
+
+}  // namespace libration
