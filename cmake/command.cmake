@@ -8,6 +8,8 @@ if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
 endif()
 
+include(cmake/peers.cmake)
+
 set(generated_dir ${PROJECT_BINARY_DIR}/generated)
 
 # version.hpp is made anew in every build, because a commit changes no source; it is rewritten only on change.
@@ -54,11 +56,19 @@ file(RELATIVE_PATH studies_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/
 target_compile_definitions(libration-studies PUBLIC
     LIBRATION_STUDIES_DIR="${PROJECT_SOURCE_DIR}/studies"
     LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
+if(TARGET libration-gsl-theta)
+    # Started as a process and never linked; it does not belong to what is installed.
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/audit_gsl.cpp PROPERTIES
+        COMPILE_DEFINITIONS LIBRATION_GSL_THETA="$<TARGET_FILE:libration-gsl-theta>")
+endif()
 
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
 target_link_libraries(libration-command PRIVATE libration-studies CLI11::CLI11 libration-warnings)
 target_precompile_headers(libration-command REUSE_FROM libration-studies)
+if(TARGET libration-gsl-theta)
+    add_dependencies(libration-command libration-gsl-theta)
+endif()
 
 install(TARGETS libration-command RUNTIME COMPONENT command)
 install(DIRECTORY studies/
