@@ -54,7 +54,7 @@ private:
     acb_t value_;
 };
 
-/// The peer: sqrt(k) theta_2/theta_3 by one call of acb_modular_theta at z = t/(2K), tau = i K'/K, K and K' by the mean.
+/// The peer: sqrt(k) theta_2/theta_3 by one call of acb_modular_theta at z = t/(2K), tau = i K'/K, K and K' by AGM.
 inline ball by_arb_theta(const question& asked) {
     const exact_question exact(asked);
     const slong bits = ball::working_bits();

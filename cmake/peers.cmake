@@ -1,5 +1,5 @@
-# Programs around other people's libraries that libration may not be linked with (GSL is under the GPL): each is a process of
-# its own, which a study starts. Where the library is missing, the study says so.
+# Programs around other people's libraries that libration may not be linked with (GSL is under the GPL): each is a
+# process of its own, which a study starts. Where the library is missing, the study says so.
 
 pkg_check_modules(gsl QUIET IMPORTED_TARGET gsl)
 if(gsl_FOUND)

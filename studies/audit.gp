@@ -1,6 +1,7 @@
-# Correct digits against the gap, one panel a time; called by audit_boost.gp and audit_gsl.gp with `name`, `library` (as in
-# the CSV) and `called` (as people say it).
-# Columns: gap,time,library,theta,reference,error,error_ulp,correct_digits,condition,input_ulp,own_ulp,time_in_double,energy.
+# Correct digits against the gap, one panel a time; called by audit_boost.gp and audit_gsl.gp with `name`, `library` (as
+# in the CSV) and `called` (as people say it).
+# Columns: gap,time,library,theta,reference,error,error_ulp,correct_digits,condition,input_ulp,own_ulp,time_in_double,
+# energy.
 load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
@@ -24,6 +25,7 @@ do for [kind in terminals] {
     set logscale x
     set xrange [3:3e-16]
     set format x '10^{%L}'
+    set xtics 1e-20, 1e5 nomirror out textcolor rgb '#222222'
     set yrange [0:19]
     set lmargin 8
     do for [p=1:panels] {

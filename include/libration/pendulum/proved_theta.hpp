@@ -8,9 +8,9 @@
 
 namespace libration {
 
-/// theta at an exact time of the canonical motion of energy E, 2-E = gap, with a radius below 10^-places: the precision is
-/// doubled until that is so. Any precision may be in force; the result keeps its own. Cost: that of a landen_motion, a few
-/// times. Throws as landen_motion, and std::runtime_error where 20000 digits more do not prove it.
+/// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below 10^-places:
+/// the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own. Cost: that of
+/// a landen_motion, a few times. Throws as landen_motion, and std::runtime_error where 20000 digits more do not prove it.
 inline ball proved_theta(const rational& energy, const rational& gap, const rational& time, long places) {
     constexpr long most_guard = 20'000;
     for (long guard = 20; guard <= most_guard; guard *= 2) {
@@ -28,10 +28,10 @@ inline ball proved_theta(const rational& energy, const rational& gap, const rati
     throw std::runtime_error("theta at " + time.str() + " is not proved to " + std::to_string(places) + " places");
 }
 
-/// |d theta/dE| E/max(1, |theta|) at a fixed time: the relative change of the energy times this is the change of theta in
-/// units of max(1, |theta|). A centred difference with the step h = 10^-30 min(E, |2-E|), whose truncation is of the order
-/// of 10^-60 of the result; heuristic, and without correct digits where the derivative vanishes. Cost: two values of theta.
-/// Throws as proved_theta.
+/// |d theta/dE| E/max(1, |theta|) at a fixed time: the relative change of the energy times this is the change of theta
+/// in units of max(1, |theta|). A centred difference with the step h = 10^-30 min(E, |2-E|), whose truncation is of the
+/// order of 10^-60 of the result; heuristic, and without correct digits where the derivative vanishes. Cost: two values
+/// of theta. Throws as proved_theta.
 inline mpfr energy_condition(const rational& energy, const rational& gap, const rational& time) {
     constexpr unsigned step_digits = 30;
     const rational size = energy < abs(gap) ? energy : rational(abs(gap));
