@@ -6,6 +6,8 @@ load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
 times = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | awk '!seen[$0]++'", file))
+smallest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | head -n 1 | awk '{printf \"%%.3e\", $1}'", file)))
+largest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | tail -n 1 | awk '{printf \"%%.3e\", $1}'", file)))
 panels = words(times)
 across = panels < 3 ? panels : 3
 down = (panels + across)/across       # one cell more than panels, for the key
@@ -19,13 +21,12 @@ told = '($10 > 0 ? -log($10*2^-52)/log(10) : 20)'
 
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/'.name, wide(across), 330*down + 40)
-    set xtics nomirror out textcolor rgb '#222222'
+    set xtics 1e5 nomirror out textcolor rgb '#222222'
     set ytics nomirror out textcolor rgb '#222222'
     set multiplot layout down, across title 'Correct digits of {/Symbol q} in double, from the nearest k and from the exact gap' font ',15' offset 0, -0.3
     set logscale x
-    set xrange [3:3e-16]
+    set xrange [3*largest:smallest/3]
     set format x '10^{%L}'
-    set xtics 1e-20, 1e5 nomirror out textcolor rgb '#222222'
     set yrange [0:19]
     set lmargin 8
     do for [p=1:panels] {
