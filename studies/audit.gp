@@ -6,32 +6,30 @@ load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
 times = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | awk '!seen[$0]++'", file))
-smallest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | head -n 1 | awk '{printf \"%%.3e\", $1}'", file)))
+smallest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | sed -n 1p | awk '{printf \"%%.3e\", $1}'", file)))
 largest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | tail -n 1 | awk '{printf \"%%.3e\", $1}'", file)))
 panels = words(times)
 across = panels < 3 ? panels : 3
 down = (panels + across)/across       # one cell more than panels, for the key
 wide(x) = 360*x + (x == 1 ? 200 : 40)
 
-# gap and y of the rows of a library at a time, behind a blank line a point out of sight: gnuplot warns of a file without
+# -log10 of the gap and y of the rows of a library at a time, behind a blank line a point out of sight: gnuplot warns of a file without
 # points.
-rows(who, t, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && $2 == \"%s\" && $3 == \"%s\" {y = %s; print $1 \",\" (y > 20 ? 20 : y)} END {print \"\\n1e9,99\"}' '%s'", t, who, y, file)
+rows(who, t, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && $2 == \"%s\" && $3 == \"%s\" {y = %s; print -log($1)/log(10) \",\" (y > 20 ? 20 : y)} END {print \"\\n1e9,1e9\"}' '%s'", t, who, y, file)
 # The digits that the rounded k has lost before the library begins.
 told = '($10 > 0 ? -log($10*2^-52)/log(10) : 20)'
 
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/'.name, wide(across), 330*down + 40)
-    set xtics 1e5 nomirror out textcolor rgb '#222222'
+    set xtics 5 nomirror out textcolor rgb '#222222'
     set ytics nomirror out textcolor rgb '#222222'
     set multiplot layout down, across title 'Correct digits of {/Symbol q} in double, from the nearest k and from the exact gap' font ',15' offset 0, -0.3
-    set logscale x
-    set xrange [3*largest:smallest/3]
-    set format x '10^{%L}'
+    set xrange [-log10(largest) - 0.5:-log10(smallest) + 0.5]
     set yrange [0:19]
     set lmargin 8
     do for [p=1:panels] {
         set title sprintf('t = %s', word(times, p)) offset 0, -0.5
-        set xlabel 'gap 2 - E' offset 0, 0.3
+        set xlabel '-log_{10} (2 - E)' offset 0, 0.3
         set ylabel 'correct digits' offset 0.7
         unset key
         plot 15.653559774527 with lines lw 1.3 dt 3 lc rgb '#666666', \
@@ -39,7 +37,7 @@ do for [kind in terminals] {
              rows(library, word(times, p), '$8') using 1:2 with points pt 7 ps 0.5 lc rgb shade[4], \
              rows('libration', word(times, p), '$8') using 1:2 with points pt 6 ps 0.6 lc rgb shade[5]
     }
-    unset logscale; unset title; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
+    unset title; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
     set xrange [0:1]
     set key at graph 0.95, 0.9 right top
     plot NaN with points pt 6 lc rgb shade[5] title 'ours, from the exact gap', \
