@@ -27,7 +27,7 @@ TEST_CASE("proved theta is the exact solution of mpfr, to all of its places", "[
 
 TEST_CASE("at the top the condition is that of arccos(1 - E)", "[pendulum][proved_theta]") {
     const precision_scope scope(60);
-    for (const char* text : {"1", "0.29", "1e-8", "1.9"}) {
+    for (const char* text : {"1", "0.29", "1e-8", "1e-300", "1.9"}) {
         INFO("gap " << text);
         const rational gap = read_exact(text).coefficient;
         const rational energy = 2 - gap;
@@ -52,6 +52,16 @@ TEST_CASE("the condition is what a small change of the energy makes of theta", "
     const mpfr unit = theta < 1 ? mpfr(1) : theta;
     const mpfr change = abs(midpoint_of(after - before)) * mpfr("1e12") / unit;
     CHECK(abs(energy_condition(energy, rational(2 - energy), instant) / change - 1) < mpfr("1e-9"));
+}
+
+TEST_CASE("a fast rotation from the top feels its energy as pi + sqrt(2E) t does", "[pendulum][proved_theta]") {
+    // theta = pi + sqrt(2E) t + O(1/E) at a fixed sqrt(E) t: its slope in log E is sqrt(2E) t/2.
+    const rational energy(boost::multiprecision::pow(integer(10), 40U));
+    const rational instant = 1 / rational(boost::multiprecision::pow(integer(10), 20U));
+    const precision_scope scope(60);
+    const mpfr condition = energy_condition(energy, rational(2 - energy), instant);
+    const mpfr root = sqrt(mpfr(2));
+    CHECK(abs(condition / (root / 2 / (pi<mpfr>() + root)) - 1) < mpfr("1e-30"));
 }
 
 TEST_CASE("motions without a period are refused by proved theta", "[pendulum][proved_theta]") {

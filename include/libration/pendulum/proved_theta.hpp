@@ -36,7 +36,7 @@ inline mpfr energy_condition(const rational& energy, const rational& gap, const 
     constexpr unsigned step_digits = 30;
     const rational size = energy < abs(gap) ? energy : rational(abs(gap));
     const rational step = size / rational(boost::multiprecision::pow(integer(10), step_digits));
-    const long step_places = decimal_digits(static_cast<long>(msb(integer(1 / step))) + 1);
+    const long step_places = decimal_digits(static_cast<long>(msb(integer(1 / step + 1))) + 1);
     const long places = step_places + 2L * step_digits;
     const ball above = proved_theta(rational(energy + step), rational(gap - step), time, places);
     const ball below = proved_theta(rational(energy - step), rational(gap + step), time, places);
