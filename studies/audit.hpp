@@ -65,21 +65,20 @@ inline audit_case case_of(const sweep_energy& at, const exact& time) {
     const ball instant = time.measure == unit::period
                              ? ball(pi<ball>() * from_rational<ball>(rational(time.coefficient * 2)) / motion.mean())
                              : from_exact<ball>(time);
-    const double k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(at.value / 2)))));
+    const auto k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(at.value / 2)))));
     return {&at, time.text, gap, narrow<double>(midpoint_of(instant)), k};
 }
 
-inline rational exactly_of(double x) { return rational(x); }
-
-/// theta of the motion that the double k means: E = 2 k^2, which is at rest on top where k was rounded to 1.
+/// theta of the motion that the double k means, as an exact fraction: E = 2 k^2, which is at rest on top where k was
+/// rounded to 1.
 inline ball theta_of_received(const audited_input& given) {
-    const rational k = exactly_of(given.k);
+    const rational k(given.k);
     const rational energy = k * k * 2;
     if (energy == 2) {
         const precision_scope scope(proved_places + 10);
         return pi<ball>();
     }
-    return proved_theta(energy, rational(2 - energy), exactly_of(given.time), proved_places);
+    return proved_theta(energy, rational(2 - energy), rational(given.time), proved_places);
 }
 
 /// The digits of an error, each proved.
@@ -117,7 +116,7 @@ inline std::vector<std::string> judged_row(const audit_case& one, const std::str
 
 inline std::vector<std::vector<std::string>> judged_rows(const audit_case& one, const std::string& library,
                                                          double theta) {
-    const rational instant = exactly_of(one.time);
+    const rational instant(one.time);
     const ball reference = proved_theta(one.at->value, one.gap, instant, proved_places);
     const ball received = theta_of_received({one.k, one.time});
     const std::string condition = to_decimal(energy_condition(one.at->value, one.gap, instant), judged_digits);
