@@ -113,7 +113,7 @@ private:
 
     // z - turns pi, proved inside (-pi, pi).
     static ball reduced(const ball& z, const integer& turns) {
-        const ball rest = z - pi<ball>() * from_rational<ball>(rational(turns));
+        ball rest = z - pi<ball>() * from_rational<ball>(rational(turns));
         if (!certainly_less(abs(rest), pi<ball>())) {
             throw precision_exhausted("the turn at a time");
         }

@@ -30,6 +30,7 @@ public:
         solution_.emplace(m);
     }
 
+    const motion& of() const { return motion_; }
     /// Whether theta is constant: E = 0, or at rest on top.
     bool at_rest() const {
         return motion_.regime() == regime::stable_equilibrium || motion_.regime() == regime::unstable_equilibrium;
