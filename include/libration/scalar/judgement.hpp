@@ -60,6 +60,9 @@ inline std::optional<judgement> judge(const rational& value, const ball& truth, 
     if (!reference || (!within && !certainly_less(tolerance, error))) {
         return std::nullopt;
     }
+    if (binary_exponent(error) < smallest_exponent) {
+        return judgement{within, *reference, "0", std::nullopt, mpfr(0)};
+    }
     auto text = to_proved_decimal(error, 3);
     const bool narrow_enough = text && (is_exact(error) || certainly_less(ldexp(radius_of(error), 10), error));
     if (!narrow_enough && !last_attempt) {
