@@ -37,7 +37,8 @@ namespace fitting {
 inline mpfr exponent_at(const leading_polynomials& q, const complex_number<mpfr>& w, const recurrence_form& form,
                         int stride) {
     if (form.highest == form.lowest) {
-        return mpfr(form.highest - 1);
+        mpfr assumed(form.highest - 1);
+        return assumed;
     }
     const auto above = evaluate(q.below, w).value;
     const auto below = w * evaluate(q.top, w).slope * mpfr(stride);

@@ -42,18 +42,18 @@ struct radius_estimate {
 
 /// The answer of a test that does not apply.
 template <rounding_scalar T>
-radius_estimate<T> no_estimate(std::string method, std::string reason) {
+radius_estimate<T> no_estimate(const std::string& method, const std::string& reason) {
     radius_estimate<T> result;
-    result.method = std::move(method);
-    result.note = std::move(reason);
+    result.method = method;
+    result.note = reason;
     return result;
 }
 
 /// The answer of a test that needs more coefficients than there are.
 template <rounding_scalar T>
-radius_estimate<T> too_short(std::string method, int needed, int given) {
-    return no_estimate<T>(std::move(method), "needs " + std::to_string(needed) + " non-zero coefficients, there are " +
-                                                 std::to_string(given));
+radius_estimate<T> too_short(const std::string& method, int needed, int given) {
+    return no_estimate<T>(
+        method, "needs " + std::to_string(needed) + " non-zero coefficients, there are " + std::to_string(given));
 }
 
 /// The same answer in the working precision in force, exactly.

@@ -65,10 +65,10 @@ settled_value<T> settled_range(const std::vector<T>& last_quarter) {
             moved_since(count - std::min<std::size_t>(4, count))};
 }
 
-/// Whether x is neither infinite nor NaN: only then is x - x = 0.
+/// Whether x is neither infinite nor NaN: only then is 0 x = 0.
 template <rounding_scalar T>
 bool is_a_number(const T& x) {
-    return T(x - x) == 0;
+    return T(x * 0) == 0;
 }
 
 /// The answer as it is where all its numbers are finite, the radius is above 0 and its uncertainty below it; without

@@ -137,7 +137,7 @@ inline exact nearest_double(const exact& number) {
     if (number.measure == unit::one) {
         return {nearest_double(number.coefficient), unit::one, number.text};
     }
-    const double radians = from_exact<double>(number);
+    const auto radians = from_exact<double>(number);
     if (!std::isfinite(radians)) {
         throw std::domain_error("is beyond the largest double");
     }
