@@ -93,8 +93,8 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     return found.nearest.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
-/// Where few digits are certain, steps may be small by chance: the root is then no more certain than four times its distance
-/// from that of the next degree on either side, whichever is nearer.
+/// Where few digits are certain, steps may be small by chance: the error is then thought to be four times what the steps
+/// say, or four times the distance from the root of the next degree on either side, whichever is nearer.
 inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best) {
     constexpr int few_digits = 1'000'000;
     fitted_singularity& first = all[best].nearest.front();
@@ -152,8 +152,9 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
     return all[best];
 }
 
-/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times what the root
-/// moved, and not below a rounding of the coefficients: calibrated on the tournament's first half.
+/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the error that
+/// is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and a rounding of the
+/// coefficients.
 template <rounding_scalar T>
 radius_estimate<T> estimate_by_recurrence(const std::string& method, const strided_series<T>& c,
                                           const recurrence_form& form) {
