@@ -6,7 +6,7 @@
 
 #include "libration/elliptic/proved_functions.hpp"
 #include "options.hpp"
-#include "proofs.hpp"
+#include "sweep/proofs.hpp"
 #include "subcommand.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/input_error.hpp"

@@ -3,7 +3,7 @@
 #include "agreement.hpp"
 #include "libration/pendulum/coefficients.hpp"
 #include "libration/pendulum/vanishing_coefficients.hpp"
-#include "proofs.hpp"
+#include "sweep/proofs.hpp"
 #include "sweep/input_error.hpp"
 
 namespace libration {

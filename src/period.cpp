@@ -8,7 +8,7 @@
 #include "agreement.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
-#include "proofs.hpp"
+#include "sweep/proofs.hpp"
 #include "subcommand.hpp"
 #include "sweep/input_error.hpp"
 

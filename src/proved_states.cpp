@@ -5,7 +5,7 @@
 
 #include "libration/pendulum/critical_formula.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
-#include "proofs.hpp"
+#include "sweep/proofs.hpp"
 
 namespace libration {
 

@@ -1,10 +1,14 @@
 // How large is the error of the series and of its resummation on [0, T*] at each energy and order? [paper fig:error]
 #include "libration/pendulum/error_norm.hpp"
 
+#include <algorithm>
+
 #include "libration/pendulum/march_error.hpp"
+#include "libration/pendulum/proved_norm.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "sweep/input_error.hpp"
 #include "sweep/parallel.hpp"
+#include "sweep/proofs.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {
@@ -19,9 +23,9 @@ const std::vector<column>& columns() {
         {"order", "N, last power of the series; last index of the resummed series"},
         {"method", "series | resummed"},
         {"norm", "max of |approximation - theta| over [0, T*], radians"},
-        {"time_of_maximum", "dimensionless time since the top"},
+        {"time_of_maximum", "dimensionless time since the top; with ball the digits that are proved"},
         {"scalar", "arithmetic of the approximation"},
-        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic"},
+        {"rigour", "proved | two-method: confirmed by the sum over separatrix solutions | heuristic"},
         {"gap", "2 - E"},
         {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold"},
         {"log10_norm", "log10 of norm"},
@@ -54,57 +58,135 @@ struct cell {
     descent_method method;
 };
 
-std::vector<std::string> row_of(const cell& c, const norm_at<mpfr>& found, const descent_errors& errors,
-                                const scalar_spec& scalar, bool two_method) {
-    const auto bound = bound_of(errors.bounds(), c.method, c.order);
-    const mpfr time = found.place * errors.bounds().effective_period;
+// A norm and its time as they are printed.
+struct norm_text {
+    std::string norm;
+    std::string time;
+    std::string rigour;
+};
+
+std::vector<std::string> row_of(const cell& c, const norm_text& text, const top_bounds<mpfr>& bounds,
+                                const scalar_spec& scalar) {
+    const auto bound = bound_of(bounds, c.method, c.order);
     return {c.at.energy,
             std::to_string(c.order),
             std::string(name_of(c.method)),
-            to_decimal(found.norm, scalar.digits),
-            to_decimal(time, scalar.digits),
+            text.norm,
+            text.time,
             scalar.name(),
-            two_method ? "two-method" : "heuristic",
+            text.rigour,
             c.at.gap,
             bound ? to_decimal(*bound, 12) : "",
-            log10_text(found.norm),
+            log10_text(from_exact<mpfr>(read_exact(text.norm))),
             bound ? log10_text(*bound) : "",
             log10_text(abs(from_rational<mpfr>(rational(2 - c.at.value))))};
 }
 
-// All rows of one energy, in one table for each scalar.
-std::vector<std::vector<std::vector<std::string>>> rows_at(const sweep_energy& at, const std::vector<int>& orders,
-                                                           const std::vector<scalar_spec>& scalars) {
-    const motion m = motion::of_energy(at.value);
-    long digits = 0;
-    long below = 0;
-    for (const scalar_spec& scalar : scalars) {
-        digits = std::max(digits, scalar.digits);
+std::vector<std::string> row_of(const cell& c, const norm_at<mpfr>& found, const top_bounds<mpfr>& bounds,
+                                const scalar_spec& scalar, bool two_method) {
+    const mpfr time = found.place * bounds.effective_period;
+    return row_of(c,
+                  {to_decimal(found.norm, scalar.digits), to_decimal(time, scalar.digits),
+                   two_method ? "two-method" : "heuristic"},
+                  bounds, scalar);
+}
+
+std::vector<cell> cells_at(const sweep_energy& at, const std::vector<int>& orders) {
+    std::vector<cell> cells;
+    cells.reserve(2 * orders.size());
+    for (const int order : orders) {
+        for (const auto method : {descent_method::series, descent_method::resummed}) {
+            cells.push_back({at, order, method});
+        }
     }
+    return cells;
+}
+
+// Decimal digits by which the norms of these orders are below theta.
+long most_digits_below(const motion& m, const std::vector<int>& orders) {
+    long below = 0;
     for (const int order : orders) {
         below = std::max(below, digits_below(m, order));
     }
-    const precision_scope scope(digits + below + guard_digits);
-    descent_errors errors(m);
-    std::vector<std::vector<std::vector<std::string>>> tables(scalars.size());
-    for (const int order : orders) {
-        for (const auto method : {descent_method::series, descent_method::resummed}) {
-            const cell here{at, order, method};
-            norm_at<mpfr> found = errors.norm(method, order);
-            const bool agreed = confirmed(errors, method, order, found, digits);
-            for (std::size_t i = 0; i < scalars.size(); ++i) {
-                const scalar_spec& scalar = scalars[i];
-                const auto norm = with_scalar(scalar, digits + below + guard_digits - scalar.digits, [&]<class T>() {
-                    if constexpr (fixed_scalar<T>) {
-                        return errors.norm_in<T>(method, order, m, found.place);
-                    } else {
-                        return found;
-                    }
-                });
-                const bool exact = scalar.kind == scalar_kind::arbitrary;
-                tables[i].push_back(row_of(here, norm, errors, scalar, exact && agreed));
-            }
+    return below;
+}
+
+using table_rows = std::vector<std::vector<std::string>>;
+
+// The proved rows of one energy.
+table_rows proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, const scalar_spec& scalar) {
+    const motion m = motion::of_energy(at.value);
+    const long below = most_digits_below(m, orders);
+    const std::vector<cell> cells = cells_at(at, orders);
+    std::vector<std::string> times;
+    const auto norms = proved_decimals(scalar.digits, [&] {
+        const precision_scope wider(working_digits() + below);
+        const proved_descent_errors errors(at.value);
+        times.clear();
+        std::vector<ball> values;
+        values.reserve(cells.size());
+        for (const cell& c : cells) {
+            proved_maximum found = errors.norm(c.method, c.order);
+            const ball time = found.place * errors.effective_period();
+            const long digits = proved_digits(time, scalar.digits);
+            times.push_back(digits == 0 ? "" : to_proved_decimal(time, digits)->text);
+            values.push_back(std::move(found.value));
         }
+        return values;
+    });
+    const precision_scope scope(scalar.digits + guard_digits);
+    const auto bounds = top_bounds<mpfr>::of(orbit_of<mpfr>(m));
+    table_rows rows;
+    rows.reserve(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        rows.push_back(row_of(cells[i], {norms[i].text, times[i], "proved"}, bounds, scalar));
+    }
+    return rows;
+}
+
+// All rows of one energy in arithmetics that round, in one table for each scalar.
+std::vector<table_rows> rounded_rows_at(const sweep_energy& at, const std::vector<int>& orders,
+                                        const std::vector<scalar_spec>& scalars) {
+    const motion m = motion::of_energy(at.value);
+    long digits = 0;
+    for (const scalar_spec& scalar : scalars) {
+        digits = std::max(digits, scalar.digits);
+    }
+    const long all_digits = digits + most_digits_below(m, orders) + guard_digits;
+    const precision_scope scope(all_digits);
+    descent_errors errors(m);
+    std::vector<table_rows> tables(scalars.size());
+    for (const cell& here : cells_at(at, orders)) {
+        norm_at<mpfr> found = errors.norm(here.method, here.order);
+        const bool agreed = confirmed(errors, here.method, here.order, found, digits);
+        for (std::size_t i = 0; i < scalars.size(); ++i) {
+            const scalar_spec& scalar = scalars[i];
+            const auto norm = with_scalar(scalar, all_digits - scalar.digits, [&]<class T>() {
+                if constexpr (fixed_scalar<T>) {
+                    return errors.norm_in<T>(here.method, here.order, m, found.place);
+                } else {
+                    return found;
+                }
+            });
+            const bool exact = scalar.kind == scalar_kind::arbitrary;
+            tables[i].push_back(row_of(here, norm, errors.bounds(), scalar, exact && agreed));
+        }
+    }
+    return tables;
+}
+
+// All rows of one energy, in one table for each scalar; balls come first.
+std::vector<table_rows> rows_at(const sweep_energy& at, const std::vector<int>& orders,
+                                const std::vector<scalar_spec>& scalars) {
+    const auto is_proved = [](const scalar_spec& scalar) { return scalar.kind == scalar_kind::proved; };
+    const auto first_rounding = std::find_if_not(scalars.begin(), scalars.end(), is_proved);
+    std::vector<table_rows> tables;
+    for (auto scalar = scalars.begin(); scalar != first_rounding; ++scalar) {
+        tables.push_back(proved_rows_at(at, orders, *scalar));
+    }
+    if (first_rounding != scalars.end()) {
+        const auto rounded = rounded_rows_at(at, orders, {first_rounding, scalars.end()});
+        tables.insert(tables.end(), rounded.begin(), rounded.end());
     }
     return tables;
 }
@@ -113,10 +195,11 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
     if (request.scalar) {
         return {*request.scalar};
     }
-    return {read_scalar("mpfr:50"), read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
+    return {read_scalar("ball:50", arithmetics::proved_too), read_scalar("double"), read_scalar("long-double"),
+            read_scalar("quad")};
 }
 
-std::string suffix_of(const scalar_spec& scalar) { return scalar.kind == scalar_kind::arbitrary ? "" : scalar.name(); }
+std::string suffix_of(const scalar_spec& scalar) { return scalar.kind == scalar_kind::proved ? "" : scalar.name(); }
 
 const std::vector<column>& baseline_columns() {
     static const std::vector<column> all{
@@ -232,10 +315,11 @@ const study& error_norm() {
                        {"--gaps", "1e-2:1e-10:17log,-1e-2:-1e-10:17log", "energies as 2 - E"},
                        {"--orders", "5,10,20,40,80", "N, last power of the series; last index of the resummed series"},
                        {"--step", "1e-5", "dt of the Runge-Kutta march at E = 2, dimensionless time"},
-                       {"--scalar", "mpfr:50, and double, long-double, quad for their floors", "arithmetic"}},
+                       {"--scalar", "ball:50, and double, long-double, quad for their floors", "arithmetic"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6", ""}, {"--step", "1e-3", ""}},
         .seconds = 5,
-        .run = run};
+        .run = run,
+        .offers = arithmetics::proved_too};
     return result;
 }
 

@@ -82,6 +82,7 @@ struct study {
     std::vector<study_parameter> quick;  ///< (option, words) of a run of a second at most, for the tests
     double seconds;                      ///< with the usual parameters, on two cores
     std::function<std::vector<study_table>(const study_request&)> run;
+    arithmetics offers = arithmetics::rounding;  ///< proved_too where it has proofs
 };
 
 /// All studies, by name (generated at build time from the files in studies/).

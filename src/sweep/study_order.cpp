@@ -88,7 +88,7 @@ std::vector<sweep_energy> read_energies(const std::string& words, sweep_energy (
 }
 
 // Puts one parameter into the request.
-void fill(study_request& request, const std::string& option, const std::string& words) {
+void fill(study_request& request, const std::string& option, const std::string& words, arithmetics offered) {
     const auto add_energies = [&](sweep_energy (*of)(const exact&)) {
         const auto energies = read_energies(words, of);
         request.energies.insert(request.energies.end(), energies.begin(), energies.end());
@@ -112,7 +112,7 @@ void fill(study_request& request, const std::string& option, const std::string& 
     } else if (option == "--step") {
         request.step = read_step(words);
     } else if (option == "--scalar") {
-        request.scalar = read_scalar(words);
+        request.scalar = read_scalar(words, offered);
     } else {
         throw std::logic_error("no study has an option " + option);
     }
@@ -147,7 +147,7 @@ const std::vector<study_option>& study_order_options() {
         {"--period-by", "LIST", "ways to T*: agm, series:N (Kold) or resummed:N (Knew)",
          "write ways to T* such as agm,series:100,resummed:10"},
         {"--step", "DT", "step of the Runge-Kutta method", "write a step such as 1e-5"},
-        {"--scalar", "S", "double, long-double, quad or mpfr:DIGITS",
+        {"--scalar", "S", "double, long-double, quad or mpfr:DIGITS; error_norm also ball:DIGITS (proved)",
          "write double, long-double, quad or mpfr:DIGITS"}};
     return all;
 }
@@ -174,7 +174,7 @@ study_order order_of(const study& what, const study_words& words, int jobs) {
         if (said != words.end()) {
             order.command += " " + each.option + (said->second.starts_with("-") ? "=" : " ") + said->second;
             reading(each.option, said->second, each.remedy, [&] {
-                fill(order.request, each.option, said->second);
+                fill(order.request, each.option, said->second, what.offers);
                 return 0;
             });
             continue;
@@ -183,7 +183,7 @@ study_order order_of(const study& what, const study_words& words, int jobs) {
             const bool put_aside = energies_chosen && is_energy(own.option);
             // What a study does where no scalar is said is its own affair.
             if (own.option == each.option && !own.usual.empty() && !put_aside && own.option != "--scalar") {
-                fill(order.request, own.option, own.usual);
+                fill(order.request, own.option, own.usual, what.offers);
             }
         }
     }

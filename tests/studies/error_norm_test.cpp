@@ -30,7 +30,7 @@ study_request asked(const words& energies, const words& gaps, const std::vector<
     return request;
 }
 
-// Rows of the tables by suffix; that of mpfr has none.
+// Rows of the tables by suffix; that of the proved norms has none.
 using tables_by_suffix = std::map<std::string, std::vector<table_row>>;
 tables_by_suffix run(const study_request& request) {
     tables_by_suffix tables;
@@ -41,7 +41,7 @@ tables_by_suffix run(const study_request& request) {
 }
 
 std::vector<table_row> run_in(const std::string& scalar, study_request request) {
-    request.scalar = read_scalar(scalar);
+    request.scalar = read_scalar(scalar, arithmetics::proved_too);
     return run(request).at("");
 }
 
@@ -191,6 +191,21 @@ TEST_CASE("the norms are those of a search over the reference tables", "[studies
     }
 }
 
+TEST_CASE("proved norms are those of refined samples to every digit", "[studies][error_norm]") {
+    const auto request = asked({"0.5", "1.71", "4"}, {"1e-6", "-1e-6"}, {0, 1, 10, 40});
+    const auto proved = run_in("ball:40", request);
+    const auto sampled = run_in("mpfr:40", request);
+    REQUIRE(proved.size() == sampled.size());
+    for (std::size_t i = 0; i < proved.size(); ++i) {
+        INFO("E = " << proved[i].at("energy") << ", N = " << proved[i].at("order") << ", " << proved[i].at("method"));
+        CHECK(proved[i].at("rigour") == "proved");
+        CHECK(proved[i].at("scalar") == "ball:40");
+        // Both are rounded to nearest from more digits; none of these is a tie.
+        CHECK(proved[i].at("norm") == sampled[i].at("norm"));
+        CHECK(proved[i].at("time_of_maximum") == sampled[i].at("time_of_maximum"));
+    }
+}
+
 TEST_CASE("no norm is above its bound", "[studies][error_norm]") {
     const precision_scope scope(50);
     std::size_t bounded = 0;
@@ -232,7 +247,7 @@ TEST_CASE("from N = 5 on the resummation is better than the series at E = 1.71 a
     CHECK(before.size() == 2);
 }
 
-TEST_CASE("the fixed scalars have the norms of mpfr down to their floor", "[studies][error_norm]") {
+TEST_CASE("the fixed scalars have the proved norms down to their floor", "[studies][error_norm]") {
     const std::map<std::string, int> bits{{"double", 53}, {"long-double", 64}, {"quad", 113}};
     const auto& exact = default_tables().at("");
     const precision_scope scope(60);
@@ -252,7 +267,7 @@ TEST_CASE("the fixed scalars have the norms of mpfr down to their floor", "[stud
     }
 }
 
-TEST_CASE("where mpfr is far below it double shows its floor and does not hide it", "[studies][error_norm]") {
+TEST_CASE("where the proved norm is far below it double shows its floor and does not hide it", "[studies][error_norm]") {
     const precision_scope scope(60);
     const auto& exact = default_tables().at("");
     const auto& rounded = default_tables().at("double");

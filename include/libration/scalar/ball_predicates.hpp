@@ -36,6 +36,27 @@ inline ball radius_of(const ball& x) {
     return result;
 }
 
+/// The end of the ball below, rounded down, as an exact ball; minus infinity where it has none.
+inline ball lower_bound(const ball& x) {
+    ball result;
+    arb_get_lbound_arf(arb_midref(result.handle()), x.handle(), ball::working_bits());
+    return result;
+}
+
+/// The end of the ball above, rounded up, as an exact ball.
+inline ball upper_bound(const ball& x) {
+    ball result;
+    arb_get_ubound_arf(arb_midref(result.handle()), x.handle(), ball::working_bits());
+    return result;
+}
+
+/// A ball that contains both.
+inline ball hull(const ball& a, const ball& b) {
+    ball result;
+    arb_union(result.handle(), a.handle(), b.handle(), ball::working_bits());
+    return result;
+}
+
 /// The sign that all numbers of a ball have; 0 for the number 0 alone. Throws precision_exhausted where they differ.
 inline int decided_sign(const ball& x) {
     if (arb_is_zero(x.handle()) != 0) {
