@@ -152,7 +152,7 @@ void draw_study(const study& what, const std::string& folder) {
     }
 }
 
-const study& study_named(const std::string& option, const std::string& name) {
+const study& study_named(std::string_view option, std::string_view name) {
     const auto studies = all_studies();
     const auto found =
         std::find_if(studies.begin(), studies.end(), [&](const study* candidate) { return candidate->name == name; });
@@ -163,7 +163,7 @@ const study& study_named(const std::string& option, const std::string& name) {
     for (const study* candidate : studies) {
         names += (names.empty() ? "" : ", ") + candidate->name;
     }
-    throw input_error(option, name, "is not a study", "choose one of " + names);
+    throw input_error(std::string(option), std::string(name), "is not a study", "choose one of " + names);
 }
 
 }  // namespace libration

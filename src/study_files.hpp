@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sweep/study.hpp"
@@ -23,6 +24,6 @@ std::string studies_folder();
 void write_into(const std::string& path, const std::string& content);
 
 /// The study of that name; throws input_error that lists the names there are.
-const study& study_named(const std::string& option, const std::string& name);
+const study& study_named(std::string_view option, std::string_view name);
 
 }  // namespace libration
