@@ -9,6 +9,7 @@
 #include "libration/pendulum/numerical_solution.hpp"
 #include "libration/pendulum/periodic_extension.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
 #include "subcommand.hpp"
@@ -19,7 +20,7 @@ namespace libration {
 
 namespace {
 
-enum class trajectory_method { exact, series, resummed, rk4 };
+enum class trajectory_method { exact, series, resummed, uniform, rk4 };
 
 struct trajectory_options {
     motion_options motion;
@@ -48,13 +49,15 @@ trajectory_method read_method(const std::string& name) {
         return name == "series" ? trajectory_method::series : trajectory_method::resummed;
     }
     if (name == "uniform") {
-        throw input_error("--method", name, "is not built into this version", "use exact, series, resummed or rk4");
+        return trajectory_method::uniform;
     }
-    throw input_error("--method", name, "is no method for a trajectory", "write exact, series, resummed or rk4");
+    throw input_error("--method", name, "is no method for a trajectory",
+                      "write exact, series, resummed, uniform or rk4");
 }
 
 bool is_partial_sum(trajectory_method method) {
-    return method == trajectory_method::series || method == trajectory_method::resummed;
+    return method == trajectory_method::series || method == trajectory_method::resummed ||
+           method == trajectory_method::uniform;
 }
 
 trajectory_request choose(const trajectory_options& options) {
@@ -74,6 +77,10 @@ trajectory_request choose(const trajectory_options& options) {
     }
     if (is_partial_sum(method) && at_critical_energy(r)) {
         throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
+    }
+    if (method == trajectory_method::uniform && r == regime::stable_equilibrium) {
+        throw input_error("--method", options.method, "has infinitely many columns of singularities at E = 0",
+                          "use exact, series or resummed");
     }
     const int order = options.order ? order_of("--order", *options.order) : 0;
     return {std::move(chosen), numbers, method, order, step, times_of(options.times, r)};
@@ -194,6 +201,7 @@ trajectory_values follow_in(const trajectory_request& request) {
             return follow_extension<T>(request, series_from_top(descent_of<T>(m), request.order));
         case trajectory_method::resummed:
             return follow_extension<T>(request, resummation_from_top(descent_of<T>(m), request.order));
+        case trajectory_method::uniform: return follow_extension<T>(request, uniform_from_top<T>(m, request.order));
         case trajectory_method::rk4: return follow_runge_kutta<T>(request);
         default: return follow_function<T>(request, exact_solution<T>(m));
     }
@@ -246,9 +254,9 @@ subcommand trajectory_command(CLI::App& program) {
     options->motion.add_to(*command);
     options->arithmetic.add_to(*command);
     options->output.add_to(*command);
-    command->add_option("--method", options->method, "exact; series or resummed, with --order; rk4")
+    command->add_option("--method", options->method, "exact; series, resummed or uniform, with --order; rk4")
         ->capture_default_str();
-    command->add_option("--order", options->order, "last power N of the series, last index of the resummation")
+    command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
     command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")
         ->type_name("LIST")

@@ -35,7 +35,7 @@ public:
         born_.require();
         const bool top = quarter_of_four(p.quarter) % 2 != 0;
         const T away = p.offset * p.side / effective_period_;
-        jet<T> part = f_(top ? away : T(1 - away));
+        jet<T> part = top ? f_(away) : before_bottom(away);
         part.slope /= effective_period_;
         // Before the nearest top the descent runs backwards. At a bottom "after" means coming down from the top before.
         const bool after = top ? p.side >= 0 : p.side <= 0;
@@ -45,6 +45,15 @@ public:
     }
 
 private:
+    // An f that takes the time before the bottom is given that: 1 - away would lose the digits of a small one.
+    jet<T> before_bottom(const T& away) const {
+        if constexpr (requires { f_.before_bottom(away); }) {
+            return f_.before_bottom(away);
+        } else {
+            return f_(T(1 - away));
+        }
+    }
+
     jet<T> librating(const jet<T>& part, const integer& top, bool after) const {
         const int sign = quarter_of_four(top) == 1 ? 1 : -1;
         return {whole_turns<T>(motion_.turns()) + part.value * sign, part.slope * (after ? sign : -sign)};
