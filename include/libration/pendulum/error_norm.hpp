@@ -54,6 +54,12 @@ public:
         return abs(value - second_theta(x));
     }
 
+    /// The same for any function of x.
+    template <class F>
+    mpfr second_opinion_of(const F& approximation, const mpfr& x) const {
+        return abs(approximation(x).value - second_theta(x));
+    }
+
     /// The largest error of the same approximation computed in T, over Chebyshev points and the place where the exact
     /// arithmetic has its maximum. Theta itself stays in mpfr, at the same x, so all of T's rounding is in the error.
     template <fixed_scalar T>
@@ -84,6 +90,41 @@ public:
         return method == descent_method::series
                    ? norm_of_rounded(rounded([&] { return series_from_top(way, order); }), rounded_place)
                    : norm_of_rounded(rounded([&] { return resummation_from_top(way, order); }), rounded_place);
+    }
+
+    /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for a polynomial of
+    /// degree `order`.
+    template <class F>
+    norm_at<mpfr> norm_of(const F& approximation, int order) {
+        const auto points = chebyshev_points(points_for(order));
+        const auto& truth = truth_at(points);
+        std::vector<jet<mpfr>> differences;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const jet<mpfr> value = approximation(mpfr(points[i]));
+            differences.push_back({value.value - truth[i].value, value.slope - truth[i].slope});
+        }
+        const auto exactly = [this](const mpfr& x) { return exact(x); };
+        return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
+    }
+
+    /// The largest error at the Chebyshev points and one more place, which is rounded already, of an approximation in any
+    /// arithmetic: value(x) is what it gives, as a wide number.
+    template <class T, class F>
+    norm_at<mpfr> rounded_norm(const F& value, const T& place) {
+        const auto points = chebyshev_points(points_in_rounding_scalars);
+        const auto& truth = truth_at(points);
+        norm_at<mpfr> largest{mpfr(0), mpfr(0)};
+        const auto consider = [&](const T& x, const mpfr& theta) {
+            const mpfr error = abs(widen(value(x)) - theta);
+            if (error > largest.norm) {
+                largest = {error, widen(x)};
+            }
+        };
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            consider(T(points[i]), truth[i].value);
+        }
+        consider(place, exact(widen(place)).value);
+        return largest;
     }
 
 private:
@@ -122,38 +163,6 @@ private:
             sampled.push_back(exact(mpfr(points[i])));
         }
         return sampled;
-    }
-
-    template <class F>
-    norm_at<mpfr> norm_of(const F& approximation, int order) {
-        const auto points = chebyshev_points(points_for(order));
-        const auto& truth = truth_at(points);
-        std::vector<jet<mpfr>> differences;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const jet<mpfr> value = approximation(mpfr(points[i]));
-            differences.push_back({value.value - truth[i].value, value.slope - truth[i].slope});
-        }
-        const auto exactly = [this](const mpfr& x) { return exact(x); };
-        return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
-    }
-
-    // value(x) is the approximation as a wide number, place is rounded already.
-    template <class T, class F>
-    norm_at<mpfr> rounded_norm(const F& value, const T& place) {
-        const auto points = chebyshev_points(points_in_rounding_scalars);
-        const auto& truth = truth_at(points);
-        norm_at<mpfr> largest{mpfr(0), mpfr(0)};
-        const auto consider = [&](const T& x, const mpfr& theta) {
-            const mpfr error = abs(widen(value(x)) - theta);
-            if (error > largest.norm) {
-                largest = {error, widen(x)};
-            }
-        };
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            consider(T(points[i]), truth[i].value);
-        }
-        consider(place, exact(widen(place)).value);
-        return largest;
     }
 
     exact_solution<mpfr> truth_;
