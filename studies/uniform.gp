@@ -11,7 +11,7 @@ drawn = int(system(sprintf("cut -d, -f3 '%s' | tail -n +2 | sort -nu | grep -cx 
 energies = system(sprintf("cut -d, -f13 '%s' | tail -n +2 | sort -g | sed -n '1p;$p' | tr '\\n' ' '", exact))
 lowest = floor(word(energies, 1) + 0)
 # log10 |2 - E| of the smallest and largest gap on a side, '' where there is none.
-of_side(sign, end) = system(sprintf("awk -F, 'NR > 1 && %s {print $14}' '%s' | sort -g | sed -n '%s'", sign, exact, end))
+of_side(sign, end) = system(sprintf("awk -F, 'NR > 1 && ($2 ~ /^-/) == %d {print $14}' '%s' | sort -g | sed -n '%s'", sign, exact, end))
 below = of_side(0, '1p')
 above = of_side(1, '1p')
 farthest = of_side(1, '$p')
