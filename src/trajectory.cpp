@@ -12,6 +12,7 @@
 #include "libration/pendulum/uniform_resummation.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
+#include "proved_trajectory.hpp"
 #include "subcommand.hpp"
 #include "sweep/input_error.hpp"
 #include "sweep/progress.hpp"
@@ -19,8 +20,6 @@
 namespace libration {
 
 namespace {
-
-enum class trajectory_method { exact, series, resummed, uniform, rk4 };
 
 struct trajectory_options {
     motion_options motion;
@@ -30,15 +29,6 @@ struct trajectory_options {
     std::optional<std::string> order;
     std::string times;
     std::string step = "1e-5";
-};
-
-struct trajectory_request {
-    chosen_motion chosen;
-    arithmetic numbers;
-    trajectory_method method;
-    int order;
-    exact step;
-    std::vector<exact> times;
 };
 
 trajectory_method read_method(const std::string& name) {
@@ -67,6 +57,10 @@ trajectory_request choose(const trajectory_options& options) {
         throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");
     }
     const arithmetic numbers = options.arithmetic.choose();
+    if (method == trajectory_method::rk4 && numbers.scalar.kind == scalar_kind::proved) {
+        throw input_error("--scalar", numbers.scalar.name(), "proves nothing about a march of steps",
+                          "use another scalar, or --method exact");
+    }
     chosen_motion chosen = options.motion.choose_for(numbers.scalar);
     const regime r = chosen.of.regime();
     if (is_partial_sum(method) && !options.order) {
@@ -235,8 +229,16 @@ std::string error_of(const std::string& theta, const mpfr& truth) {
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     const trajectory_request request = choose(options);
-    const trajectory_values values = values_of(request);
     table data{{{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}}, {}};
+    if (request.numbers.scalar.kind == scalar_kind::proved) {
+        const auto points = proved_trajectory(request);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            data.rows.push_back({request.times[i].text, points[i].theta, points[i].omega, points[i].error});
+        }
+        options.output.write(data);
+        return 0;
+    }
+    const trajectory_values values = values_of(request);
     for (std::size_t i = 0; i < request.times.size(); ++i) {
         const std::string theta = to_decimal(values.motion[2 * i], request.numbers.digits);
         const std::string omega = to_decimal(values.motion[2 * i + 1], request.numbers.digits);
@@ -252,7 +254,7 @@ subcommand trajectory_command(CLI::App& program) {
     const auto options = std::make_shared<trajectory_options>();
     CLI::App* command = program.add_subcommand("trajectory", "theta and omega at a list of times");
     options->motion.add_to(*command);
-    options->arithmetic.add_to(*command);
+    options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command->add_option("--method", options->method, "exact; series, resummed or uniform, with --order; rk4")
         ->capture_default_str();

@@ -109,9 +109,9 @@ TEST_CASE("a scalar that this program does not have is refused", "[command][bad 
 }
 
 TEST_CASE("proved arithmetic is refused where there are no proofs", "[command][bad input]") {
-    check_value({"trajectory", "--energy", "1", "--times", "0"}, "--scalar", "ball:50");
+    check_value({"trajectory", "--energy", "1", "--times", "0", "--method", "rk4"}, "--scalar", "ball:50");
     check_value({"radius", "--energy", "1", "--order", "20"}, "--scalar", "ball:50");
-    check_value({"study", "error_norm", "--energies", "1"}, "--scalar", "ball:50");
+    check_value({"study", "surface", "--energies", "1"}, "--scalar", "ball:50");
 }
 
 TEST_CASE("an order that is no whole number of 0 or more is refused", "[command][bad input]") {

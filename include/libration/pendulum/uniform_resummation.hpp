@@ -46,6 +46,13 @@ public:
     int order() const { return order_; }
     const uniform_bounds<T>& bounds() const { return bounds_; }
 
+    /// The partial sum itself: on balls its own value, not that of theta, whose remainder is not enclosed.
+    uniform_resummation partial_sum() const {
+        uniform_resummation alone = *this;
+        alone.encloses_theta_ = false;
+        return alone;
+    }
+
     /// At the fraction x of T* after the top.
     jet<T> operator()(const T& x) const { return at(x, T(1 - x)); }
 
@@ -92,7 +99,7 @@ private:
         }
         sum.value += part + constants_[static_cast<std::size_t>(pis + 2 * bounds_.columns)];
         sum.slope += slope * half_distance_;
-        if constexpr (proved_scalar<T>) {
+        if (proved_scalar<T> && encloses_theta_) {
             const jet<T> left_out = proved_remainder(x);
             return {enclose(sum.value, left_out.value), enclose(sum.slope, left_out.slope)};
         }
@@ -117,6 +124,7 @@ private:
     }
 
     uniform_bounds<T> bounds_;
+    bool encloses_theta_ = true;
     int order_;
     T half_distance_;
     std::vector<T> constants_;
