@@ -250,14 +250,26 @@ arithmetic arithmetic_options::choose() const {
     return {scalar, digits.value_or(scalar.digits)};
 }
 
+output_options::output_options(std::string usual, const std::vector<std::string>& more) : format_(std::move(usual)) {
+    formats_.insert(formats_.end(), more.begin(), more.end());
+}
+
+std::string output_options::offered() const {
+    std::string names = formats_.front();
+    for (std::size_t i = 1; i < formats_.size(); ++i) {
+        names += (i + 1 < formats_.size() ? ", " : " or ") + formats_[i];
+    }
+    return names;
+}
+
 void output_options::add_to(CLI::App& command) {
-    command.add_option("--format", format_, "text, csv, json or latex")->type_name("FORMAT")->capture_default_str();
+    command.add_option("--format", format_, offered())->type_name("FORMAT")->capture_default_str();
     command.add_option("--out", out_, "write to this file instead of stdout")->type_name("FILE");
 }
 
 void output_options::check() const {
-    if (format_ != "text" && format_ != "csv" && format_ != "json" && format_ != "latex") {
-        throw input_error("--format", format_, "is no format", "write text, csv, json or latex");
+    if (std::find(formats_.begin(), formats_.end(), format_) == formats_.end()) {
+        throw input_error("--format", format_, "is no format", "write " + offered());
     }
     if (!out_) {
         return;
@@ -276,11 +288,18 @@ void output_options::check() const {
     }
 }
 
+std::string in_format(const std::string& format, const table& data) {
+    return format == "csv"     ? to_csv(data)
+           : format == "json"  ? to_json(data)
+           : format == "latex" ? to_latex(data)
+                               : to_text(data);
+}
+
 void output_options::write(const table& data, const std::optional<std::string>& text) const {
-    const std::string content = format_ == "csv"     ? to_csv(data)
-                                : format_ == "json"  ? to_json(data)
-                                : format_ == "latex" ? to_latex(data)
-                                                     : text.value_or(to_text(data));
+    write_content(text && format_ == "text" ? *text : in_format(format_, data));
+}
+
+void output_options::write_content(const std::string& content) const {
     if (!out_) {
         write_to_stdout(content);
         return;

@@ -67,19 +67,33 @@ private:
     arithmetics offered_ = arithmetics::rounding;
 };
 
-/// --format text|csv|json and --out FILE.
+/// --format text|csv|json|latex and --out FILE.
 class output_options {
 public:
+    output_options() = default;
+    /// With more formats than these, which the command writes itself, and another usual one.
+    output_options(std::string usual, const std::vector<std::string>& more);
+
     void add_to(CLI::App& command);
     /// Throws input_error for a format that is none and a file that cannot be written.
     void check() const;
+    const std::string& format() const { return format_; }
+    const std::optional<std::string>& file() const { return out_; }
     /// Writes the table to stdout or the file. `text` is what the text format shows instead of the aligned table.
     void write(const table& data, const std::optional<std::string>& text = std::nullopt) const;
+    /// Writes what is already in its format.
+    void write_content(const std::string& content) const;
 
 private:
+    std::string offered() const;
+
+    std::vector<std::string> formats_{"text", "csv", "json", "latex"};
     std::string format_ = "text";
     std::optional<std::string> out_;
 };
+
+/// A table in one of the formats that every command has.
+std::string in_format(const std::string& format, const table& data);
 
 /// A number of an option; throws input_error.
 exact number_of(const std::string& option, const std::string& value);

@@ -5,6 +5,7 @@
 
 #include "libration/pendulum/critical_formula.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
+#include "sweep/input_error.hpp"
 #include "sweep/proofs.hpp"
 
 namespace libration {
@@ -97,6 +98,16 @@ std::vector<std::string> proved_states::energies() {
     }));
 }
 
+std::string proved_states::time_text(const exact& time, long digits) {
+    const auto value = [&] {
+        return time.measure == unit::period
+                   ? motion_here().effective_period() *
+                         from_rational<ball>(rational(time.coefficient * quarters_per_period(motion_.regime())))
+                   : from_exact<ball>(time);
+    };
+    return proved_decimals(digits, [&] { return std::vector<ball>{value()}; }).front().text;
+}
+
 std::vector<ball> proved_states::second_route(const exact& time) const {
     const ball seconds = time_unit<ball>(motion_);
     if (motion_.regime() == regime::separatrix) {
@@ -130,6 +141,15 @@ bool proved_states::confirms(const exact& time) {
     }
     throw std::runtime_error("a check is impossible: the second route needs more than " +
                              std::to_string(most_guard_digits) + " guard digits");
+}
+
+proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
+    try {
+        return states.at(time);
+    } catch (const std::range_error&) {
+        throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
+                          "choose nearer times");
+    }
 }
 
 }  // namespace libration

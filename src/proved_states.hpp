@@ -34,10 +34,15 @@ public:
     /// E and 2-E.
     std::vector<std::string> energies();
 
+    /// A time as a decimal of so many proved digits: a multiple of the period, of pi, or a fraction.
+    std::string time_text(const exact& time, long digits);
+
     /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
     /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At rest
     /// there is nothing to compare. Throws std::runtime_error where they do not get so narrow.
     bool confirms(const exact& time);
+
+    const motion& of() const { return motion_; }
 
 private:
     const proved_motion& motion_here();
@@ -48,5 +53,9 @@ private:
     long digits_;
     std::map<long, proved_motion> made_;  ///< by working digits
 };
+
+/// The state at one of the times that were typed for --times. Throws input_error where omega is too small to be printed: on
+/// the separatrix it falls like exp(-t), until no exponent holds it.
+proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed);
 
 }  // namespace libration

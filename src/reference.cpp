@@ -81,16 +81,6 @@ void require_check(proved_states& states, const exact& time, const proved_states
     }
 }
 
-// On the separatrix omega falls like exp(-t), until no exponent holds it.
-proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
-    try {
-        return states.at(time);
-    } catch (const std::range_error&) {
-        throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
-                          "choose nearer times");
-    }
-}
-
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);

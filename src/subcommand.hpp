@@ -18,6 +18,7 @@ subcommand trajectory_command(CLI::App& program);
 subcommand radius_command(CLI::App& program);
 subcommand reference_command(CLI::App& program);
 subcommand elliptic_command(CLI::App& program);
+subcommand table_command(CLI::App& program);
 subcommand study_command(CLI::App& program);
 subcommand studies_command(CLI::App& program);
 subcommand figure_command(CLI::App& program);
