@@ -24,6 +24,9 @@ if(LIBRATION_BUILD_COMMAND)
     target_link_libraries(libration-tests PRIVATE libration-studies)
     target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
     add_dependencies(libration-tests libration-command)
+    # The tables for C++ are compiled as their users do.
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/table_test.cpp PROPERTIES
+        COMPILE_DEFINITIONS LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 

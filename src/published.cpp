@@ -59,6 +59,22 @@ std::vector<published_claim> read_claims(const std::string& path) {
     return claims;
 }
 
+std::vector<published_reference> read_references(const std::string& path) {
+    std::vector<published_reference> references;
+    try {
+        for (const auto& entry : nlohmann::json::parse(text_of(path))) {
+            published_reference each{entry.at("title"), entry.at("command"), {}};
+            for (const auto& file : entry.at("files")) {
+                each.files.push_back("reference/" + file.get<std::string>());
+            }
+            references.push_back(std::move(each));
+        }
+    } catch (const nlohmann::json::exception& problem) {
+        throw std::runtime_error(path + ": " + problem.what());
+    }
+    return references;
+}
+
 }  // namespace
 
 std::string text_of(const std::string& path) {
@@ -71,7 +87,7 @@ std::string text_of(const std::string& path) {
 }
 
 published read_published(const std::string& folder) {
-    published result{folder, {}, {}};
+    published result{folder, {}, {}, {}};
     for (const study* each : all_studies()) {
         if (fs::exists(fs::path(folder) / each->name / (each->name + ".json"))) {
             try {
@@ -86,6 +102,10 @@ published read_published(const std::string& folder) {
     const fs::path claims = fs::path(folder) / "claims.csv";
     if (fs::exists(claims)) {
         result.claims = read_claims(claims.string());
+    }
+    const fs::path references = fs::path(folder) / "reference" / "reference.json";
+    if (fs::exists(references)) {
+        result.references = read_references(references.string());
     }
     return result;
 }

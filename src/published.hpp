@@ -24,11 +24,19 @@ struct published_claim {
     std::string name, label, statement, verdict, number, measured, correction, command;
 };
 
+/// A table of reference/: what reference.json says of it.
+struct published_reference {
+    std::string title;
+    std::string command;             ///< of its CSV
+    std::vector<std::string> files;  ///< relative to the folder
+};
+
 /// A results folder. Studies are in the order of the paper's figures; those that belong to no figure come behind, by name.
 struct published {
     std::string folder;
     std::vector<published_study> studies;
     std::vector<published_claim> claims;  ///< in the order of the paper; empty where they were not judged
+    std::vector<published_reference> references;
 };
 
 /// Reads the folder. Throws std::runtime_error where a file of it is not what this program writes.

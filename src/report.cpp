@@ -60,6 +60,27 @@ std::string studies_part(const std::vector<published_study>& studies) {
     return text;
 }
 
+std::string references_part(const std::vector<published_reference>& references) {
+    std::string text =
+        "\n## Reference values\n\n"
+        "Values with 50 digits, each proved to one unit in the last place, and how well conditioned they are: for "
+        "papers "
+        "and\n"
+        "test suites. CSV, C++ header, Boost.Math's .ipp, and text for NumPy; "
+        "[reference.json](reference/reference.json) says what\n"
+        "made them and what the columns are.\n\n"
+        "| table | files | command |\n| --- | --- | --- |\n";
+    for (const published_reference& each : references) {
+        std::string files;
+        for (const std::string& file : each.files) {
+            files += fmt::format("{}[{}]({})", files.empty() ? "" : " ", file.substr(file.find('/') + 1), file);
+        }
+        text += fmt::format("| {} | {} | `./run {}` |\n", cell(each.title), files,
+                            each.command.substr(each.command.find(' ') + 1));
+    }
+    return text;
+}
+
 const published_claim& claim_named(const std::vector<published_claim>& claims, const std::string& name) {
     const auto found =
         std::find_if(claims.begin(), claims.end(), [&](const published_claim& each) { return each.name == name; });
@@ -87,7 +108,8 @@ std::string results_readme(const published& results) {
     return "# Results\n\nMade by `./run reproduce`; do not edit. [index.html](index.html) is the same with the "
            "figures, as "
            "one page.\n\n" +
-           (results.claims.empty() ? "" : claims_part(results.claims)) + studies_part(results.studies);
+           (results.claims.empty() ? "" : claims_part(results.claims)) + studies_part(results.studies) +
+           (results.references.empty() ? "" : references_part(results.references));
 }
 
 std::string errata_page(const published& results, const std::string& outline) {

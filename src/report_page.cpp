@@ -39,8 +39,8 @@ std::string opening(const published& results) {
             "<a href=\"#verdict\">Does the paper hold?</a><a href=\"#corrections\">What does not hold as printed</a>"
             "<a href=\"#confirmed\">What holds</a>";
     }
-    return text +
-           "<a href=\"#words\">Words and symbols</a><a href=\"#figures\">Figures</a>"
+    return text + "<a href=\"#words\">Words and symbols</a><a href=\"#figures\">Figures</a>" +
+           (results.references.empty() ? "" : "<a href=\"#references\">Reference values</a>") +
            "<a href=\"#provenance\">How it was made</a></nav>\n</div></header>\n";
 }
 
@@ -148,6 +148,26 @@ std::string contents(const published& results) {
     return text + "</ol>\n";
 }
 
+std::string references_part(const published& results) {
+    std::string text =
+        "<h2 id=\"references\">Reference values</h2>\n"
+        "<p>Values for papers and test suites: 50 digits, each proved to one unit in the last place, with the "
+        "condition "
+        "number beside them, which says how much of an error in the input appears in the value. "
+        "<a href=\"reference/reference.json\">reference.json</a> says what made them and what the columns are.</p>\n"
+        "<div class=\"scroll\"><table>\n";
+    for (const published_reference& each : results.references) {
+        std::string files;
+        for (const std::string& file : each.files) {
+            files +=
+                fmt::format("<a href=\"{0}\">{1}</a> ", html_text(file), html_text(file.substr(file.find('/') + 1)));
+        }
+        text += fmt::format("<tr><td>{}<br><code>./run {}</code></td><td>{}</td></tr>\n", html_text(each.title),
+                            html_text(each.command.substr(each.command.find(' ') + 1)), files);
+    }
+    return text + "</table></div>\n";
+}
+
 constexpr const char* words_part =
     "<h2 id=\"words\">Words and symbols</h2>\n<div class=\"scroll\"><table>\n"
     "<tr><th>E</th><td>energy over m g l: below 2 the pendulum swings (libration), above it overturns (rotation), at 2 "
@@ -196,6 +216,9 @@ std::string report_page(const published& results) {
     }
     if (!results.claims.empty()) {
         body += claims_part(results);
+    }
+    if (!results.references.empty()) {
+        body += references_part(results);
     }
     body += provenance_part(results);
     body +=

@@ -1,4 +1,4 @@
-// libration reproduce: every study with its own parameters, the claims, then the report.
+// libration reproduce: every study with its own parameters, the claims, the reference values, then the report.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "claims/claim.hpp"
 #include "options.hpp"
+#include "reference_set.hpp"
 #include "report.hpp"
 #include "study_files.hpp"
 #include "subcommand.hpp"
@@ -24,38 +25,43 @@ struct reproduce_options {
     std::optional<std::string> only, skip, jobs;
 };
 
-// What a run of reproduce consists of: studies, and the claims, which --only and --skip call by that name.
+// What a run of reproduce consists of: studies, the claims and the reference values, which --only and --skip call by name.
 struct work {
     std::vector<const study*> studies;
     bool claims = true;
+    bool references = true;
 };
 
 constexpr const char* claims_name = "claims";
+constexpr const char* references_name = "reference";
 
 work named(const char* option, const std::string& list) {
-    work result{{}, false};
+    work result{{}, false, false};
     std::istringstream names(list);
     for (std::string name; std::getline(names, name, ',');) {
         if (name == claims_name) {
             result.claims = true;
+        } else if (name == references_name) {
+            result.references = true;
         } else {
             result.studies.push_back(&study_named(option, name));
         }
     }
-    if (result.studies.empty() && !result.claims) {
+    if (result.studies.empty() && !result.claims && !result.references) {
         throw input_error(option, list, "names no study", "write names with commas between them");
     }
     return result;
 }
 
 work chosen(const reproduce_options& options) {
-    work result = options.only ? named("--only", *options.only) : work{all_studies(), true};
+    work result = options.only ? named("--only", *options.only) : work{all_studies()};
     if (options.skip) {
         const work left_out = named("--skip", *options.skip);
         for (const study* each : left_out.studies) {
             std::erase(result.studies, each);
         }
         result.claims = result.claims && !left_out.claims;
+        result.references = result.references && !left_out.references;
     }
     return result;
 }
@@ -110,6 +116,10 @@ int run_reproduce(const reproduce_options& options) {
         fmt::print(stderr, "libration: claims\n");
         attempt(claims_name, failures, [&] { make_claims(options.out, jobs); });
     }
+    if (chosen_work.references) {
+        fmt::print(stderr, "libration: reference values\n");
+        attempt(references_name, failures, [&] { write_reference_set(options.out, jobs); });
+    }
     attempt("report", failures, [&] { write_report(options.out); });
     for (const std::string& failure : failures) {
         fmt::print(stderr, "libration: failed: {}\n", failure);
@@ -123,10 +133,12 @@ int run_reproduce(const reproduce_options& options) {
 subcommand reproduce_command(CLI::App& program) {
     const auto options = std::make_shared<reproduce_options>();
     CLI::App* command = program.add_subcommand(
-        "reproduce", "run every study with its own parameters, judge the claims, write the report");
+        "reproduce",
+        "run every study with its own parameters, judge the claims, make the reference values, write the report");
     command->add_option("--out", options->out, "the folder to write")->type_name("DIR")->capture_default_str();
-    command->add_option("--only", options->only, "these studies only (and 'claims')")->type_name("NAMES");
-    command->add_option("--skip", options->skip, "all but these studies (or 'claims')")->type_name("NAMES");
+    command->add_option("--only", options->only, "these studies only (and 'claims', 'reference')")->type_name("NAMES");
+    command->add_option("--skip", options->skip, "all but these studies (or 'claims', 'reference')")
+        ->type_name("NAMES");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_reproduce(*options); }};
 }
