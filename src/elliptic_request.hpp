@@ -32,13 +32,14 @@ void offer_elliptic(said_words& said, CLI::App& command);
 /// Whether a name is one of am, sn, cn, dn, K, F.
 bool is_elliptic_function(const std::string& name);
 
-/// Reads them for functions that take the same argument; `one` function and one parameter or, otherwise, lists and ranges.
-/// Throws input_error.
+/// Whether one parameter may be given, or lists and ranges of them.
 enum class elliptic_grid { one, lists };
+
+/// Reads what was said for functions that take the same argument. Throws input_error.
 elliptic_request read_elliptic(const std::vector<std::string>& functions, const said_words& said, elliptic_grid grid);
 
-/// The function as a ball at the working precision and what its argument takes besides. Throws precision_exhausted as
-/// jacobi_value does, and std::domain_error where the function is infinite.
+/// The function as a ball, in the working precision and as many digits more as the argument has before its point. Throws
+/// precision_exhausted as jacobi_value does, and std::domain_error where the function is infinite.
 ball function_ball(const std::string& function, const exact& at, const exact_parameter& p);
 
 /// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0.

@@ -50,6 +50,7 @@ std::vector<column> columns_of(const elliptic_request& request, input_style styl
                 {"condition", condition}, {"digits", "significant digits"}, {"rigour", "of the value"}};
     }
     std::vector<column> columns;
+    columns.reserve(2 + 2 * request.functions.size());
     if (!request.argument.empty()) {
         columns.push_back({request.argument, "argument"});
     }

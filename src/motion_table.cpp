@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "libration/pendulum/condition.hpp"
+#include "libration/pendulum/energy.hpp"
 #include "options.hpp"
 #include "proved_states.hpp"
 #include "sweep/grid.hpp"
@@ -193,11 +194,19 @@ public:
     }
 
 private:
-    // The e of |t| < 2^e, of a multiple of a period of ordinary size.
-    static long exponent_of(const exact& time) {
+    // An e with |t| max(1, |omega|) < 2^e: the phase that a relative step of an input is multiplied with. A multiple of a period
+    // is one of ordinary size in this, however fast the motion.
+    long exponent_of(const exact& time) const {
+        if (time.is_zero()) {
+            return 0;
+        }
         const precision_scope scope(20);
-        const long of_unit = time.measure == unit::one ? 0 : 3;
-        return time.is_zero() ? 0 : binary_exponent(from_rational<mpfr>(time.coefficient)) + of_unit;
+        if (time.measure == unit::period) {
+            return binary_exponent(from_rational<mpfr>(time.coefficient)) + 3;
+        }
+        const mpfr elapsed = from_exact<mpfr>(time) / time_unit<mpfr>(of_.of);
+        const long of_energy = binary_exponent(energies<mpfr>(of_.of).energy);
+        return binary_exponent(elapsed) + std::max(0L, of_energy / 2 + 2);
     }
 
     const grid_motion& of_;

@@ -74,6 +74,30 @@ TEST_CASE("without claims the pages are made of the studies alone", "[command][r
     CHECK(text_of_file(out / "README.md").find("[period_error](period_error)") != std::string::npos);
 }
 
+TEST_CASE("reproduce makes the reference values, and both pages lead to their files", "[command][report][table]") {
+    const temporary_folder folder;
+    REQUIRE(run_libration({"reproduce", "--only", "reference", "--out", "out"}, folder.path()).exit_code == 0);
+    const auto out = folder.path() / "out";
+    const std::string page = text_of_file(out / "index.html");
+    const std::string index = text_of_file(out / "README.md");
+    const auto tables = nlohmann::json::parse(text_of_file(out / "reference" / "reference.json"));
+    std::size_t bytes = 0;
+    for (const auto& each : tables) {
+        const std::string name = each.at("name");
+        INFO(name);
+        CHECK(each.at("files").size() == 4);
+        for (const std::string file : each.at("files")) {
+            CHECK(page.find("href=\"reference/" + file + "\"") != std::string::npos);
+            CHECK(index.find("(reference/" + file + ")") != std::string::npos);
+            bytes += std::filesystem::file_size(out / "reference" / file);
+        }
+        const std::string csv = text_of_file(out / "reference" / (name + ".csv"));
+        CHECK(lines_of(csv).size() == each.at("rows").get<std::size_t>() + 1);
+    }
+    CHECK(tables.size() >= 6);
+    CHECK(bytes < 1'500'000);
+}
+
 TEST_CASE("a study that fails does not stop the others, is named at the end, and ends in exit code 1",
           "[command][report]") {
     const temporary_folder folder;

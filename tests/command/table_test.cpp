@@ -181,6 +181,8 @@ TEST_CASE("condition numbers are those of the derivatives by mpmath", "[command]
     CHECK_THAT(condition({"K", "--m1", "1e-20"}), three_digits(0.0204816));
     CHECK_THAT(condition({"pendulum", "--gaps", "0.29", "--times", "1"}), three_digits(0.671919));
     CHECK_THAT(condition({"pendulum", "--energies", "1.71", "--times", "1"}), three_digits(2.04096));
+    // So fast that it rotates evenly: theta = pi + omega t and omega = sqrt(2E), with half of the condition of omega from E.
+    CHECK_THAT(condition({"pendulum", "--energies", "1e300", "--times", "1"}), three_digits(1.5));
     // The circle: |u cos u/sin u|, and a number that is 0 counts as exact.
     CHECK_THAT(condition({"sn", "--u", "0.5", "--m", "0"}), three_digits(0.5 / std::tan(0.5)));
     CHECK(table_of({"cn", "--u", "pi/2", "--m", "0"})[0].at("condition") == "inf");
@@ -342,4 +344,18 @@ TEST_CASE("tables refuse what is no grid, no function and no name", "[command][t
     check_refused({"sn", "--u", "1", "--m", "0.5,1.5"}, "--m '0.5,1.5'");
     check_refused({"sn", "--u", "1", "--m", "pi"}, "--m 'pi'");
     check_refused({"sn", "--u", "1"}, "--m1");
+}
+
+TEST_CASE("the published reference values are computed again byte for byte", "[command][table][results]") {
+    const std::filesystem::path folder = LIBRATION_SOURCE_DIR "/results/reference";
+    for (const auto& each : nlohmann::json::parse(text_of_file(folder / "reference.json"))) {
+        std::istringstream said(each.at("command").get<std::string>());
+        words line;
+        for (std::string word; said >> word;) {
+            line.push_back(word);
+        }
+        REQUIRE(line.front() == "libration");
+        line.erase(line.begin());
+        CHECK(output_of(line) == text_of_file(folder / (each.at("name").get<std::string>() + ".csv")));
+    }
 }
