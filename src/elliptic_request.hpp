@@ -1,4 +1,5 @@
-// What `elliptic` and `table` are asked about am, sn, cn, dn, K and F: functions, arguments and moduli, and the proved values.
+// What `elliptic` and `table` are asked about am, sn, cn, dn, K and F: functions, arguments and moduli, and the proved
+// values.
 #pragma once
 
 #include <string>
@@ -38,8 +39,8 @@ enum class elliptic_grid { one, lists };
 /// Reads what was said for functions that take the same argument. Throws input_error.
 elliptic_request read_elliptic(const std::vector<std::string>& functions, const said_words& said, elliptic_grid grid);
 
-/// The function as a ball, in the working precision and as many digits more as the argument has before its point. Throws
-/// precision_exhausted as jacobi_value does, and std::domain_error where the function is infinite.
+/// The function as a ball, in the working precision and as many digits more as the argument has before its point.
+/// Throws precision_exhausted as jacobi_value does, and std::domain_error where the function is infinite.
 ball function_ball(const std::string& function, const exact& at, const exact_parameter& p);
 
 /// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0.

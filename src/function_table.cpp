@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "elliptic_request.hpp"
 #include "libration/elliptic/function_condition.hpp"
@@ -29,11 +30,11 @@ std::string condition_text(const std::string& function, const exact& at, const t
         const precision_scope scope(digits);
         try {
             const auto condition = function_condition(value, at, parameter.typed.coefficient);
-            const std::string now = condition ? to_decimal(*condition, 3) : "inf";
+            std::string now = condition ? to_decimal(*condition, 3) : "inf";
             if (now == before) {
                 return now;
             }
-            before = now;
+            before = std::move(now);
         } catch (const precision_exhausted&) {
             continue;
         }

@@ -194,8 +194,8 @@ public:
     }
 
 private:
-    // An e with |t| max(1, |omega|) < 2^e: the phase that a relative step of an input is multiplied with. A multiple of a period
-    // is one of ordinary size in this, however fast the motion.
+    // An e with |t| max(1, |omega|) < 2^e: the phase that a relative step of an input is multiplied with. A multiple
+    // of a period is one of ordinary size in this, however fast the motion.
     long exponent_of(const exact& time) const {
         if (time.is_zero()) {
             return 0;

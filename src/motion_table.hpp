@@ -1,5 +1,5 @@
-// A table of motions at times: theta, omega and the constants of each motion with proved digits, and how well conditioned
-// they are.
+// A table of motions at times: theta, omega and the constants of each motion with proved digits, and how well
+// conditioned they are.
 #pragma once
 
 #include "libration/scalar/exact.hpp"
@@ -21,12 +21,12 @@ std::string decimal_text(const exact& number, long digits);
 /// --energies, --gaps, --theta0, --omega0, --direction, --length, --gravity, --times.
 void offer_motions(said_words& said, CLI::App& command);
 
-/// Every motion at every time, in the order in which they were typed, --energies before --gaps. The columns are energy, gap,
-/// theta0, omega0 and direction (these three where they were given), time, theta, omega, period, tstar, radius, condition,
-/// and, in the typed style, digits and rigour.
+/// Every motion at every time, in the order in which they were typed, --energies before --gaps. The columns are
+/// energy, gap, theta0, omega0 and direction (these three where they were given), time, theta, omega, period, tstar,
+/// radius, condition, and, in the typed style, digits and rigour.
 ///
-/// condition = (|t omega| + sum |x dtheta/dx|)/max(1, |theta|) over the numbers x that give the motion: what verify prints,
-/// by conditioned_motion, to three digits and heuristic; everything else is proved. Throws input_error.
+/// condition = (|t omega| + sum |x dtheta/dx|)/max(1, |theta|) over the numbers x that give the motion: what verify
+/// prints, by conditioned_motion, to three digits and heuristic; everything else is proved. Throws input_error.
 table motion_table(const said_words& said, long digits, input_style style, int jobs);
 
 }  // namespace libration

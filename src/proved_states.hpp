@@ -1,5 +1,5 @@
-// theta, omega and the constants of one motion as proved decimals: what depends on the energy alone is made once for every
-// working precision and shared by all times.
+// theta, omega and the constants of one motion as proved decimals: what depends on the energy alone is made once for
+// every working precision and shared by all times.
 #pragma once
 
 #include <map>
@@ -27,8 +27,8 @@ public:
         std::string radius;
     };
 
-    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws std::runtime_error where the
-    /// precision ends before the digits are proved.
+    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws std::runtime_error where
+    /// the precision ends before the digits are proved.
     state_text at(const exact& time);
     constant_texts constants();
     /// E and 2-E.
@@ -38,11 +38,9 @@ public:
     std::string time_text(const exact& time, long digits);
 
     /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
-    /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At rest
-    /// there is nothing to compare. Throws std::runtime_error where they do not get so narrow.
+    /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At
+    /// rest there is nothing to compare. Throws std::runtime_error where they do not get so narrow.
     bool confirms(const exact& time);
-
-    const motion& of() const { return motion_; }
 
 private:
     const proved_motion& motion_here();
@@ -54,8 +52,8 @@ private:
     std::map<long, proved_motion> made_;  ///< by working digits
 };
 
-/// The state at one of the times that were typed for --times. Throws input_error where omega is too small to be printed: on
-/// the separatrix it falls like exp(-t), until no exponent holds it.
+/// The state at one of the times that were typed for --times. Throws input_error where omega is too small to be
+/// printed: on the separatrix it falls like exp(-t), until no exponent holds it.
 proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed);
 
 }  // namespace libration

@@ -24,8 +24,9 @@ const std::vector<reference_format>& reference_formats();
 
 const std::vector<reference_table>& reference_set();
 
-/// Writes FOLDER/reference/: every table in every format, and reference.json with the commands and the provenance. In C++ and
-/// .ipp the arrays are called libration_NAME. Seconds on two cores. Throws input_error where the folder cannot be written.
+/// Writes FOLDER/reference/: every table in every format, and reference.json with the commands and the provenance. In
+/// C++ and .ipp the arrays are called libration_NAME. Seconds on two cores. Throws input_error where the folder cannot
+/// be written.
 void write_reference_set(const std::string& folder, int jobs);
 
 }  // namespace libration

@@ -39,8 +39,8 @@ std::string opening(const published& results) {
             "<a href=\"#verdict\">Does the paper hold?</a><a href=\"#corrections\">What does not hold as printed</a>"
             "<a href=\"#confirmed\">What holds</a>";
     }
-    return text + "<a href=\"#words\">Words and symbols</a><a href=\"#figures\">Figures</a>" +
-           (results.references.empty() ? "" : "<a href=\"#references\">Reference values</a>") +
+    return text + R"(<a href="#words">Words and symbols</a><a href="#figures">Figures</a>)" +
+           (results.references.empty() ? "" : R"(<a href="#references">Reference values</a>)") +
            "<a href=\"#provenance\">How it was made</a></nav>\n</div></header>\n";
 }
 
@@ -160,7 +160,7 @@ std::string references_part(const published& results) {
         std::string files;
         for (const std::string& file : each.files) {
             files +=
-                fmt::format("<a href=\"{0}\">{1}</a> ", html_text(file), html_text(file.substr(file.find('/') + 1)));
+                fmt::format(R"(<a href="{0}">{1}</a> )", html_text(file), html_text(file.substr(file.find('/') + 1)));
         }
         text += fmt::format("<tr><td>{}<br><code>./run {}</code></td><td>{}</td></tr>\n", html_text(each.title),
                             html_text(each.command.substr(each.command.find(' ') + 1)), files);

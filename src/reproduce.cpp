@@ -25,7 +25,8 @@ struct reproduce_options {
     std::optional<std::string> only, skip, jobs;
 };
 
-// What a run of reproduce consists of: studies, the claims and the reference values, which --only and --skip call by name.
+// What a run of reproduce consists of: studies, the claims and the reference values, which --only and --skip call by
+// name.
 struct work {
     std::vector<const study*> studies;
     bool claims = true;

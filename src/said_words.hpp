@@ -1,4 +1,5 @@
-// What was said to a command, by option: read where the words are understood, and said again in the provenance of a table.
+// What was said to a command, by option: read where the words are understood, and said again in the provenance of a
+// table.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,8 @@
 
 namespace libration {
 
-/// Words by option, in the order in which a command line says them. An object that was offered to a parser stays where it is.
+/// Words by option, in the order in which a command line says them. An object that was offered to a parser stays where
+/// it is.
 class said_words {
 public:
     said_words() = default;

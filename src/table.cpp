@@ -1,5 +1,5 @@
-// libration table: reference tables with proved digits, of motions at times or of elliptic functions, in the formats of those
-// who test programs with them.
+// libration table: reference tables with proved digits, of motions at times or of elliptic functions, in the formats
+// of those who test programs with them.
 #include <filesystem>
 #include <memory>
 

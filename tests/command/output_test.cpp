@@ -313,7 +313,8 @@ TEST_CASE("option --version names the libraries and whether MPFR is thread-safe"
 
 TEST_CASE("help goes to stdout and succeeds", "[command][output]") {
     CHECK(output_of({"--help"}).find("trajectory") != std::string::npos);
-    for (const std::string command : {"period", "coefficients", "trajectory", "study", "figure", "reproduce"}) {
+    for (const std::string command :
+         {"period", "coefficients", "trajectory", "table", "study", "figure", "reproduce"}) {
         CHECK(output_of({command, "--help"}).find("Usage: libration " + command) != std::string::npos);
     }
     CHECK(output_of({"trajectory", "--help"}).find("--omega0") != std::string::npos);

@@ -1,5 +1,5 @@
-// `libration table`: its values against the reference tables of mpmath, its condition numbers against derivatives of mpmath,
-// and its files as those read them who take them: a compiler, a reader of columns, and `libration verify`.
+// `libration table`: its values against the reference tables of mpmath, its condition numbers against derivatives of
+// mpmath, and its files as those read them who take them: a compiler, a reader of columns, and `libration verify`.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -181,7 +181,8 @@ TEST_CASE("condition numbers are those of the derivatives by mpmath", "[command]
     CHECK_THAT(condition({"K", "--m1", "1e-20"}), three_digits(0.0204816));
     CHECK_THAT(condition({"pendulum", "--gaps", "0.29", "--times", "1"}), three_digits(0.671919));
     CHECK_THAT(condition({"pendulum", "--energies", "1.71", "--times", "1"}), three_digits(2.04096));
-    // So fast that it rotates evenly: theta = pi + omega t and omega = sqrt(2E), with half of the condition of omega from E.
+    // So fast that it rotates evenly: theta = pi + omega t and omega = sqrt(2E), with half of the condition of omega
+    // from E.
     CHECK_THAT(condition({"pendulum", "--energies", "1e300", "--times", "1"}), three_digits(1.5));
     // The circle: |u cos u/sin u|, and a number that is 0 counts as exact.
     CHECK_THAT(condition({"sn", "--u", "0.5", "--m", "0"}), three_digits(0.5 / std::tan(0.5)));

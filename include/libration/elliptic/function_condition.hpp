@@ -8,13 +8,14 @@
 
 namespace libration {
 
-/// (|u df/du| + |x df/dx|)/|f|: when the argument u and the modulus or parameter x, as typed, are each off by a relative
-/// epsilon, f is off by up to this many relative epsilon, to first order; a number that is 0 is taken as exact. value(u, x)
-/// is f, a ball. Nothing where f is 0 and moves: the condition is infinite there. The derivatives are difference quotients
-/// towards 0, which stays inside every domain, over a relative step 2^-s, s half the bits of the working precision. Their
-/// relative error is of the size 2^-s f''/f', so this is a heuristic: it fails where 1 - m, or at m = 1 the distance of F's
-/// amplitude from pi/2, is not far above that step, and says so by changing its leading digits with the precision. Cost
-/// three values. Throws precision_exhausted where the working precision does not tell f from 0.
+/// (|u df/du| + |x df/dx|)/|f|: when the argument u and the modulus or parameter x, as typed, are each off by a
+/// relative epsilon, f is off by up to this many relative epsilon, to first order; a number that is 0 is taken as
+/// exact. value(u, x) is f, a ball. Nothing where f is 0 and moves: the condition is infinite there. The derivatives
+/// are difference quotients towards 0, which stays inside every domain, over a relative step 2^-s, s half the bits of
+/// the working precision. Their relative error is of the size 2^-s f''/f', so this is a heuristic: it fails where the
+/// complementary parameter, or at m = 1 the distance of F's amplitude from pi/2, is not far above that step; then its
+/// leading digits change with the precision. Cost three values. Throws precision_exhausted where the working precision
+/// does not tell f from 0.
 template <class Value>
 std::optional<mpfr> function_condition(const Value& value, const exact& u, const rational& x) {
     const long step_bits = digits<ball>() / 2;
