@@ -101,7 +101,7 @@ void add_all(const guards& with) {
     const auto state = [digits, guard = with.ours](benchmark::State& loop) {
         const precision_scope scope(digits + guard);
         const exact_question exact(asked());
-        const landen_motion motion(exact.energy, exact.gap);
+        const proved_canonical motion(exact.energy, exact.gap);
         const ball theta = motion.theta_at(motion.phase_at(exact.time));
         const bool prints = loop.range(0) == 1;
         for (auto step : loop) {

@@ -9,8 +9,9 @@
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <string>
+#include <utility>
 
-#include "libration/pendulum/landen_motion.hpp"
+#include "libration/pendulum/proved_canonical.hpp"
 #include "libration/scalar/concept.hpp"
 
 namespace libration::bench {
@@ -33,8 +34,8 @@ struct exact_question {
 
 /// Ours: a few Landen steps, a short theta series, and back.
 inline ball by_landen(const question& asked) {
-    const exact_question exact(asked);
-    const landen_motion motion(exact.energy, exact.gap);
+    exact_question exact(asked);
+    const proved_canonical motion(std::move(exact.energy), std::move(exact.gap));
     return motion.theta_at(motion.phase_at(exact.time));
 }
 

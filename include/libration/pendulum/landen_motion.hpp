@@ -20,14 +20,10 @@
 #include <stdexcept>
 
 #include "libration/elliptic/theta_values.hpp"
+#include "libration/pendulum/proved_state.hpp"
+#include "libration/scalar/ball_fraction.hpp"
 
 namespace libration {
-
-/// An enclosure of the state.
-struct enclosed_state {
-    ball theta;
-    ball omega;
-};
 
 /// One energy, any number of times. Everything that depends on the energy alone is done when it is made. A time costs a
 /// cosine, an arctangent, a division a level and a few products. Absolute error of theta: about 2^8 units of the working
@@ -46,10 +42,26 @@ public:
           cut_(rotates_ ? ball(1) : sqrt(half_energy_)),
           nome_(widest_, sqrt(half_gap_), rotates_ ? ball(1) / 4 : half_energy_ / 4) {}
 
+    /// Throws std::invalid_argument unless E and 2-E add up to 2, std::domain_error at E <= 0 and at E = 2.
+    static void require_energies(const rational& energy, const rational& gap) {
+        const auto* e = energy.backend().data();
+        const auto* g = gap.backend().data();
+        integer sum = 0;  // in lowest terms the two have the same denominator
+        mpz_add(sum.backend().data(), mpq_numref(e), mpq_numref(g));
+        mpz_submul_ui(sum.backend().data(), mpq_denref(e), 2);
+        const bool add_up = mpz_cmp(mpq_denref(e), mpq_denref(g)) == 0 && sum.is_zero();
+        if (!add_up) {
+            throw std::invalid_argument("E = " + energy.str() + " and 2-E = " + gap.str() + " do not add up to 2");
+        }
+        if (energy.sign() <= 0 || gap.is_zero()) {
+            throw std::domain_error("E = " + energy.str() + " has no period of its own");
+        }
+    }
+
     /// M: T = 2 pi/M below 2, pi/M above (one turn).
     const ball& mean() const { return nome_.mean(); }
     /// z = M t of an exact time.
-    ball phase_at(const rational& time) const { return mean() * from_rational<ball>(time); }
+    ball phase_at(const rational& time) const { return times(mean(), time, nome_.bits()); }
 
     /// theta alone, cheaper than both below 2.
     ball theta_at(const ball& z) const {
@@ -100,14 +112,9 @@ private:
         ball w;
     };
 
-    static ball half(const rational& q) { return from_rational<ball>(rational(q / 2)); }
+    static ball half(const rational& q) { return ldexp(from_rational<ball>(q), -1); }
     static const rational& checked(const rational& energy, const rational& gap) {
-        if (energy + gap != 2) {
-            throw std::invalid_argument("E = " + energy.str() + " and 2-E = " + gap.str() + " do not add up to 2");
-        }
-        if (energy <= 0 || gap == 0) {
-            throw std::domain_error("E = " + energy.str() + " has no period of its own");
-        }
+        require_energies(energy, gap);
         return energy;
     }
 

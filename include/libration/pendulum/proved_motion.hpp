@@ -1,7 +1,7 @@
 // Any motion in balls: theta, omega, T* and R as proofs, each from the cheapest route that serves the motion.
 //
 // Where E is rational and the motion starts on a symmetric point (every motion given by its energy; from rest at 90deg), a
-// few Landen steps on exact E and 2-E do: landen_motion. Every other start needs an incomplete integral, and an energy
+// few Landen steps on exact E and 2-E do: proved_canonical. Every other start needs an incomplete integral, and an energy
 // such as 1 - cos 2.5 is itself a ball: exact_solution does that. At whole quarters from a symmetric start there is
 // nothing to compute but the energy, and what vanishes by symmetry is the number 0, which no precision would show.
 #pragma once
@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "libration/pendulum/exact_solution.hpp"
-#include "libration/pendulum/landen_motion.hpp"
+#include "libration/pendulum/proved_canonical.hpp"
 #include "libration/pendulum/singularities.hpp"
 
 namespace libration {
@@ -130,7 +130,7 @@ private:
 
     motion motion_;
     ball seconds_;
-    std::optional<landen_motion> engine_;
+    std::optional<proved_canonical> engine_;
     std::optional<exact_solution<ball>> solution_;
 };
 

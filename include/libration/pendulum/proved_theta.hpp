@@ -4,19 +4,19 @@
 #include <stdexcept>
 #include <string>
 
-#include "libration/pendulum/landen_motion.hpp"
+#include "libration/pendulum/proved_canonical.hpp"
 
 namespace libration {
 
 /// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below 10^-places:
 /// the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own. Cost: that of
-/// a landen_motion, a few times. Throws as landen_motion, and std::runtime_error where 20000 digits more do not prove it.
+/// a proved_canonical, a few times. Throws as landen_motion, and std::runtime_error where 20000 digits more do not prove it.
 inline ball proved_theta(const rational& energy, const rational& gap, const rational& time, long places) {
     constexpr long most_guard = 20'000;
     for (long guard = 20; guard <= most_guard; guard *= 2) {
         const precision_scope scope(places + guard);
         try {
-            const landen_motion motion(energy, gap);
+            const proved_canonical motion(energy, gap);
             ball theta = motion.theta_at(motion.phase_at(time));
             if (certainly_less(radius_of(theta), pow(ball(10), -places))) {
                 return theta;
