@@ -2,29 +2,32 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
-#include <vector>
+#include <optional>
 
 #include "libration/pendulum/proved_motion.hpp"
 #include "libration/pendulum/typed_motion.hpp"
+#include "libration/pendulum/variation.hpp"
 
 namespace libration {
 
-/// A motion with its neighbours, one for each number that gives it, for
+/// A motion with its variation (variation.hpp), for
 ///     condition = (|t omega| + sum_x |x dtheta/dx|) / max(1, |theta|),
 /// x the typed numbers: when each of them, and t, is off by a relative epsilon, theta is off by up to condition * epsilon *
-/// max(1, |theta|) to first order; a number that is 0 is taken as exact. The derivatives are difference quotients over a
-/// relative step 2^-s, s half the bits of the working precision less those of t: their error is of relative size
-/// 2^-s t/gap, so that bits_for() makes three digits right. That is a heuristic; it fails next to a turning point in time
-/// of the starts themselves, and where theta hardly depends on the inputs. Infinite where theta is no differentiable
-/// function of the inputs: energy 2 from its canonical start, which jumps there, and a start at rest by energy and theta0.
+/// max(1, |theta|) to first order; a number that is 0 is taken as exact, and a multiple of T moves with T. The derivatives are closed forms in rounded
+/// arithmetic, in double where its 53 bits are enough, of which bits_for() makes three digits right: heuristic, and without correct digits where theta hardly
+/// depends on the inputs. Infinite where theta is no differentiable function of the inputs: energy 2 from its canonical
+/// start, which jumps there, and a start at rest by energy and theta0.
 class conditioned_motion {
 public:
-    /// At the working precision. Throws as typed_motion::motion and proved_motion.
+    /// At the working precision. Throws as proved_motion.
     conditioned_motion(const typed_motion& typed, const libration::motion& m)
-        : motion_(m), step_bits_(digits<ball>() / 2), differentiable_(is_differentiable(typed, m)) {
-        if (differentiable_) {
-            add_neighbours(typed);
+        : motion_(m), typed_(typed), differentiable_(is_differentiable(typed, m)) {
+        if (differentiable_ && !motion_.at_rest()) {
+            if (serves_double(m, 0)) {
+                in_double_.emplace(m);
+            } else {
+                precise_.emplace(m);
+            }
         }
     }
 
@@ -32,27 +35,41 @@ public:
 
     /// The bits that three digits of the condition at a time of this binary exponent need.
     static long bits_for(const libration::motion& m, long time_exponent) {
-        const long growth = at_critical_energy(m.regime()) ? 3L << std::clamp(time_exponent, 0L, longest_growth) : 0;
-        return 2 * (40 + m.condition_bits() + std::max(0L, time_exponent) + growth);
+        return 30 + m.condition_bits() + 2 * std::max(0L, time_exponent);
     }
 
     /// The condition at a time, for the state there; nothing where it is infinite or beyond e^1000.
     std::optional<mpfr> at(const exact& time, const enclosed_state& state) const {
-        const ball elapsed = dimensionless_time<ball>(motion_.of(), time) * time_unit<ball>(motion_.of());
-        if (!differentiable_ ||
-            (at_critical_energy(motion_.of().regime()) && binary_exponent(elapsed) > longest_growth)) {
+        const libration::motion& m = motion_.of();
+        const auto elapsed = dimensionless_time<mpfr>(m, time);
+        const long exponent = binary_exponent(elapsed);
+        if (!differentiable_ || (at_critical_energy(m.regime()) && exponent > longest_growth)) {
             return std::nullopt;
         }
-        ball sum = abs(ball(elapsed * state.omega));
-        for (const proved_motion& neighbour : neighbours_) {
-            sum += ldexp(abs(ball(neighbour.at(time).theta - state.theta)), step_bits_);
+        const mpfr theta = midpoint_of(state.theta);
+        const mpfr omega = midpoint_of(state.omega) * time_unit<mpfr>(m);
+        const mpfr size = abs(theta);
+        const mpfr of_time = abs(mpfr(elapsed * omega));
+        mpfr of_numbers;
+        if (motion_.at_rest()) {
+            of_numbers = moved_at_rest(elapsed);
+        } else {
+            const bool in_periods = time.measure == unit::period;
+            if (in_double_ && serves_double(m, std::max(exponent, binary_exponent(size)))) {
+                of_numbers = mpfr(moved(*in_double_, in_periods, convert<double>(elapsed), convert<double>(theta),
+                                        convert<double>(omega)));
+            } else if (precise_) {
+                of_numbers = moved(*precise_, in_periods, elapsed, theta, omega);
+            } else {
+                of_numbers = moved(variation<mpfr>(m), in_periods, elapsed, theta, omega);
+            }
         }
-        const mpfr size = abs(midpoint_of(state.theta));
-        return mpfr(midpoint_of(sum) / (size > 1 ? size : mpfr(1)));
+        return mpfr((of_time + of_numbers) / (size > 1 ? size : mpfr(1)));
     }
 
 private:
     static constexpr long longest_growth = 10;
+    static constexpr long largest_energy = 1L << 40U;
 
     static bool is_differentiable(const typed_motion& typed, const libration::motion& m) {
         const bool jumps = !typed.theta0 && typed.energy && at_critical_energy(m.regime());
@@ -60,30 +77,46 @@ private:
         return !jumps && !rests;
     }
 
-    void add_neighbours(const typed_motion& typed) {
-        const rational factor = 1 + power_of(2, -step_bits_);
-        for (const member each : moved_members(typed)) {
-            typed_motion moved = typed;
-            exact& number = *(moved.*each);
-            if (!number.is_zero()) {
-                number.coefficient *= factor;
-                neighbours_.emplace_back(moved.motion());
-            }
-        }
+    // Whether double does at a time, or an angle, of this binary exponent. Beyond its range of energies it does not.
+    static bool serves_double(const libration::motion& m, long exponent) {
+        return !at_critical_energy(m.regime()) && bits_for(m, exponent) <= digits<double>() &&
+               (!m.energy() || *m.energy() < largest_energy);
     }
 
-    using member = std::optional<exact> typed_motion::*;
-    static std::vector<member> moved_members(const typed_motion& typed) {
-        const member speed = typed.omega0 ? &typed_motion::omega0
-                             : typed.gap  ? &typed_motion::gap
-                                          : &typed_motion::energy;
-        return typed.theta0 ? std::vector<member>{&typed_motion::theta0, speed} : std::vector<member>{speed};
+    // sum |x dtheta/dx|, from the two solutions in the arithmetic of v.
+    template <class T>
+    T moved(const variation<T>& v, bool in_periods, const T& elapsed, const T& theta, const T& omega) const {
+        using std::abs;
+        const auto at = in_periods ? v.at_fraction(theta, omega) : v.at(elapsed, theta, omega);
+        if (typed_.by_state()) {
+            return abs(T(angle<T>() * v.by_angle(at))) + abs(T(v.omega0() * v.by_speed(at)));
+        }
+        const auto energy = from_rational<T>((typed_.gap ? typed_.gap : typed_.energy)->coefficient);
+        if (typed_.theta0) {
+            return abs(T(angle<T>() * v.by_angle_at_energy(at))) + abs(T(energy * v.by_energy_from_angle(at)));
+        }
+        return abs(T(energy * at.phi));
+    }
+
+    // y'' = -+y about the equilibria, from dtheta0 alone: the energy or omega0 is 0.
+    mpfr moved_at_rest(const mpfr& elapsed) const {
+        if (!typed_.theta0) {
+            return 0;
+        }
+        const bool stable = motion_.of().regime() == regime::stable_equilibrium;
+        return abs(mpfr(angle<mpfr>() * (stable ? cos(elapsed) : cosh(elapsed))));
+    }
+
+    template <class T>
+    T angle() const {
+        return from_exact<T>(*typed_.theta0);
     }
 
     proved_motion motion_;
-    long step_bits_;
+    typed_motion typed_;
     bool differentiable_;
-    std::vector<proved_motion> neighbours_;
+    std::optional<variation<double>> in_double_;  ///< where 53 bits do
+    std::optional<variation<mpfr>> precise_;
 };
 
 }  // namespace libration

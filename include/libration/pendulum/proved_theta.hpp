@@ -1,10 +1,12 @@
 // theta of the canonical motion to any number of places, proved, and how much it feels the last digit of the energy.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "libration/pendulum/proved_canonical.hpp"
+#include "libration/pendulum/variation.hpp"
 
 namespace libration {
 
@@ -29,22 +31,20 @@ inline ball proved_theta(const rational& energy, const rational& gap, const rati
 }
 
 /// |d theta/dE| E/max(1, |theta|) at a fixed time: the relative change of the energy times this is the change of theta
-/// in units of max(1, |theta|). A centred difference with the step h = 10^-30 min(E, |2-E|), whose truncation is of the
-/// order of 10^-60 of the result; heuristic, and without correct digits where the derivative vanishes. Cost: two values
-/// of theta. Throws as proved_theta.
+/// in units of max(1, |theta|). From the variation of the motion (variation.hpp) with 40 digits more than cancel in it;
+/// heuristic, and without correct digits where the derivative vanishes. Cost: one value of theta and omega, and a chain of
+/// moduli. Throws as landen_motion.
 inline mpfr energy_condition(const rational& energy, const rational& gap, const rational& time) {
-    constexpr unsigned step_digits = 30;
-    const rational size = energy < abs(gap) ? energy : rational(abs(gap));
-    const rational step = size / rational(boost::multiprecision::pow(integer(10), step_digits));
-    const long step_places = decimal_digits(static_cast<long>(msb(integer(1 / step + 1))) + 1);
-    const long places = step_places + 2L * step_digits;
-    const ball above = proved_theta(rational(energy + step), rational(gap - step), time, places);
-    const ball below = proved_theta(rational(energy - step), rational(gap + step), time, places);
-    const precision_scope scope(places + 20);
-    const mpfr theta = midpoint_of(above);
-    const mpfr slope = abs(mpfr(midpoint_of(above) - midpoint_of(below))) / from_rational<mpfr>(rational(step * 2));
+    const motion m = motion::of_energy(energy);
+    const exact instant = exactly(time);
+    const long before_point = time == 0 ? 0 : std::max(0L, binary_exponent(from_rational<mpfr>(time)));
+    const precision_scope scope(40 + decimal_digits(m.condition_bits() + 2 * before_point));
+    const proved_canonical proved(energy, gap);
+    const enclosed_state state = proved.state_at(proved.phase_at(time));
+    const mpfr theta = midpoint_of(state.theta);
+    const auto at = variation<mpfr>(m).at(from_exact<mpfr>(instant), theta, midpoint_of(state.omega));
     const mpfr unit = abs(theta) < 1 ? mpfr(1) : mpfr(abs(theta));
-    return slope * from_rational<mpfr>(energy) / unit;
+    return abs(at.phi) * from_rational<mpfr>(energy) / unit;
 }
 
 }  // namespace libration
