@@ -2,10 +2,40 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "libration/elliptic/complete_integral.hpp"
 
 namespace libration {
+
+/// The angle of the point (cosine, sine) on the branch next to `near`; on balls less than pi between them has to be
+/// certain (precision_exhausted).
+template <scalar T>
+T angle_next_to(const T& sine, const T& cosine, const T& near) {
+    using std::atan2;
+    T principal = atan2(sine, cosine);
+    const T half_turn = pi<T>();
+    if constexpr (proved_scalar<T>) {
+        if (certainly_less(abs(T(near - principal)), half_turn)) {
+            return principal;
+        }
+    }
+    const integer turns = nearest_integer(widen(T((near - principal) / (half_turn * 2))));
+    T angle = principal + from_rational<T>(rational(turns)) * half_turn * 2;
+    require_below(T(near - angle), half_turn, "a branch of the arc tangent");
+    return angle;
+}
+
+/// The same, on balls to a few digits behind those that so many doublings need before the point.
+template <scalar T>
+T branch_angle(const T& sine, const T& cosine, const T& near, int doublings) {
+    if constexpr (proved_scalar<T>) {
+        const precision_scope few(10 + decimal_digits(doublings));
+        return angle_next_to(sine, cosine, near);
+    } else {
+        return angle_next_to(sine, cosine, near);
+    }
+}
 
 /// F of the angle in [-pi/2, pi/2] that has this sine and this cosine >= 0, which need not be normalised.
 ///
@@ -15,26 +45,32 @@ namespace libration {
 /// delta_n is the one next to phi_n: they differ by less than pi/2, and the other branches by more than 3 pi/2; on balls
 /// less than pi has to be certain (precision_exhausted). At the last level the integrand lies in [1, 1/k_N'], and
 /// 1/k_N' - 1 = k_N^2/(k_N' (1 + k_N')): so it leaves out at most that share of phi_N, k_N' = b_N/a_N.
+///
+/// On balls every level's angle only chooses a branch, for which a few digits do; the last one, which is the result, is
+/// found from its sine and cosine again, on the branch that lies within pi of it.
 template <scalar T>
 T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& chain) {
     using std::atan2;
     using std::sqrt;
     T s = sine;
     T c = cosine;
-    T angle = atan2(s, c);
-    const T half_turn = pi<T>();
+    T angle = branch_angle(s, c, T(0), chain.levels());
     for (int n = 0; n < chain.levels(); ++n) {
         const T bs = chain.b(n) * s;
         const T ac = chain.a(n) * c;
-        const T principal = atan2(bs, ac);
-        const integer turns = nearest_integer(widen(T((angle - principal) / (half_turn * 2))));
-        const T delta = principal + from_rational<T>(rational(turns)) * half_turn * 2;
-        require_below(T(angle - delta), half_turn, "a branch of the arc tangent");
-        angle += delta;
-        const T scale = 1 / sqrt((bs * bs + ac * ac) * (s * s + c * c));
-        const T next_s = s * c * (chain.a(n) + chain.b(n)) * scale;
-        c = (c * ac - s * bs) * scale;
-        s = next_s;
+        angle += branch_angle(bs, ac, angle, chain.levels());
+        T next_s = s * c * (chain.a(n) + chain.b(n));
+        T next_c = c * ac - s * bs;
+        if constexpr (!proved_scalar<T>) {  // the exponents of balls hold what doubles at every level
+            const T scale = 1 / sqrt((bs * bs + ac * ac) * (s * s + c * c));
+            next_s *= scale;
+            next_c *= scale;
+        }
+        s = std::move(next_s);
+        c = std::move(next_c);
+    }
+    if constexpr (proved_scalar<T>) {
+        angle = angle_next_to(s, c, angle);
     }
     const int last = chain.levels();
     T doubled = chain.a(last);

@@ -33,7 +33,7 @@ class timeline {
 
 public:
     explicit timeline(motion m, period_rule by = {})
-        : motion_(std::move(m)), by_(by), start_(start_at(bits_for(default_margin))) {}
+        : motion_(std::move(m)), by_(by), start_(start_at(bits_for(default_margin + spare_margin))) {}
 
     /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more digits
     /// as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a quarter.
@@ -48,6 +48,7 @@ public:
 
 private:
     static constexpr long default_margin = 96;
+    static constexpr long spare_margin = 16;  // times below 2^8 use the start that is there
 
     // The start of the motion, an exact quarter or an offset, and T*, computed with this many bits.
     struct origin {
