@@ -11,8 +11,8 @@
 
 namespace libration {
 
-/// The most guard digits before a proof is given up.
-inline constexpr long most_guard_digits = 20'000;
+/// The most guard digits before a proof is given up: 20, doubled nine times.
+inline constexpr long most_guard_digits = 10'240;
 
 /// compute() returns balls in the working precision; they are printed with `digits` digits, each proved. vanishing() is
 /// asked, once, which of them are exactly 0, when a ball keeps containing 0: no precision would decide that.

@@ -12,9 +12,9 @@ namespace libration {
 
 /// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below 10^-places:
 /// the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own. Cost: that of
-/// a proved_canonical, a few times. Throws as landen_motion, and std::runtime_error where 20000 digits more do not prove it.
+/// a proved_canonical, a few times. Throws as landen_motion, and std::runtime_error where 10240 digits more do not prove it.
 inline ball proved_theta(const rational& energy, const rational& gap, const rational& time, long places) {
-    constexpr long most_guard = 20'000;
+    constexpr long most_guard = 10'240;
     for (long guard = 20; guard <= most_guard; guard *= 2) {
         const precision_scope scope(places + guard);
         try {
