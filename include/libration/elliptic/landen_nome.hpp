@@ -68,6 +68,10 @@ public:
         if (bits > 640) {
             ball cut;
             arb_set_round(cut.handle(), x.handle(), bits);
+            if (&x == &y) {
+                arb_mul(result.handle(), cut.handle(), cut.handle(), bits);
+                return result;
+            }
             arb_set_round(result.handle(), y.handle(), bits);
             arb_mul(result.handle(), cut.handle(), result.handle(), bits);
         } else {
