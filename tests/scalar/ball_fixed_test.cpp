@@ -1,4 +1,4 @@
-#include "libration/scalar/ball_fixed.hpp"
+#include "libration/scalar/ball_arithmetic.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

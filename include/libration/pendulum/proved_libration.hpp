@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "libration/pendulum/proved_state.hpp"
-#include "libration/scalar/ball_fixed.hpp"
+#include "libration/scalar/ball_arithmetic.hpp"
 
 namespace libration {
 

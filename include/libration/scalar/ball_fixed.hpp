@@ -68,7 +68,7 @@ public:
         mag_init(units);
         mag_mul_2exp_si(units, arb_radref(x.handle()), bits());
         const bool wide = count > n_ + 1 || mag_cmp_2exp_si(units, 40) > 0;
-        radius_ = wide ? 0 : mag_get_d(units) + 1;
+        radius_ = wide ? 0 : and_cut(mag_get_d(units));
         mag_clear(units);
         require(!wide);
         take(n_ + 1);
@@ -92,7 +92,7 @@ public:
     }
     /// The same midpoint, so many units less certain.
     fixed_ball& widen_by(int units) {
-        radius_ += units;
+        radius_ = (radius_ + units) * slack();
         return *this;
     }
     ball to_ball() const {
@@ -118,6 +118,8 @@ private:
 
     static constexpr double limb() { return static_cast<double>(1UL << 32U) * static_cast<double>(1UL << 32U); }
     static constexpr double slack() { return 1 + 1 / static_cast<double>(1UL << 20U); }
+    // A radius with the unit that taking down costs.
+    static double and_cut(double radius) { return (radius * slack() + 1) * slack(); }
     static void require(bool holds) {
         if (!holds) {
             throw precision_exhausted("a number in fixed point");
@@ -180,90 +182,6 @@ private:
     int size_ = 0;
     double radius_ = 0;
 };
-
-inline fixed_ball operator+(const fixed_ball& x, const fixed_ball& y) {
-    const fixed_ball& a = x.size_ >= y.size_ ? x : y;
-    const fixed_ball& b = x.size_ >= y.size_ ? y : x;
-    fixed_ball z(x.n_);
-    z.size_ = a.size_;
-    const mp_limb_t carry = mpn_add(z.limbs_.data(), a.limbs_.data(), a.size_, b.limbs_.data(), b.size_);
-    if (carry != 0) {
-        fixed_ball::require(z.size_ <= z.n_);
-        z.limbs_[static_cast<std::size_t>(z.size_++)] = carry;
-    }
-    z.radius_ = (x.radius_ + y.radius_) * fixed_ball::slack();
-    return z;
-}
-
-inline fixed_ball operator-(const fixed_ball& x, const fixed_ball& y) {
-    fixed_ball z(x.n_);
-    fixed_ball::require(x.size_ >= y.size_);
-    const mp_limb_t borrow = mpn_sub(z.limbs_.data(), x.limbs_.data(), x.size_, y.limbs_.data(), y.size_);
-    fixed_ball::require(borrow == 0);
-    z.take(x.size_);
-    z.radius_ = (x.radius_ + y.radius_) * fixed_ball::slack();
-    return z;
-}
-
-inline fixed_ball operator*(const fixed_ball& x, const fixed_ball& y) {
-    fixed_ball z(x.n_);
-    fixed_ball::words w;
-    const int size = fixed_ball::product(w, x, y);
-    z.take(w.data() + z.n_, size - z.n_);
-    z.radius_ = fixed_ball::product_radius(x, y) + 1;
-    return z;
-}
-
-inline fixed_ball operator/(const fixed_ball& x, const fixed_ball& y) {
-    fixed_ball::require(y.divides());
-    fixed_ball z(x.n_);
-    fixed_ball::words w;
-    fixed_ball::words quotient;
-    std::array<mp_limb_t, fixed_ball::most_limbs + 2> rest;
-    const int size = x.size_ == 0 ? 0 : x.size_ + x.n_;
-    if (size >= y.size_) {
-        std::fill_n(w.begin(), x.n_, mp_limb_t{0});
-        std::copy_n(x.limbs_.begin(), x.size_, w.begin() + x.n_);
-        mpn_tdiv_qr(quotient.data(), rest.data(), 0, w.data(), size, y.limbs_.data(), y.size_);
-        z.take(quotient.data(), size - y.size_ + 1);
-    }
-    z.radius_ = (x.radius_ + z.above() * y.radius_) / y.below() * fixed_ball::slack() + 1;
-    return z;
-}
-
-/// sqrt(x y), of the whole product.
-inline fixed_ball geometric_mean(const fixed_ball& x, const fixed_ball& y) {
-    fixed_ball z(x.n_);
-    fixed_ball::words w;
-    std::array<mp_limb_t, fixed_ball::most_limbs + 2> root;
-    const int size = fixed_ball::significant(w, fixed_ball::product(w, x, y));
-    fixed_ball::require(size > 0);
-    mpn_sqrtrem(root.data(), nullptr, w.data(), size);
-    z.take(root.data(), (size + 1) / 2);
-    const double product = fixed_ball::product_radius(x, y);
-    const double lower = x.below() * y.below();
-    fixed_ball::require(x.divides() && y.divides() && product <= lower * (fixed_ball::limb() / 1024));
-    z.radius_ = product / z.below() * 513 / 1024 * fixed_ball::slack() + 1;
-    return z;
-}
-
-inline fixed_ball ldexp(const fixed_ball& x, int k) {
-    fixed_ball z(x.n_);
-    if (x.size_ > 0 && k > 0) {
-        const mp_limb_t carry = mpn_lshift(z.limbs_.data(), x.limbs_.data(), x.size_, static_cast<unsigned>(k));
-        z.size_ = x.size_;
-        if (carry != 0) {
-            fixed_ball::require(z.size_ <= z.n_);
-            z.limbs_[static_cast<std::size_t>(z.size_++)] = carry;
-        }
-    } else if (x.size_ > 0) {
-        mpn_rshift(z.limbs_.data(), x.limbs_.data(), x.size_, static_cast<unsigned>(-k));
-        z.take(x.size_);
-    }
-    const auto factor = static_cast<double>(1UL << static_cast<unsigned>(std::abs(k)));
-    z.radius_ = k > 0 ? x.radius_ * factor : x.radius_ / factor + 1;
-    return z;
-}
 
 inline fixed_ball fixed_ball::root_of_half(int n, const rational& q) {
     fixed_ball z(n);
