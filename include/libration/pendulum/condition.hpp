@@ -12,11 +12,12 @@ namespace libration {
 
 /// A motion with its variation (variation.hpp), for
 ///     condition = (|t omega| + sum_x |x dtheta/dx|) / max(1, |theta|),
-/// x the typed numbers: when each of them, and t, is off by a relative epsilon, theta is off by up to condition * epsilon *
-/// max(1, |theta|) to first order; a number that is 0 is taken as exact, and a multiple of T moves with T. The derivatives are closed forms in rounded
-/// arithmetic, in double where its 53 bits are enough, of which bits_for() makes three digits right: heuristic, and without correct digits where theta hardly
-/// depends on the inputs. Infinite where theta is no differentiable function of the inputs: energy 2 from its canonical
-/// start, which jumps there, and a start at rest by energy and theta0.
+/// x the typed numbers: when each of them, and t, is off by a relative epsilon, theta is off by up to condition *
+/// epsilon * max(1, |theta|) to first order; a number that is 0 is taken as exact, and a multiple of T moves with T.
+/// The derivatives are closed forms in rounded arithmetic, in double where its 53 bits are enough, of which bits_for()
+/// makes three digits right: heuristic, and without correct digits where theta hardly depends on the inputs. Infinite
+/// where theta is no differentiable function of the inputs: energy 2 from its canonical start, which jumps there, and a
+/// start at rest by energy and theta0.
 class conditioned_motion {
 public:
     /// At the working precision. Throws as proved_motion.
