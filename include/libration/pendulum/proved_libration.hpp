@@ -73,8 +73,8 @@ public:
         const fixed_ball c(n_, cosine);
         const fixed_ball square = c * c;
         const fixed_ball second = c * second_at(square);
-        const fixed_ball first = fixed_ball(n_, sine) * ((one() + nome_square_) - four_squares_ * square);
-        const fixed_ball fourth = (one() + ldexp(nome_, 1)) - ldexp(nome_, 2) * square;
+        const fixed_ball first = fixed_ball(n_, sine) * ((one() + nome_square_).widen_by(1) - four_squares_ * square);
+        const fixed_ball fourth = (one() + ldexp(nome_, 1)).widen_by(1) - ldexp(nome_, 2) * square;
         const fixed_ball third = third_at(square);
         fixed_ball slope = b_ * scale_ * first * fourth / (third * third);
         fixed_ball v = third / second;
