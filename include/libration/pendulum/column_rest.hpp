@@ -82,8 +82,8 @@ struct uniform_bounds {
     T norm(int order) const { return remainder(order, T(1)).value; }
 };
 
-/// b_n, n = 0 .. N, for P >= 1, without the multiple of pi. Absolute error a few epsilon B_n for n >= 2 and a few epsilon
-/// for the others; their relative digits are lost where y is small, because there the columns sum up to a smooth
+/// b_n, n = 0 .. N, for P >= 1, without the multiple of pi. Absolute error a few epsilon B_n for n >= 2, a few
+/// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up to a smooth
 /// function. O(N digits/(P y)). Throws std::invalid_argument when P < 1 or N < 0.
 template <scalar T>
 power_series<T> column_rest(regime r, const T& half_distance, int columns, int order) {
@@ -102,9 +102,10 @@ power_series<T> column_rest(regime r, const T& half_distance, int columns, int o
     const auto decay = [&](const T& v) { return T(exp(-v * (2 * columns))); };
     int sign = rotates || columns % 2 != 0 ? 1 : -1;
     for (long j = 0; j < terms; ++j) {
-        const T v = half_distance * (2 * j + 1);
+        const T odd = T(2 * j + 1);
+        const T v = half_distance * odd;
         const T square = v * v;
-        T term = decay(v) * (4 * sign) / (2 * j + 1) / (rotates ? T(sinh(v)) : T(cosh(v)));
+        T term = decay(v) * (4 * sign) / odd / (rotates ? T(sinh(v)) : T(cosh(v)));
         if (rotates) {
             term *= v;
         }
@@ -114,8 +115,9 @@ power_series<T> column_rest(regime r, const T& half_distance, int columns, int o
         }
         sign = -sign;
     }
-    const T left_out =
-        decay(T(half_distance * (2 * terms + 1))) * 4 / (2 * terms + 1) / (1 - exp(half_distance * (-4 * columns)));
+    const T next = T(2 * terms + 1);
+    const T growth = 1 - exp(half_distance * (-4 * columns));
+    const T left_out = decay(T(half_distance * next)) * 4 / next / growth;
     for (int n = parity_from_top(r); n <= order; n += 2) {
         rest[n] = enclose(rest[n], left_out);
     }
