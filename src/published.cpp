@@ -110,6 +110,13 @@ published read_published(const std::string& folder) {
     return result;
 }
 
+std::vector<published_claim> claims_by(const std::vector<published_claim>& claims, bool own) {
+    std::vector<published_claim> result;
+    std::copy_if(claims.begin(), claims.end(), std::back_inserter(result),
+                 [own](const published_claim& each) { return is_own(each.label) == own; });
+    return result;
+}
+
 std::vector<published_claim> claims_with(const std::vector<published_claim>& claims, verdict judged) {
     std::vector<published_claim> result;
     std::copy_if(claims.begin(), claims.end(), std::back_inserter(result),

@@ -35,12 +35,15 @@ struct published_reference {
 struct published {
     std::string folder;
     std::vector<published_study> studies;
-    std::vector<published_claim> claims;  ///< in the order of the paper; empty where they were not judged
+    std::vector<published_claim> claims;  ///< in the paper's order, our own behind; empty where they were not judged
     std::vector<published_reference> references;
 };
 
 /// Reads the folder. Throws std::runtime_error where a file of it is not what this program writes.
 published read_published(const std::string& folder);
+
+/// Those of the paper, or those of this program's own.
+std::vector<published_claim> claims_by(const std::vector<published_claim>& claims, bool own);
 
 /// Those with a verdict.
 std::vector<published_claim> claims_with(const std::vector<published_claim>& claims, verdict judged);

@@ -23,7 +23,22 @@ std::string cell(const std::string& text) {
     return out;
 }
 
-std::string claims_part(const std::vector<published_claim>& claims) {
+// The rows of claims as a Markdown table.
+std::string claims_rows(const std::vector<published_claim>& claims) {
+    std::string text =
+        "| claim | label | statement | verdict | measured | command |\n| --- | --- | --- | --- | --- | --- |\n";
+    for (const published_claim& each : claims) {
+        const std::string truth = each.correction.empty() ? "" : " **Instead:** " + cell(each.correction);
+        text += fmt::format("| {} | {} | {}{} | {} | {}: {} | `{}` |\n", cell(each.name), cell(each.label),
+                            cell(each.statement), truth, each.verdict, cell(each.measured), each.number,
+                            cell(each.command));
+    }
+    return text + "\n";
+}
+
+std::string claims_part(const std::vector<published_claim>& all) {
+    const auto claims = claims_by(all, false);
+    const auto own = claims_by(all, true);
     std::string text = fmt::format(
         "## Does the paper hold?\n\n"
         "{} statements of the paper were judged: {} hold, {} hold with a correction, {} fail. `./run claims NAME` "
@@ -32,17 +47,15 @@ std::string claims_part(const std::vector<published_claim>& claims) {
         "again, `./run test -R 'claim NAME'` runs its test, and [errata.md](errata.md) explains what does not hold. "
         "The "
         "label\n"
-        "is that of the paper's LaTeX source. Tables: [claims.csv](claims.csv), [claims.tex](claims.tex).\n\n"
-        "| claim | label | statement | verdict | measured | command |\n| --- | --- | --- | --- | --- | --- |\n",
+        "is that of the paper's LaTeX source. Tables: [claims.csv](claims.csv), [claims.tex](claims.tex).\n\n",
         claims.size(), claims_with(claims, verdict::holds).size(), claims_with(claims, verdict::corrected).size(),
         claims_with(claims, verdict::fails).size());
-    for (const published_claim& each : claims) {
-        const std::string truth = each.correction.empty() ? "" : " **Instead:** " + cell(each.correction);
-        text += fmt::format("| {} | {} | {}{} | {} | {}: {} | `{}` |\n", cell(each.name), cell(each.label),
-                            cell(each.statement), truth, each.verdict, cell(each.measured), each.number,
-                            cell(each.command));
+    text += claims_rows(claims);
+    if (own.empty()) {
+        return text;
     }
-    return text + "\n";
+    return text + "## Beyond the paper\n\nWhat this program claims itself, judged in the same way.\n\n" +
+           claims_rows(own);
 }
 
 std::string studies_part(const std::vector<published_study>& studies) {
@@ -97,7 +110,8 @@ std::string claims_latex(const std::vector<published_claim>& claims) {
     for (const published_claim& each : claims) {
         data.rows.push_back({each.label, each.statement, each.verdict, each.number});
     }
-    std::string text = to_latex(data, {"The statements of the paper, judged.", "claims"});
+    std::string text =
+        to_latex(data, {"The statements of the paper, and this program's own behind them, judged.", "claims"});
     const std::string even = "{llll}";
     return text.replace(text.find(even), even.size(), "{lp{0.5\\textwidth}ll}");
 }

@@ -45,7 +45,8 @@ std::string opening(const published& results) {
 }
 
 std::string verdict_part(const published& results) {
-    const auto count = [&](verdict v) { return claims_with(results.claims, v).size(); };
+    const auto of_the_paper = claims_by(results.claims, false);
+    const auto count = [&](verdict v) { return claims_with(of_the_paper, v).size(); };
     std::string text = fmt::format(
         "<h2 id=\"verdict\">Does the paper hold?</h2>\n"
         "<ul class=\"tally\"><li class=\"holds\"><b>{}</b>statements hold</li>"
@@ -88,24 +89,34 @@ std::string claim_card(const published_claim& each) {
                               html_prose(each.measured), html_text(each.number), html_text(each.command));
 }
 
-std::string cards(const published& results, std::initializer_list<verdict> judged) {
+std::string cards(const std::vector<published_claim>& claims, std::initializer_list<verdict> judged) {
     std::string text = "<div class=\"cards\">\n";
     for (const verdict each_verdict : judged) {
-        for (const published_claim& each : claims_with(results.claims, each_verdict)) {
+        for (const published_claim& each : claims_with(claims, each_verdict)) {
             text += claim_card(each);
         }
     }
     return text + "</div>\n";
 }
 
+// What this program claims itself.
+std::string own_part(const published& results) {
+    const auto own = claims_by(results.claims, true);
+    return own.empty() ? ""
+                       : "<h2 id=\"beyond\">Beyond the paper</h2>\n<p>What this program claims itself, measured in the "
+                         "same way.</p>\n" +
+                             cards(own, {verdict::fails, verdict::corrected, verdict::holds});
+}
+
 std::string claims_part(const published& results) {
+    const auto of_the_paper = claims_by(results.claims, false);
     return "<h2 id=\"corrections\">What does not hold as printed</h2>\n"
            "<p>The same with derivations, to be sent to the authors: <a href=\"errata.md\">errata.md</a>. Each card "
            "says the "
            "verdict, where the statement stands (a label of the paper's LaTeX source) and the name of the claim: "
            "<code>./run claims NAME</code> measures it again.</p>\n" +
-           cards(results, {verdict::fails, verdict::corrected}) + "<h2 id=\"confirmed\">What holds</h2>\n" +
-           cards(results, {verdict::holds}) +
+           cards(of_the_paper, {verdict::fails, verdict::corrected}) + "<h2 id=\"confirmed\">What holds</h2>\n" +
+           cards(of_the_paper, {verdict::holds}) + own_part(results) +
            "<p class=\"files\">All claims as <a href=\"claims.csv\">claims.csv</a>, "
            "<a href=\"claims.tex\">claims.tex</a>.</p>\n";
 }

@@ -19,14 +19,16 @@ std::string name_of(verdict v) {
 
 std::vector<claim> all_claims() {
     std::vector<claim> all;
-    for (const auto& part :
-         {claims_of_background, claims_of_closed_solutions, claims_of_series, claims_of_singularities,
-          claims_of_extension, claims_of_resummation, claims_of_period, claims_of_conclusions, claims_of_appendix}) {
+    for (const auto& part : {claims_of_background, claims_of_closed_solutions, claims_of_series,
+                             claims_of_singularities, claims_of_extension, claims_of_resummation, claims_of_period,
+                             claims_of_conclusions, claims_of_appendix, claims_of_libration}) {
         auto more = part();
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
     return all;
 }
+
+bool is_own(const std::string& label) { return label.starts_with("libration:"); }
 
 std::vector<judgement> judge(const std::vector<claim>& claims, int jobs) {
     constexpr long claim_digits = 50;

@@ -26,11 +26,12 @@ struct finding {
     mpfr number;
 };
 
-/// A statement of the paper. Its measurement compares with something independent of the statement: the equation itself, a
+/// A statement of the paper, or one of our own. Its measurement compares with something independent of the statement: the equation itself, a
 /// closed form, a second route. The test tests/paper/*_test.cpp "claim NAME: ..." judges it again in its own words.
 struct claim {
     std::string name;        ///< an identifier, unique
-    std::string label;       ///< \label of the paper's source where it stands, or the section and what kind of text
+    std::string label;       ///< \label of the paper's source where it stands, or the section and what kind of text;
+                             ///< "libration: subject" for our own
     std::string statement;   ///< in our words
     std::string number;      ///< what the measured number is
     std::string correction;  ///< what is true instead, with the smallest counterexample; empty where it holds
@@ -38,7 +39,7 @@ struct claim {
     std::function<finding()> measure;
 };
 
-/// All claims in the order of the paper.
+/// All claims in the order of the paper, this program's own behind them.
 std::vector<claim> all_claims();
 
 /// The claims of each part of the paper.
@@ -51,6 +52,10 @@ std::vector<claim> claims_of_resummation();       ///< section IV
 std::vector<claim> claims_of_period();            ///< section V
 std::vector<claim> claims_of_conclusions();       ///< section VI
 std::vector<claim> claims_of_appendix();          ///< the appendix
+std::vector<claim> claims_of_libration();         ///< none of the paper's: what this program claims itself
+
+/// Whether a label is that of a claim of this program's own: "libration: ...".
+bool is_own(const std::string& label);
 
 /// A judged claim.
 struct judgement {

@@ -186,7 +186,7 @@ TEST_CASE("what does not exist at E = 2 is refused there", "[command][bad input]
 }
 
 TEST_CASE("methods, points and formats that are none, or not in this version, are refused", "[command][bad input]") {
-    for (const std::string value : {"uniform", "agm", "Exact", ""}) {
+    for (const std::string value : {"agm", "Exact", "Uniform", ""}) {
         check_value({"trajectory", "--energy", "1", "--times", "0"}, "--method", value);
     }
     check_value({"period", "--energy", "1"}, "--method", "exact");
@@ -198,6 +198,14 @@ TEST_CASE("methods, points and formats that are none, or not in this version, ar
     }
     check_refused({"trajectory", "--energy", "1", "--times", "0", "--method", "series"},
                   {"--method 'series'", "--order"});
+    check_refused({"trajectory", "--energy", "1", "--times", "0", "--method", "uniform"},
+                  {"--method 'uniform'", "--order"});
+    check_refused({"trajectory", "--energy", "2", "--times", "0", "--method", "uniform", "--order", "3"},
+                  {"--method 'uniform'", "E = 2", "exact"});
+    check_refused({"trajectory", "--energy", "0", "--times", "0", "--method", "uniform", "--order", "3"},
+                  {"--method 'uniform'", "E = 0", "columns", "series"});
+    check_refused({"study", "uniform", "--energies", "1", "--orders", "0"}, {"--orders '0'", "coefficients"});
+    check_refused({"study", "resummations", "--energies", "1", "--orders", "0"}, {"--orders '0'", "coefficients"});
     check_refused({"trajectory", "--energy", "1", "--times", "0", "--order", "3"}, {"--order '3'", "exact"});
     check_refused({"period", "--energy", "1", "--method", "resummed"}, {"--method 'resummed'", "--order"});
     check_refused({"period", "--energy", "1", "--order", "3"}, {"--order '3'", "agm"});

@@ -7,6 +7,7 @@
 #include "command/reference_motion.hpp"
 #include "libration/pendulum/bounds.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 
 using namespace libration;
 using namespace libration::tests;
@@ -148,11 +149,42 @@ TEST_CASE("the series and the Runge-Kutta solution are as far from the motion as
     }
 }
 
+TEST_CASE("the uniform resummation is within theorem U of the motion at every energy", "[command][trajectory]") {
+    const words method{"--method", "uniform", "--order", "12", "--times=-3:20:24"};
+    for (const words& energy : {words{"--energy", "1e-3"}, words{"--energy", "1.71"}, words{"--energy", "2.02"},
+                                words{"--gap", "1e-12"}, words{"--gap=-1e-12"}, words{"--gap", "1e-40"}}) {
+        INFO(command_line(energy));
+        const bool by_gap = energy.front().starts_with("--gap");
+        const std::string number = energy.size() == 2 ? energy.back() : energy.front().substr(6);
+        const rational given = read_exact(number).coefficient;
+        const motion m = motion::of_energy(by_gap ? rational(2 - given) : given);
+        const precision_scope scope(50);
+        const mpfr error = check_errors(trajectory_of(energy + method), m);
+        CHECK(error <= uniform_bounds<mpfr>{parity_from_top(m.regime()), 1}.norm(12));
+        CHECK(error > mpfr("1e-30"));
+    }
+}
+
+TEST_CASE("in double the uniform resummation with 16 coefficients errs by its rounding next to E = 2",
+          "[command][trajectory]") {
+    for (const std::string gap : {"1e-12", "1e-40"}) {
+        const auto rows = trajectory_of(
+            {"--gap", gap, "--method", "uniform", "--order", "32", "--times", "0:14:601", "--scalar", "double"});
+        REQUIRE(rows.size() == 601);
+        const precision_scope scope(30);
+        for (const table_row& row : rows) {
+            INFO("t = " << row.at("time") << ", theta " << row.at("theta"));
+            CHECK(number_of(row.at("error")) < mpfr("1e-15"));  // theta is below pi, whose last place is 4.4e-16
+        }
+    }
+}
+
 TEST_CASE("from a state the approximations follow the shifted clock", "[command][trajectory]") {
     const motion m = motion::of_state(read_exact("2.5"), read_exact("-0.3"));
     const words state{"--theta0", "2.5", "--omega0", "-0.3", "--times=-7:7:15"};
     check_errors(trajectory_of(state + words{"--method", "series", "--order", "12"}), m);
     check_errors(trajectory_of(state + words{"--method", "resummed", "--order", "12"}), m);
+    check_errors(trajectory_of(state + words{"--method", "uniform", "--order", "12"}), m);
     check_errors(trajectory_of(state + words{"--method", "rk4", "--step", "1/50"}), m);
 }
 
