@@ -31,7 +31,8 @@ struct published_reference {
     std::vector<std::string> files;  ///< relative to the folder
 };
 
-/// A results folder. Studies are in the order of the paper's figures; those that belong to no figure come behind, by name.
+/// A results folder. Studies are in the order of the paper's figures; those that belong to no figure come behind, by
+/// name.
 struct published {
     std::string folder;
     std::vector<published_study> studies;

@@ -85,7 +85,8 @@ energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
     return result;
 }
 
-// At a precision that leaves the least norm its digits, and Pade's linear system the 3/2 digits that each degree costs it.
+// At a precision that leaves the least norm its digits, and Pade's linear system the 3/2 digits that each degree costs
+// it.
 std::vector<std::vector<std::string>> rows_at(const sweep_energy& at, const std::vector<int>& counts) {
     const int most = *std::max_element(counts.begin(), counts.end());
     for (long digits = 60 + most;; digits *= 2) {

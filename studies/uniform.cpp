@@ -1,5 +1,6 @@
 // How many digits does the uniform resummation reach with 8, 16 and 32 coefficients, at energies from 1e-20 to 1e4?
 #include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/uniform_rate.hpp"
 #include "libration/pendulum/uniform_resummation.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "sweep/input_error.hpp"

@@ -26,11 +26,12 @@ struct finding {
     mpfr number;
 };
 
-/// A statement of the paper, or one of our own. Its measurement compares with something independent of the statement: the equation itself, a
-/// closed form, a second route. The test tests/paper/*_test.cpp "claim NAME: ..." judges it again in its own words.
+/// A statement of the paper, or one of our own. Its measurement compares with something independent of the statement:
+/// the equation itself, a closed form, a second route. The test tests/paper/*_test.cpp "claim NAME: ..." judges it
+/// again in its own words.
 struct claim {
     std::string name;        ///< an identifier, unique
-    std::string label;       ///< \label of the paper's source where it stands, or the section and what kind of text;
+    std::string label;       ///< \label of the paper's source, or the section and what kind of text;
                              ///< "libration: subject" for our own
     std::string statement;   ///< in our words
     std::string number;      ///< what the measured number is

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/singularities.hpp"
 #include "libration/pendulum/uniform_resummation.hpp"
 #include "paper/judged.hpp"
 #include "paper/verdicts.hpp"

@@ -47,7 +47,8 @@ std::vector<mpfr> sech_series(const mpfr& a, int order) {
     return s;
 }
 
-// b_n, n >= 1, column by column: a pair has the slope (-1)^p 2 [sech(a + z) - sech(a - z)], in rotation the sum of both.
+// b_n, n >= 1, column by column: a pair has the slope (-1)^p 2 [sech(a + z) - sech(a - z)], in rotation the sum of
+// both.
 std::vector<mpfr> column_by_column(regime r, const mpfr& y, int columns, int order) {
     std::vector<mpfr> b(static_cast<std::size_t>(order) + 1, mpfr(0));
     const int last = columns + 3 + static_cast<int>(nearest_integer(mpfr(60 / y)));

@@ -68,7 +68,8 @@ TEST_CASE("the bound for m conditions is above the error, m = 0 to N + 1", "[end
 }
 
 TEST_CASE("the two-point expansion falls or grows at its rate", "[endpoint_resummation]") {
-    // The envelope of eight neighbours, for the phase of the singularities, around the middle, where the error is largest.
+    // The envelope of eight neighbours, for the phase of the singularities, around the middle, where the error is
+    // largest.
     const auto largest = [](const exact_solution<mpfr>& truth, const descent<mpfr>& way, int order) {
         mpfr all(0);
         for (int n = order; n < order + 8; ++n) {

@@ -10,6 +10,7 @@
 #include "libration/pendulum/exact_solution.hpp"
 #include "libration/pendulum/periodic_extension.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/pendulum/uniform_rate.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
 #include "typed.hpp"

@@ -1,4 +1,4 @@
-// What the columns of singularities beyond the nearest P pairs leave of theta, as a series about the top, and theorem U.
+// The columns of singularities beyond the nearest P pairs as a series about the top, and its bound, theorem U.
 //
 // With x = t/T*, y = pi T*/(2 K~'), v_j = (2j+1) y and gd z = pi/2 - 2 sum_{j>=0} (-1)^j e^-(2j+1)z/(2j+1), z > 0, the
 // pair of columns at x = +-(2p+1) is [separatrix_sum.hpp]
@@ -7,19 +7,19 @@
 // Both sums over p >= P and j converge absolutely, the one over p is geometric, and so
 //     theta - columns p < P = (-1)^P pi (rotation: pi) + sum_n b_n x^n,   n even (rotation: odd),
 //     b_n = s sum_{j>=0} (-1)^j 4/(2j+1) v_j^n/n! e^(-2 P v_j)/cosh v_j   (rotation: sinh v_j),   s = (-1)^(P+1) (1).
-// No term exceeds 4/(2j+1) e^(-2 P v_j), because v^n/n! <= cosh v (sinh v): nothing cancels against more than that, at any
-// energy, and what the terms j >= J leave out of b_n is at most 4/(2J+1) e^(-2 P v_J)/(1 - e^(-4 P y)).
+// No term exceeds 4/(2j+1) e^(-2 P v_j), because v^n/n! <= cosh v (sinh v): nothing cancels against more than that, at
+// any energy, and what the terms j >= J leave out of b_n is at most 4/(2J+1) e^(-2 P v_J)/(1 - e^(-4 P y)).
 //
 // Theorem U. With m = 2P+1 and L_n = sum_{p>=P} (2p+1)^-n, for n >= 2 and every E other than 0 and 2
 //     |b_n| <= B_n = (4/n + 8/sqrt(2 pi n)) L_n,   L_n <= m^-n + (m+2)^-n (1 + (m+2)/(2(n-1))).
 // Proof: |b_n| <= 8 y sum_j g(v_j), g(v) = sum_{p>=P} v^(n-1) e^-(2p+1)v/n! = v^(n-1) e^-mv/(n! (1 - e^-2v)). g is
 // log-concave, since (log g)'' = -(n-1)/v^2 + 1/sinh^2 v <= 0, so it rises to its maximum at v* and falls. The v_j have
 // the step 2y and begin at y. Where v* >= y the sum 2y sum_j g is at most int g + 2y max g, and y max g <= v* g(v*);
-// else it is at most 2y g(y) + int g. Both are at most int g + 2 sup v g. Now int g = L_n/n by the gamma function, and v^n
-// e^-(2p+1)v is largest at v = n/(2p+1), so that v g <= (n/e)^n/n! L_n <= L_n/sqrt(2 pi n) [Stirling]. The bound of L_n
-// is its first two terms and the integral over the rest.
-// From one power to the next of the same parity B_n falls by m^2 at least, n B_n by m^2 sqrt(n/(n+2)). With N' the first
-// omitted power the remainder and its slope are therefore at most, for |x| <= 1,
+// else it is at most 2y g(y) + int g. Both are at most int g + 2 sup v g. Now int g = L_n/n by the gamma function, and
+// v^n e^-(2p+1)v is largest at v = n/(2p+1), so that v g <= (n/e)^n/n! L_n <= L_n/sqrt(2 pi n) by Stirling. The bound of
+// L_n is its first two terms and the integral over the rest. From one power to the next of the same parity B_n falls by
+// m^2 at least, n B_n by m^2 sqrt(n/(n+2)). With N' the first omitted power the remainder and its slope are therefore
+// at most, for |x| <= 1,
 //     B_N' |x|^N'/(1 - x^2/m^2)   and   N' B_N' |x|^(N'-1)/(1 - sqrt(1 + 2/N') x^2/m^2).
 // For P = 1 and N' = 34 (33 in rotation) that is 4.5e-17 (1.4e-16) whatever E.
 #pragma once
@@ -83,8 +83,8 @@ struct uniform_bounds {
 };
 
 /// b_n, n = 0 .. N, for P >= 1, without the multiple of pi. Absolute error a few epsilon B_n for n >= 2, a few
-/// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up to a smooth
-/// function. O(N digits/(P y)). Throws std::invalid_argument when P < 1 or N < 0.
+/// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up
+/// to a smooth function. O(N digits/(P y)). Throws std::invalid_argument when P < 1 or N < 0.
 template <scalar T>
 power_series<T> column_rest(regime r, const T& half_distance, int columns, int order) {
     using std::cosh;
@@ -95,7 +95,7 @@ power_series<T> column_rest(regime r, const T& half_distance, int columns, int o
     }
     auto rest = power_series<T>::zero(order);
     const bool rotates = r == regime::rotation;
-    // v_J >= bits log 2/(2 P), log 2 < 7/10. This number decides the cost; what it leaves out is enclosed whatever it is.
+    // v_J >= bits log 2/(2 P), log 2 < 7/10. It decides the cost; what it leaves out is enclosed whatever it is.
     const long bits = digits<T>() + 8;
     const long terms =
         1 + static_cast<long>(nearest_integer(widen(T(T(bits * 7) / (half_distance * (40L * columns))))));

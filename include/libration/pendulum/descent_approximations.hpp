@@ -1,8 +1,8 @@
 // The approximations of theta on [0, T*], side by side at the same number of coefficients.
 //
-// What counts is every number that is not 0 by symmetry and belongs to a power of t: Taylor coefficients at the top and,
-// of those that take derivatives at the bottom, also these. Constants are free, and so are T* and K~', which any use needs
-// (series and resummations T*, the uniform one both).
+// What counts is every number that is not 0 by symmetry and belongs to a power of t: Taylor coefficients at the top
+// and, of those that take derivatives at the bottom, also these. Constants are free, and so are T* and K~', which any
+// use needs (series and resummations T*, the uniform one both).
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include "libration/pendulum/descent_pade.hpp"
 #include "libration/pendulum/endpoint_resummation.hpp"
 #include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/uniform_rate.hpp"
 #include "libration/pendulum/uniform_resummation.hpp"
 
 namespace libration {
@@ -50,8 +51,9 @@ constexpr int fixed_conditions(approximation a) {
     }
 }
 
-/// The size that takes `count` coefficients, theta's parity about the top being 0 (libration) or 1; nothing where there is
-/// none. At the bottom the m/2 odd derivatives count; the two-point expansion of rotation takes equally many of both ends.
+/// The size that takes `count` coefficients, theta's parity about the top being 0 (libration) or 1; nothing where there
+/// is none. At the bottom the m/2 odd derivatives count; the two-point expansion of rotation takes equally many of both
+/// ends.
 constexpr std::optional<approximation_size> size_for(approximation a, int count, int parity) {
     if (a == approximation::two_point) {
         const bool possible = count >= 1 && (parity == 0 || count % 2 == 0);
@@ -62,8 +64,8 @@ constexpr std::optional<approximation_size> size_for(approximation a, int count,
     return from_top >= 1 ? std::optional(approximation_size{2 * from_top - parity, conditions}) : std::nullopt;
 }
 
-/// Exactly the factor by which one more coefficient multiplies the error in the long run (of the two-point expansion: the
-/// square root of that of two); nothing for Pade, which has no closed form.
+/// Exactly the factor by which one more coefficient multiplies the error in the long run (of the two-point expansion:
+/// the square root of that of two); nothing for Pade, which has no closed form.
 template <scalar T>
 std::optional<T> rate_a_coefficient(approximation a, const top_bounds<T>& b) {
     const T by_power = a == approximation::uniform ? uniform_rate(b, 1) : b.rho;
@@ -74,8 +76,8 @@ std::optional<T> rate_a_coefficient(approximation a, const top_bounds<T>& b) {
     }
 }
 
-/// The bound that is proved for it: theorem A for the series, A2 and its generalisation for those with conditions at the
-/// bottom, U for the uniform one. Nothing for Pade, and below the orders where they hold.
+/// The bound that is proved for it: theorem A for the series, A2 and its generalisation for those with conditions at
+/// the bottom, U for the uniform one. Nothing for Pade, and below the orders where they hold.
 template <scalar T>
 std::optional<T> proved_norm(approximation a, const approximation_size& size, const top_bounds<T>& b) {
     if (a == approximation::uniform) {

@@ -1,10 +1,11 @@
 // Pade approximants of theta from the top.
 //
-// In s = x^2, x = t/T*, theta = a_0 + x^p g(s) with p = 0 or 1, and g has logarithmic branch points at the squares of the
-// lattice. Rate: the approximants [n/n] converge in capacity off the cuts of least capacity that join the branch points,
-// the error falling like exp(-2 n G), G the Green function at 1/s of the complement of the cuts [Stahl]; there is no
-// closed form for this lattice. Measured, it is between the rate of the series and that of the uniform resummation, and it
-// tends to 1 at E = 2. In capacity only: a pole may come to lie on [0, 1], and nothing bounds the error.
+// In s = x^2, x = t/T*, theta = a_0 + x^p g(s) with p = 0 or 1, and g has logarithmic branch points at the squares of
+// the lattice. Rate: the approximants [n/n] converge in capacity off the cuts of least capacity that join the branch
+// points, the error falling like exp(-2 n G), G the Green function at 1/s of the complement of the cuts [Stahl]; there
+// is no closed form for this lattice. Measured, it is between the rate of the series and that of the uniform
+// resummation, and it tends to 1 at E = 2. In capacity only: a pole may come to lie on [0, 1], and nothing bounds the
+// error.
 #pragma once
 
 #include <stdexcept>
@@ -41,9 +42,10 @@ private:
     pade_approximant<T> in_square_;
 };
 
-/// The approximant from `count` coefficients of powers of t that are not 0 by symmetry: [L/M] with M as large as possible up
-/// to half of the degrees in s, or the next smaller M for which it exists (at E = 1 every second coefficient is 0); M = 0
-/// is the series. The system loses about 3/2 digits a degree of Q. O(count^3). Throws std::invalid_argument when count < 1.
+/// The approximant from `count` coefficients of powers of t that are not 0 by symmetry: [L/M] with M as large as
+/// possible up to half of the degrees in s, or the next smaller M for which it exists (at E = 1 every second
+/// coefficient is 0); M = 0 is the series. The system loses about 3/2 digits a degree of Q. O(count^3). Throws
+/// std::invalid_argument when count < 1.
 template <rounding_scalar T>
 descent_pade<T> pade_from_top(const descent<T>& d, int count) {
     if (count < 1) {

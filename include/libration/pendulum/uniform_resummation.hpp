@@ -1,29 +1,30 @@
 // The uniform resummation: the nearest P pairs of columns of singularities exactly, the rest as a series about the top.
 //
 // theta(t) is a sum over columns of separatrix solutions [separatrix_sum.hpp]. With the columns +-(2p+1) T*, p < P, in
-// closed form, the singularities of the rest nearest to the top are +-(2P+1) T* +- i K~', so that the partial sum to x^N
-// converges on [0, T*] exactly at the rate
+// closed form, the singularities of the rest nearest to the top are +-(2P+1) T* +- i K~', so that the partial sum to
+// x^N converges on [0, T*] exactly at the rate
 //     (T*/|(2P+1) T* + i K~'|)^N <= (2P+1)^-N,   3^-N for P = 1, at every energy other than 0 and 2,
 // while that of the series and of the paper's resummation, (T*/|T* + i K~'|)^N, tends to 1 at the separatrix. Theorem U
 // [column_rest.hpp] bounds the error by 4.5e-17 (rotation: 1.4e-16) with 16 powers, n <= 32 (31), whatever E.
 //
-// This is absolute. At tiny energies a column is 2 gd(y), up to pi, while theta is sqrt(2E): its relative digits cancel,
-// as they do in what the truncation leaves. There the plain series is better, whose rate T*/R is itself below 1/3 where
-// E < 0.0044 or E > 904 and which keeps the relative digits; between, theta is above 0.09 and one digit is at stake.
+// This is absolute. At tiny energies a column is 2 gd(y), up to pi, while theta is sqrt(2E): its relative digits
+// cancel, as they do in what the truncation leaves. There the plain series is better, whose rate T*/R is itself below
+// 1/3 where E < 0.0044 or E > 904 and which keeps the relative digits; between, theta is above 0.09 and one digit is at
+// stake.
 #pragma once
 
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/bounds.hpp"
 #include "libration/pendulum/column_rest.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {
 
-/// theta as a function of x = t/T* on the descent from the top to the bottom, with its slope in x: the canonical motions of
-/// descent_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x| <= 1. O(N + P).
+/// theta as a function of x = t/T* on the descent from the top to the bottom, with its slope in x: the canonical
+/// motions of descent_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x| <= 1.
+/// O(N + P).
 template <scalar T>
 class uniform_resummation {
 public:
@@ -132,8 +133,8 @@ private:
 };
 
 /// The uniform resummation of a motion to the power N. y and all b_n are computed in more digits and rounded once.
-/// O(N digits/(P y)) for the coefficients. Throws std::domain_error at E = 0, where the columns are infinitely many, and at
-/// E = 2, where there is no top, and std::invalid_argument when P < 1 or N < 0.
+/// O(N digits/(P y)) for the coefficients. Throws std::domain_error at E = 0, where the columns are infinitely many,
+/// and at E = 2, where there is no top, and std::invalid_argument when P < 1 or N < 0.
 template <scalar T>
 uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns = 1) {
     using W = wide_t<T>;
@@ -165,24 +166,6 @@ uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns 
         constants.push_back(narrow<T>(c));
     }
     return {m.regime(), narrow<T>(half_distance), columns, power_series<T>(std::move(rest)), std::move(constants)};
-}
-
-/// T*/|(2P+1) T* + i K~'|, the rate of the uniform resummation a power of t.
-template <scalar T>
-T uniform_rate(const top_bounds<T>& b, int columns) {
-    using std::sqrt;
-    const T square = b.effective_period * b.effective_period;
-    return b.effective_period / sqrt(square * (4 * columns * (columns + 1)) + b.radius * b.radius);
-}
-
-/// Decimal digits by which the error to the power N, P = 1, is below 1: those of its rate, and next to E = 2, where the
-/// kept columns become the whole motion, the two of exp(-2y). What a computation of the error has to carry.
-inline long uniform_digits_below(const motion& m, int order) {
-    const precision_scope scope(20);
-    const orbit<mpfr> o = orbit_of<mpfr>(m);
-    const mpfr of_rate = -log10(uniform_rate(top_bounds<mpfr>::of(o), 1)) * (order + 3);
-    const mpfr of_gap = half_column_distance(o) * 2 / log(mpfr(10));
-    return 20 + static_cast<long>(nearest_integer(mpfr(of_rate + of_gap)));
 }
 
 }  // namespace libration
