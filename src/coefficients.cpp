@@ -1,10 +1,16 @@
 // libration coefficients: the Taylor coefficients a_n of theta about a point of a motion.
+#include <fmt/format.h>
+
+#include <charconv>
 #include <memory>
+#include <stdexcept>
+#include <system_error>
 
 #include "libration/scalar/decimal.hpp"
 #include "motion_series.hpp"
 #include "options.hpp"
 #include "subcommand.hpp"
+#include "sweep/input_error.hpp"
 
 namespace libration {
 
@@ -15,13 +21,46 @@ struct coefficients_options {
     arithmetic_options arithmetic;
     output_options output;
     std::string order;
+    std::optional<std::string> from;
     std::optional<std::string> at;
 };
 
-table table_of(const std::vector<proved_decimal>& coefficients) {
+constexpr long most_rows = 1'000'001;
+
+long read_power(const std::string& text) {
+    long power = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+        throw std::invalid_argument("is not a whole number");
+    }
+    if (error != std::errc() || power < 0 || power > largest_power) {
+        throw std::invalid_argument(fmt::format("is not between 0 and {}", largest_power));
+    }
+    return power;
+}
+
+// --from and --order: which powers are printed.
+void read_powers(const coefficients_options& options, series_request& request) {
+    const auto power = [](const char* option, const std::string& value) {
+        return reading(option, value, "write a power of the series, 0 or more", [&] { return read_power(value); });
+    };
+    request.order = power("--order", options.order);
+    request.first = options.from ? power("--from", *options.from) : 0;
+    if (request.first > request.order) {
+        throw input_error("--from", *options.from, "is beyond --order '" + options.order + "'",
+                          "write a power up to that");
+    }
+    if (request.order - request.first >= most_rows) {
+        throw input_error("--order", options.order, fmt::format("makes more than {} rows", most_rows),
+                          "write a lower power, or the first one that you want as --from");
+    }
+}
+
+table table_of(long first, const std::vector<proved_decimal>& coefficients) {
     table data{{{"n", ""}, {"coefficient", ""}, {"uncertainty", ""}}, {}};
+    data.rows.reserve(coefficients.size());
     for (const auto& [text, uncertainty] : coefficients) {
-        data.rows.push_back({std::to_string(data.rows.size()), text, uncertainty});
+        data.rows.push_back({std::to_string(first++), text, uncertainty});
     }
     return data;
 }
@@ -30,15 +69,16 @@ int run_coefficients(const coefficients_options& options) {
     options.output.check();
     const arithmetic numbers = options.arithmetic.choose();
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
-    request.order = order_of("--order", options.order);
+    read_powers(options, request);
     request.at = point_of(options.at, request.chosen);
     if (numbers.scalar.kind == scalar_kind::proved) {
-        options.output.write(table_of(proved_coefficients(request)));
+        options.output.write(table_of(request.first, proved_coefficients(request)));
         return 0;
     }
     table data{{{"n", ""}, {"coefficient", ""}}, {}};
+    long n = request.first;
     for (const mpfr& value : coefficient_values(request)) {
-        data.rows.push_back({std::to_string(data.rows.size()), to_decimal(value, numbers.digits)});
+        data.rows.push_back({std::to_string(n++), to_decimal(value, numbers.digits)});
     }
     options.output.write(data);
     return 0;
@@ -53,6 +93,8 @@ subcommand coefficients_command(CLI::App& program) {
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N")->type_name("N")->required();
+    command->add_option("--from", options->from, "first power to print, 0 without it: any costs the same")
+        ->type_name("N");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
     return {command, [options] { return run_coefficients(*options); }};
 }

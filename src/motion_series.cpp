@@ -1,5 +1,7 @@
 #include "motion_series.hpp"
 
+#include <algorithm>
+
 #include "agreement.hpp"
 #include "libration/pendulum/coefficients.hpp"
 #include "libration/pendulum/vanishing_coefficients.hpp"
@@ -10,19 +12,23 @@ namespace libration {
 
 namespace {
 
+// Fractions of N digits cost too much beyond.
+constexpr long longest_exact_series = 1000;
+
 // The scaled coefficients are rounded in T, and leave its range only here, in its wide arithmetic.
 template <class T>
 std::vector<wide_t<T>> coefficients_in(const series_request& request) {
     using W = wide_t<T>;
     const exact_solution<T> solution(request.chosen.of);
-    const expansion<T> series = expand(solution, request.at, request.order);
-    const W scale = widen(series.scale) * time_unit<W>(request.chosen.of);
+    const T scale = midpoint(radius_about(solution, request.at).value_or(T(1)));
+    const auto scaled = coefficients_about(solution, request.at, scale, request.first, request.order);
+    const W unit = widen(scale) * time_unit<W>(request.chosen.of);
     std::vector<W> values;
-    values.reserve(static_cast<std::size_t>(request.order) + 1);
-    W power(1);
-    for (int n = 0; n <= request.order; ++n) {
-        values.push_back(W(widen(series.scaled[n]) / power));
-        power *= scale;
+    values.reserve(scaled.size());
+    W power = pow(unit, request.first);
+    for (const T& a : scaled) {
+        values.push_back(W(widen(a) / power));
+        power *= unit;
     }
     return values;
 }
@@ -65,7 +71,13 @@ std::vector<proved_decimal> proved_coefficients(const series_request& request) {
         const auto cosine = at.side == 0 ? rational_cosine_at(m, at.quarter)
                             : from_start ? rational_cosine_at_start(m)
                                          : std::nullopt;
-        return cosine ? vanishing_coefficients(*m.energy(), *cosine, request.order) : std::vector<bool>();
+        // Beyond, only what symmetry makes 0 is known to be, and that is no ball with a radius.
+        const auto order = static_cast<int>(std::min(request.order, longest_exact_series));
+        if (!cosine || request.first > order) {
+            return std::vector<bool>();
+        }
+        const auto all = vanishing_coefficients(*m.energy(), *cosine, order);
+        return std::vector<bool>(all.begin() + request.first, all.end());
     };
     return proved_decimals(request.scalar.digits, compute, vanishing);
 }

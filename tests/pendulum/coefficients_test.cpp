@@ -19,7 +19,7 @@ namespace {
 template <class T>
 expansion<T> expanded(const std::string& energy, const std::string& at, int order,
                       recurrence by = recurrence::symmetric_squares) {
-    return expand(exact_solution<T>(with_energy(energy)), read_expansion_point(at), order, by);
+    return expand_by(by, exact_solution<T>(with_energy(energy)), read_expansion_point(at), order);
 }
 
 // The points of the tables: symmetric ones and one without symmetry, both sides of E = 2.

@@ -20,6 +20,20 @@ void add_product(T& sum, const T& a, const T& b) {
     }
 }
 
+/// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end. O(count).
+template <scalar T>
+T inner_product(const T* x, int x_step, const T* y, int y_step, int count) {
+    if constexpr (proved_scalar<T>) {
+        return sum_of_products(x, x_step, y, y_step, count);
+    } else {
+        T sum(0);
+        for (int i = 0; i < count; ++i) {
+            add_product(sum, x[i * x_step], y[i * y_step]);
+        }
+        return sum;
+    }
+}
+
 /// sum_{k=first}^{last} a_k b_{n-k}, over the k of the parity that a has.
 /// The indices must exist: 0 <= first, last <= order of a, 0 <= n - last, n - first <= order of b. O(last - first).
 template <scalar T>
@@ -29,14 +43,7 @@ T convolution(const power_series<T>& a, const power_series<T>& b, int n, int fir
     if (of_a != parity::any && (first % 2 == 0) != (of_a == parity::even)) {
         ++first;
     }
-    if constexpr (proved_scalar<T>) {
-        return first > last ? T(0) : sum_of_products(&a[first], step, &b[n - first], -step, (last - first) / step + 1);
-    }
-    T sum(0);
-    for (int k = first; k <= last; k += step) {
-        add_product(sum, a[k], b[n - k]);
-    }
-    return sum;
+    return first > last ? T(0) : inner_product(&a[first], step, &b[n - first], -step, (last - first) / step + 1);
 }
 
 /// The coefficient of x^n in a b: sum_{k=0}^{n} a_k b_{n-k}.

@@ -1,0 +1,191 @@
+// The coefficients of E = 1.71 to order N: how many times faster than the recurrence that the paper prints, (pendseries), in
+// the same arithmetic to the same digits? About the top, where every second coefficient vanishes, and about T*/2, where none
+// does. All in one run on one thread, the repetitions interleaved at random; medians with their spread.
+//
+//   ./run bench coefficients
+//
+// The printed recurrence is the one of taylor_by_sine_cosine without parity: two full Cauchy products, in mpfr, its sums
+// fused, which favours it; its start is given to it, while ours begins with the typed energy. At 1000 digits it is timed up
+// to N = 1000 and scaled by N^2. Ends with 1 where the two sides disagree.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "libration/pendulum/expansion.hpp"
+#include "libration/scalar/ball_decimal.hpp"
+#include "ratio_table.hpp"
+
+namespace {
+
+using namespace libration;
+using namespace libration::bench;
+
+constexpr long guard = 20;
+
+struct problem {
+    std::string at;
+    int order;
+    long digits;
+    int timed;  // the printed recurrence runs to this power
+    int asked;  // the ratio that was aimed at
+
+    std::string name(const char* route) const { return fmt::format("{} {} {} {}", route, at, order, digits); }
+};
+
+const std::vector<problem>& problems() {
+    static const std::vector<problem> all{
+        {"top", 1000, 50, 1000, 10},     {"top", 4000, 50, 4000, 100},    {"top", 4000, 1000, 1000, 10},
+        {"top", 16000, 1000, 1000, 100}, {"T/8", 1000, 50, 1000, 10},     {"T/8", 4000, 50, 4000, 100},
+        {"T/8", 4000, 1000, 1000, 10},   {"T/8", 16000, 1000, 1000, 100},
+    };
+    return all;
+}
+
+motion of_energy() { return motion::of_energy(read_exact("1.71").coefficient); }
+
+template <class T>
+expansion<T> ours(const problem& asked) {
+    return expand(exact_solution<T>(of_energy()), read_expansion_point(asked.at), asked.order);
+}
+
+struct printed_start {
+    explicit printed_start(const problem& asked) {
+        const exact_solution<mpfr> solution(of_energy());
+        const auto point = read_expansion_point(asked.at);
+        scale = *radius_about(solution, point);
+        start = start_at(solution, phase_of(point, solution));
+        start.of_theta = parity::any;
+    }
+
+    taylor_start<mpfr> start;
+    mpfr scale;
+};
+
+power_series<mpfr> printed(const printed_start& from, int order) {
+    return taylor_by_sine_cosine(from.start, order, from.scale);
+}
+
+// Throws std::runtime_error where the sides differ by 10^-digits of 8/n, or where a ball does not contain ours to that.
+void compare(const problem& asked) {
+    const precision_scope scope(asked.digits + guard);
+    const auto found = ours<mpfr>(asked);
+    const auto other = printed(printed_start(asked), asked.timed);
+    const auto proved = ours<ball>(asked);
+    const mpfr allowed = pow(mpfr(10), static_cast<int>(-asked.digits)) * 8;
+    const auto misses = [&](const mpfr& difference, int n) { return abs(difference) * std::max(n, 1) > allowed; };
+    for (int n = 0; n <= asked.order; ++n) {
+        const bool in_both = n <= asked.timed;
+        if ((in_both && misses(found.scaled[n] - other[n], n)) ||
+            misses(found.scaled[n] - midpoint_of(proved.scaled[n]), n) ||
+            misses(midpoint_of(radius_of(proved.scaled[n])), n)) {
+            throw std::runtime_error(fmt::format("the sides disagree about {} at order {}, {} digits, n = {}", asked.at,
+                                                 asked.order, asked.digits, n));
+        }
+    }
+}
+
+// One benchmark in a scope of so many digits: prepare() once, work(prepared) in the loop.
+template <class Prepare, class Work>
+void add(const std::string& name, long digits, int repetitions, const Prepare& prepare, const Work& work) {
+    const auto body = [digits, prepare, work](benchmark::State& state) {
+        const precision_scope scope(digits + guard);
+        const auto prepared = prepare();
+        for (auto step : state) {
+            static_cast<void>(step);
+            auto result = work(prepared);
+            benchmark::DoNotOptimize(result);
+        }
+    };
+    benchmark::RegisterBenchmark(name.c_str(), body)->Repetitions(repetitions)->MinTime(0.02);
+}
+
+void add_all(const problem& asked) {
+    const int repetitions = asked.digits > 100 ? 3 : 7;
+    const auto itself = [asked] { return asked; };
+    add(asked.name("mpfr"), asked.digits, repetitions, itself, [](const problem& p) { return ours<mpfr>(p); });
+    add(asked.name("ball"), asked.digits, repetitions, itself, [](const problem& p) { return ours<ball>(p); });
+    if (asked.timed == asked.order || asked.order == 4000) {
+        add(
+            asked.name("printed"), asked.digits, 3, [asked] { return printed_start(asked); },
+            [order = asked.timed](const printed_start& from) { return printed(from, order); });
+    }
+}
+
+constexpr long far = 1'000'000'000;
+
+void add_single() {
+    add(
+        "single", 50, 21, [] { return 0; },
+        [](int) {
+            const exact_solution<ball> solution(of_energy());
+            const expansion_point top;
+            const ball scale = midpoint(*radius_about(solution, top));
+            return to_proved_decimal(coefficients_about(solution, top, scale, far, far).front() / pow(scale, far), 50);
+        });
+}
+
+std::string shown(const typical_time& time, double factor = 1) {
+    return fmt::format("{:.2f} +-{:.0f}%", time.microseconds * factor / 1000, time.spread * 100);
+}
+
+void print_table(const time_keeper& times) {
+    fmt::print("coefficients at E = 1.71: CPU time in milliseconds, median and half the distance of the quartiles\n");
+    fmt::print("{:>4} {:>6} {:>7} {:>18} {:>15} {:>15} {:>13} {:>13} {:>6}\n", "at", "order", "digits", "(pendseries)",
+               "mpfr", "ball, proved", "ratio mpfr", "ratio ball", "aim");
+    for (const problem& at : problems()) {
+        // The part that was timed is the same for both orders of 1000 digits.
+        problem part = at;
+        part.order = at.timed == at.order ? at.order : 4000;
+        const double times_longer = static_cast<double>(at.order) / at.timed;
+        const double scaled = times_longer * times_longer;
+        const typical_time slow = times.of(part.name("printed"));
+        const typical_time fast = times.of(at.name("mpfr"));
+        const typical_time proved = times.of(at.name("ball"));
+        fmt::print("{:>4} {:>6} {:>7} {:>18} {:>15} {:>15} {:>13.0f} {:>13.0f} {:>6}\n", at.at, at.order, at.digits,
+                   shown(slow, scaled) + (at.timed == at.order ? " " : "*"), shown(fast), shown(proved),
+                   slow.microseconds * scaled / fast.microseconds, slow.microseconds * scaled / proved.microseconds,
+                   at.asked);
+    }
+    fmt::print("* timed to N = 1000 and scaled by N^2\n");
+    fmt::print("a_n alone, n = 10^9, about the top, from the typed energy to 50 proved digits: {} ms\n",
+               shown(times.of("single")));
+}
+
+int run(int count, char** given) {
+    std::vector<char*> words(given, given + count);
+    std::string interleaved = "--benchmark_enable_random_interleaving=true";
+    words.insert(words.begin() + 1, interleaved.data());
+    int left = static_cast<int>(words.size());
+    words.push_back(nullptr);
+    benchmark::Initialize(&left, words.data());
+    if (benchmark::ReportUnrecognizedArguments(left, words.data())) {
+        return 2;
+    }
+    for (const problem& each : problems()) {
+        compare(each);
+        add_all(each);
+    }
+    add_single();
+    time_keeper times;
+    benchmark::RunSpecifiedBenchmarks(&times);
+    print_table(times);
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** given) {
+    try {
+        return run(count, given);
+    } catch (const std::exception& problem) {
+        fmt::print(stderr, "bench coefficients: {}\n", problem.what());
+        return 1;
+    }
+}
