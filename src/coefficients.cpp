@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "libration/scalar/decimal.hpp"
+#include "libration/scalar/exponent_range.hpp"
 #include "motion_series.hpp"
 #include "options.hpp"
 #include "subcommand.hpp"
@@ -66,6 +67,7 @@ table table_of(long first, const std::vector<proved_decimal>& coefficients) {
 }
 
 int run_coefficients(const coefficients_options& options) {
+    const whole_exponent_range exponents;  // of a_n ~ R^-n
     options.output.check();
     const arithmetic numbers = options.arithmetic.choose();
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};

@@ -50,7 +50,7 @@ void compare_on_balls(const named_motion& from, const std::string& at, int order
     REQUIRE(view);
     const long begin = lattice_begins(*view, order);
     REQUIRE(begin < order);
-    const auto sums = lattice_coefficients<ball>(from.m, point, checked.scale).between(begin, order);
+    const auto sums = lattice_coefficients<ball>(from.m, point, checked.scale, order).between(begin, order);
     for (long n = begin; n <= order; ++n) {
         INFO("n = " << n);
         const ball& sum = sums[static_cast<std::size_t>(n - begin)];
@@ -113,9 +113,13 @@ TEMPLATE_LIST_TEST_CASE("the sums are right to a few ulps, however large the pow
     for (const long n : {1'001L, 1'000'000'001L, 1'000'000'000'000'001L - 4}) {
         INFO(n);
         const T sum = coefficients_about(solution, bottom, scale, n, n).front();
-        const precision_scope wide(2 * decimal_digits(digits<T>()) + 60);
-        const mpfr power = exp(mpfr(log(mpfr(widen(scale) * 2 / pi<mpfr>())) * n));
-        const mpfr expected = power * 4 / n * (n % 4 == 1 ? 1 : -1);
+        mpfr expected;
+        {
+            const precision_scope wide(decimal_digits(digits<T>()) + 60);
+            const mpfr power = exp(mpfr(log(mpfr(widen(scale) * 2 / pi<mpfr>())) * n));
+            expected = power * 4 / n * (n % 4 == 1 ? 1 : -1);
+        }
+        // A power of 3, the first after n = 1001, is left out far below epsilon; 1/n and the product round.
         CHECK_THAT(sum, near<T>(expected_value{expected, mpfr(0)}, 4));
     }
 }
@@ -128,12 +132,12 @@ TEST_CASE("a power is the same alone, in a block and in a series", "[lattice_coe
     const ball scale = midpoint(*radius_about(solution, point));
     const auto series = coefficients_about(solution, point, scale, 0, 700);
     const auto part = coefficients_about(solution, point, scale, 301, 600);
-    for (const long n : {3L, 301L, 302L, 364L, 365L, 500L, 600L, 700L}) {
+    for (const long n : {301L, 302L, 364L, 365L, 500L, 600L, 700L}) {
         INFO(n);
         const ball alone = coefficients_about(solution, point, scale, n, n).front();
         CHECK(overlaps(alone, series[static_cast<std::size_t>(n)]));
         CHECK_FALSE(certainly_less(epsilon<ball>() * 1000 / n, radius_of(alone)));
-        if (n >= 301 && n <= 600) {
+        if (n <= 600) {
             CHECK(overlaps(alone, part[static_cast<std::size_t>(n - 301)]));
         }
     }
@@ -143,7 +147,7 @@ TEST_CASE("an equilibrium has a constant theta", "[lattice_coefficients]") {
     const exact_solution<double> solution(with_energy("0"));
     CHECK(coefficients_about(solution, {}, 1., 0, 2) == std::vector<double>{0, 0, 0});
     CHECK(coefficients_about(solution, {}, 1., 1'000'000, 1'000'001) == std::vector<double>{0, 0});
-    CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("0"), {}, 1.), std::domain_error);
+    CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("0"), {}, 1., 10), std::domain_error);
 }
 
 TEST_CASE("powers that are none are refused", "[lattice_coefficients]") {
@@ -151,5 +155,6 @@ TEST_CASE("powers that are none are refused", "[lattice_coefficients]") {
     CHECK_THROWS_AS(coefficients_about(solution, {}, 1., -1, 3), std::invalid_argument);
     CHECK_THROWS_AS(coefficients_about(solution, {}, 1., 4, 3), std::invalid_argument);
     CHECK_THROWS_AS(coefficients_about(solution, {}, 1., 3, largest_power + 1), std::invalid_argument);
-    CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("1"), {}, 1.).between(4, 10), std::invalid_argument);
+    CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("1"), {}, 1., 10).between(4, 10), std::invalid_argument);
+    CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("1"), {}, 1., 10).between(5, 11), std::invalid_argument);
 }

@@ -64,7 +64,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
     if (!view) {
         part.resize(static_cast<std::size_t>(last - first + 1), T(0));  // an equilibrium stays where it is
     } else if (last >= begin) {
-        auto tail = lattice_coefficients<T>(m, point, scale).between(std::max(first, begin), last);
+        auto tail = lattice_coefficients<T>(m, point, scale, last).between(std::max(first, begin), last);
         part.insert(part.end(), std::make_move_iterator(tail.begin()), std::make_move_iterator(tail.end()));
     }
     return part;

@@ -1,0 +1,71 @@
+// How far a sum over singularities has to reach for a coefficient, and from which coefficient on it costs less than the
+// recurrence.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+#include "libration/pendulum/singularity_view.hpp"
+
+namespace libration {
+
+/// How far the poles reach that a_n needs: left-out ones add less than an eighth of an epsilon of T in 8/(n R^n).
+/// 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it decides costs alone, few digits
+/// are enough.
+template <scalar T>
+class pole_reach {
+public:
+    pole_reach(const singularity_view<T>& view, long precision) : radius_(midpoint(view.radius())) {
+        const T square = view.radius() * view.radius();
+        bits_ = precision + 3 + std::max(0L, binary_exponent(T(view.fourth_powers() * square * square)));
+    }
+
+    long bits() const { return bits_; }
+    /// In units of the radius.
+    T factor(long n) const {
+        using std::exp;
+        using std::log;
+        return midpoint(T(exp(T(log(T(2)) * T(bits_) / T(n - 4)))));
+    }
+    T operator()(long n) const { return midpoint(T(radius_ * factor(n))); }
+
+private:
+    T radius_;
+    long bits_;
+};
+
+/// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner: about
+/// 2 powers a digit at 50 digits, 0.7 at 1000, and never below 512 for the built-in floating types. A step of the recurrence
+/// costs 3n/8 products a power (with symmetry, for half of the poles; without it twice as many of both), a coefficient 2
+/// products a pole, and the tables of a pole 180; the poles within reach are about those of half an ellipse in the lattice. An
+/// estimate of costs, which no result depends on beyond rounding.
+template <scalar T>
+long lattice_begins(const singularity_view<T>& view, long last) {
+    constexpr bool built_in = fixed_scalar<T> && !std::same_as<T, quad>;
+    const long least = built_in ? 512 : 16;
+    const long precision = digits<T>();
+    const precision_scope rough(20);
+    const pole_reach<T> reach(view, precision);
+    const T step = narrow<T>(widen(view.lattice().effective_period));
+    const T wide = view.lattice().single_column ? T(0) : T(narrow<T>(widen(view.radius())) / step);
+    const T tall = narrow<T>(widen(T(view.radius() / view.lattice().height)));
+    const auto cheap = [&](long n) {
+        const T factor = reach.factor(n);
+        const T poles = midpoint(T((factor * wide + 1) * (factor * tall + 1)));  // times 4/pi twice over: upwards
+        return certainly_less(poles, T(n)) && certainly_less(T(poles * 300), T(T(n) * T(n)));
+    };
+    long below = std::max(least, reach.bits() / 8) - 1;  // reach.factor() stays below 2^8 or so
+    long enough = below + 1;
+    while (enough <= last && !cheap(enough)) {
+        below = enough;
+        enough *= 2;
+    }
+    while (enough - below > 1 && below < last) {
+        const long middle = below + (enough - below) / 2;
+        (cheap(middle) ? enough : below) = middle;
+    }
+    return std::min(enough, last + 1);
+}
+
+}  // namespace libration

@@ -1,0 +1,24 @@
+// Powers of complex numbers with whole exponents.
+#pragma once
+
+#include <bit>
+
+#include "libration/scalar/complex_number.hpp"
+
+namespace libration {
+
+/// z^n, n >= 0, by squaring from the highest bit of n on: O(log n) products. Relative to |z|^n an error of n epsilon; on balls
+/// up to sqrt 2 times that for each product.
+template <scalar T>
+complex_number<T> integer_power(const complex_number<T>& z, long n) {
+    complex_number<T> power{T(1), T(0)};
+    for (long bit = std::bit_floor(static_cast<unsigned long>(n)); bit > 0; bit /= 2) {
+        power = power * power;
+        if ((n & bit) != 0) {
+            power = power * z;
+        }
+    }
+    return power;
+}
+
+}  // namespace libration
