@@ -122,6 +122,14 @@ TEST_CASE("an order that is no whole number of 0 or more is refused", "[command]
     }
 }
 
+TEST_CASE("a first power that is none, or beyond the last, is refused", "[command][bad input]") {
+    for (const std::string value : {"-1", "4", "x", "1.5", "", "99999999999999999999"}) {
+        check_value({"coefficients", "--energy", "1", "--order", "3"}, "--from", value);
+    }
+    check_value({"coefficients", "--energy", "1", "--from", "5"}, "--order", "1000007");
+    check_value({"coefficients", "--energy", "1", "--from", "5"}, "--order", "1000000000000001");
+}
+
 TEST_CASE("times that are no list and no range are refused", "[command][bad input]") {
     for (const std::string value :
          {"0,,2", "0:1:0", "", ",", "0,", "0:1", "0:1:2:3", "0:1:-2", "0:1:x", "0:1:99999999999", "abc", "0,nan", "1/0",

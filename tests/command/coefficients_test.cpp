@@ -158,3 +158,46 @@ TEST_CASE("in double the coefficients are right to a few units, far below the ra
     CHECK(worst < mpfr("1e-12"));
     CHECK(worst > mpfr("1e-17"));
 }
+
+TEST_CASE("coefficients far out are printed alone, with every digit proved", "[command][coefficients]") {
+    const words far{"--energy", "1.71", "--from", "1000000000", "--order", "1000000000"};
+    // mpmath, 120 digits: n = 10**9; z = mpc(ellipk(0.855), ellipk(0.145)); 8/mpf(n)*(z**(-n)).imag, E as mpf('1.71')
+    const std::string expected = "-4.1637925217557802189057862200785693154428747639467e-463400164";
+    for (const std::string scalar : {"ball:50", "mpfr:50"}) {
+        const auto rows = coefficients_of(far + words{"--scalar", scalar});
+        REQUIRE(rows.size() == 1);
+        CHECK(rows[0].at("n") == "1000000000");
+        CHECK(rows[0].at("coefficient") == expected);
+    }
+    for (const std::string scalar : {"double", "quad"}) {
+        const std::string found = coefficients_of(far + words{"--scalar", scalar})[0].at("coefficient");
+        CHECK(found.substr(0, 16) == expected.substr(0, 16));  // 14 digits and the exponent
+        CHECK(found.substr(found.find('e')) == "e-463400164");
+    }
+    // The same with z = mpc(ellipk(0.855)/2, ellipk(0.145)), 4 in place of 8.
+    const auto between = coefficients_of({"--energy", "1.71", "--at", "T/8", "--from", "999999999999999", "--order",
+                                          "1000000000000000", "--scalar", "ball:30"});
+    REQUIRE(between.size() == 2);
+    CHECK(between[0].at("coefficient") == "-3.62991248206952102719105275848e-307027518777264");
+    CHECK(between[1].at("coefficient") == "-8.04664953032064888332422031160e-307027518777264");
+}
+
+TEST_CASE("the rows from --from on are those of the whole list", "[command][coefficients]") {
+    for (const std::string energy : {"1", "1.71", "2", "4"}) {
+        for (const std::string scalar : {"mpfr:30", "ball:30"}) {
+            INFO("E = " << energy << ", " << scalar);
+            const words asked{"--energy", energy, "--order", "190", "--scalar", scalar};
+            const auto whole = coefficients_of(asked);
+            const auto part = coefficients_of(asked + words{"--from", "60"});
+            REQUIRE(whole.size() == 191);
+            REQUIRE(part.size() == 131);
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                CHECK(part[i].at("n") == whole[i + 60].at("n"));
+                CHECK_THAT(part[i].at("coefficient"), right_to_the_last_digit(whole[i + 60].at("coefficient")));
+                const auto n = static_cast<int>(i) + 60;
+                const bool zero = energy == "1" ? n % 4 != 2 : energy == "1.71" ? n % 2 != 0 : n % 2 == 0;
+                CHECK((part[i].at("coefficient") == "0") == zero);
+            }
+        }
+    }
+}

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "libration/pendulum/bounds.hpp"
 #include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/resummation.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
 #include "typed.hpp"
@@ -48,7 +50,7 @@ void compare_on_balls(const named_motion& from, const std::string& at, int order
     const auto checked = expand_by(recurrence::symmetric_squares, solution, point, order);
     const auto view = view_from(from.m, phase_of(point, solution));
     REQUIRE(view);
-    const long begin = lattice_begins(*view, order);
+    const long begin = lattice_begins(*view, 0, order);
     REQUIRE(begin < order);
     const auto sums = lattice_coefficients<ball>(from.m, point, checked.scale, order).between(begin, order);
     for (long n = begin; n <= order; ++n) {
@@ -88,7 +90,7 @@ TEMPLATE_LIST_TEST_CASE("an expansion is that of the recurrence on both sides of
             const exact_solution<T> solution(from.m);
             const auto point = read_expansion_point(at);
             const auto view = view_from(from.m, phase_of(point, solution));
-            REQUIRE(lattice_begins(*view, order) < order);
+            REQUIRE(lattice_begins(*view, 0, order) < order);
             const auto found = expand(solution, point, order);
             const auto checked = expand_by(recurrence::symmetric_squares, solution, point, order);
             REQUIRE(found.scaled.order() == order);
@@ -139,6 +141,29 @@ TEST_CASE("a power is the same alone, in a block and in a series", "[lattice_coe
         CHECK_FALSE(certainly_less(epsilon<ball>() * 1000 / n, radius_of(alone)));
         if (n <= 600) {
             CHECK(overlaps(alone, part[static_cast<std::size_t>(n - 301)]));
+        }
+    }
+}
+
+TEST_CASE("the series of the way down is that of the recurrence, clockwise too", "[lattice_coefficients]") {
+    const precision_scope scope(40);
+    for (const auto& from : {named_motion{"gap 1.99", with_gap("1.99")},
+                             {"gap 1e-6", with_gap("1e-6")},
+                             {"gap -1e-12, clockwise", with_gap("-1e-12", -1)},
+                             {"gap -2", with_gap("-2")},
+                             {"falling from (1, -0.5)", with_state("1", "-0.5")}}) {
+        INFO(from.name);
+        const auto way = descent_of<mpfr>(from.m);
+        const int order = 400;
+        const auto found = descent_series(way, order);
+        const auto checked = descent_series(way, order, recurrence::symmetric_squares);
+        REQUIRE(found.order() == order);
+        const mpfr ratio = top_bounds<mpfr>::of(way.o).rho;
+        mpfr unit = 8;
+        for (int n = 1; n <= order; ++n) {
+            unit *= ratio;
+            INFO("n = " << n);
+            CHECK_THAT(found[n], near<mpfr>(checked[n], 4 + n, mpfr(unit / n)));
         }
     }
 }

@@ -48,7 +48,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
     const motion& m = solution.of();
     const phase<T> at = phase_of(point, solution);
     const auto view = view_from(m, at);
-    const long begin = view ? lattice_begins(*view, last) : 1;
+    const long begin = view ? lattice_begins(*view, first, last) : 1;
     std::vector<T> part;
     if (first < begin) {
         const auto order = static_cast<int>(std::min(begin - 1, last));

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "libration/pendulum/descent_tails.hpp"
-#include "libration/pendulum/expansion.hpp"
 
 namespace libration {
 
@@ -76,8 +75,7 @@ public:
         // 5 digits more make what the sampling leaves out 1e-5 of what it sees.
         const int highest = std::max(proved_order(bounds_, descent_method::series, digits + 5),
                                      proved_order(bounds_, descent_method::resummed, digits));
-        series_ = power_series<mpfr>(
-            coefficients_about(truth_, {expansion_point::place::top, {}}, way_.effective_period, 0, highest));
+        series_ = descent_series(way_, highest);
         values_ = slopes_ = std::vector<mpfr>(1, mpfr(0));
         values_[0] = series_[0];
         values_.reserve(series_.coefficients().size());

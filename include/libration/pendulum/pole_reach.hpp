@@ -36,12 +36,13 @@ private:
 };
 
 /// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner: about
-/// 2 powers a digit at 50 digits, 0.7 at 1000, and never below 512 for the built-in floating types. A step of the recurrence
-/// costs 3n/8 products a power (with symmetry, for half of the poles; without it twice as many of both), a coefficient 2
-/// products a pole, and the tables of a pole 180; the poles within reach are about those of half an ellipse in the lattice. An
-/// estimate of costs, which no result depends on beyond rounding.
+/// 2 powers a digit at 50 digits, 0.8 at 1000, and never below 512 for the built-in floating types, whose products cost
+/// nothing beside those of the tables; `first`, where the powers from there on alone cost less than the recurrence up to it.
+/// A step of the recurrence costs 3n/8 products a power (with symmetry, for half of the poles; without it twice as many of
+/// both), a coefficient 2 products a pole, and the tables of a pole 180; the poles within reach are about those of half an
+/// ellipse in the lattice. An estimate of costs, which no result depends on beyond rounding.
 template <scalar T>
-long lattice_begins(const singularity_view<T>& view, long last) {
+long lattice_begins(const singularity_view<T>& view, long first, long last) {
     constexpr bool built_in = fixed_scalar<T> && !std::same_as<T, quad>;
     const long least = built_in ? 512 : 16;
     const long precision = digits<T>();
@@ -50,12 +51,18 @@ long lattice_begins(const singularity_view<T>& view, long last) {
     const T step = narrow<T>(widen(view.lattice().effective_period));
     const T wide = view.lattice().single_column ? T(0) : T(narrow<T>(widen(view.radius())) / step);
     const T tall = narrow<T>(widen(T(view.radius() / view.lattice().height)));
-    const auto cheap = [&](long n) {
+    // Five times their number.
+    const auto poles = [&](long n) {
         const T factor = reach.factor(n);
-        const T poles = midpoint(T((factor * wide + 1) * (factor * tall + 1)));  // times 4/pi twice over: upwards
-        return certainly_less(poles, T(n)) && certainly_less(T(poles * 300), T(T(n) * T(n)));
+        return midpoint(T((factor * wide + 1) * (factor * tall + 1)));
+    };
+    const auto cheap = [&](long n) {
+        return certainly_less(poles(n), T(n)) && certainly_less(T(poles(n) * 300), T(T(n) * T(n)));
     };
     long below = std::max(least, reach.bits() / 8) - 1;  // reach.factor() stays below 2^8 or so
+    if (first > below && certainly_less(T(poles(first) * T(last - first + 180)), T(T(first) * T(first)))) {
+        return first;
+    }
     long enough = below + 1;
     while (enough <= last && !cheap(enough)) {
         below = enough;

@@ -5,7 +5,7 @@
 
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/truncated_series.hpp"
-#include "libration/pendulum/coefficients.hpp"
+#include "libration/pendulum/lattice_coefficients.hpp"
 
 namespace libration {
 
@@ -18,6 +18,7 @@ struct descent {
     T effective_period;
     pendulum_state<T> top;
     jet<T> bottom;  ///< theta* and omega*
+    motion m;       ///< whose descent it is
 };
 
 /// With the T* of a rule that is not exact, what is made of the descent is what the paper's formulas make with that T*:
@@ -30,17 +31,38 @@ descent<T> descent_of(const motion& m, const period_rule& by = {}) {
     const T duration = effective_period_by(by, o);
     if (m.regime() == regime::rotation) {
         const T slowest = o.rate * o.shape.complement * 2;
-        return {o, duration, {pi<T>(), slowest, T(1), T(0)}, {pi<T>() * 2, o.rate * 2}};
+        return {o, duration, {pi<T>(), slowest, T(1), T(0)}, {pi<T>() * 2, o.rate * 2}, m};
     }
     const T highest = atan2(o.shape.k, o.shape.complement) * 2;
-    return {o, duration, {highest, T(0), o.shape.k, o.shape.complement}, {T(0), -o.shape.k * 2}};
+    return {o, duration, {highest, T(0), o.shape.k, o.shape.complement}, {T(0), -o.shape.k * 2}, m};
 }
 
-/// a_n T*^n, n = 0 .. N, about the top.
+/// a_n T*^n, n = 0 .. N, about the top, by a recurrence alone.
 template <scalar T>
-power_series<T> descent_series(const descent<T>& d, int order, recurrence by = recurrence::symmetric_squares) {
+power_series<T> descent_series(const descent<T>& d, int order, recurrence by) {
     const parity of_theta = d.o.regime == regime::rotation ? parity::odd : parity::even;
     return taylor_coefficients(taylor_start<T>{d.top, d.o.pair, of_theta}, order, d.effective_period, by);
+}
+
+/// a_n T*^n, n = 0 .. N, about the top, by the cheapest way: in mpfr and on balls the sum over the singularities beyond the
+/// power from which it costs less. The fixed scalars keep to the recurrence, whose rounding is what is asked of them.
+template <scalar T>
+power_series<T> descent_series(const descent<T>& d, int order) {
+    if constexpr (!fixed_scalar<T>) {
+        const expansion_point top;
+        const auto view = view_from(d.m, phase_of<T>(top, d.m));
+        const long begin = view ? lattice_begins(*view, 0, order) : order + 1;
+        if (begin <= order) {
+            auto a = descent_series(d, static_cast<int>(begin) - 1, recurrence::symmetric_squares);
+            const int sense = d.o.regime == regime::rotation ? d.m.direction() : 1;
+            const lattice_coefficients<T> sums(d.m, top, d.effective_period, order);
+            for (const T& next : sums.between(begin, order)) {
+                a.push_back(next * sense);
+            }
+            return a;
+        }
+    }
+    return descent_series(d, order, recurrence::symmetric_squares);
 }
 
 /// The data of the resummation at x = 1: theta* and omega* T*.
