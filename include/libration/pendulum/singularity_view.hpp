@@ -44,7 +44,8 @@ struct power_pattern {
     long next(long n) const { return n + ((first - n) % stride + stride) % stride; }
 };
 
-/// By parity; at E = 1 the poles about the top are those of a square, and turning it leaves n = 2 mod 4 alone.
+/// By parity; at E = 1 T* = K~', and z -> i conj(z) maps the poles about the top onto themselves with the same sigma and
+/// Im z^-n to -Im i^n z^-n for even n: only n = 2 mod 4 is left.
 template <scalar T>
 power_pattern powers_about(const motion& m, const phase<T>& at) {
     switch (parity_about(m, at)) {
@@ -78,7 +79,7 @@ public:
     T fourth_powers() const {
         const T square = pi<T>() * pi<T>();
         const T height = lattice_.height * lattice_.height;
-        const T nearest = square / (radius_ * radius_ * height * 4);
+        T nearest = square / (radius_ * radius_ * height * 4);
         if (lattice_.single_column) {
             return nearest;
         }
@@ -89,11 +90,13 @@ public:
     std::vector<seen_pole<T>> within(const T& reach) const {
         const T limit = reach * reach;
         std::vector<seen_pole<T>> all;
-        for (int column = symmetric() && from_bottom_ ? 0 : 1; add_column(column, limit, all); ++column) {
+        int column = symmetric() && from_bottom_ ? 0 : 1;
+        while (add_column(column, limit, all)) {
+            ++column;
         }
-        if (!symmetric()) {
-            for (int column = 0; add_column(column, limit, all); --column) {
-            }
+        column = 0;
+        while (!symmetric() && add_column(column, limit, all)) {
+            --column;
         }
         std::sort(all.begin(), all.end(), [](const seen_pole<T>& a, const seen_pole<T>& b) {
             return certainly_less(midpoint(a.square), midpoint(b.square));

@@ -12,9 +12,10 @@ namespace libration {
 template <scalar T>
 complex_number<T> integer_power(const complex_number<T>& z, long n) {
     complex_number<T> power{T(1), T(0)};
-    for (long bit = std::bit_floor(static_cast<unsigned long>(n)); bit > 0; bit /= 2) {
+    const auto exponent = static_cast<unsigned long>(n);
+    for (unsigned long bit = std::bit_floor(exponent); bit > 0; bit /= 2) {
         power = power * power;
-        if ((n & bit) != 0) {
+        if ((exponent & bit) != 0) {
             power = power * z;
         }
     }
