@@ -1,12 +1,13 @@
-// The coefficients of E = 1.71 to order N: how many times faster than the recurrence that the paper prints, (pendseries), in
-// the same arithmetic to the same digits? About the top, where every second coefficient vanishes, and about T*/2, where none
-// does. All in one run on one thread, the repetitions interleaved at random; medians with their spread.
+// The coefficients of E = 1.71 to order N: how many times faster than the recurrence that the paper prints,
+// (pendseries), in the same arithmetic to the same digits? About the top, where every second coefficient vanishes, and
+// about T*/2, where none does. All in one run on one thread, the repetitions interleaved at random; medians with their
+// spread.
 //
 //   ./run bench coefficients
 //
-// The printed recurrence is the one of taylor_by_sine_cosine without parity: two full Cauchy products, in mpfr, its sums
-// fused, which favours it; its start is given to it, while ours begins with the typed energy. At 1000 digits it is timed up
-// to N = 1000 and scaled by N^2. Ends with 1 where the two sides disagree.
+// The printed recurrence is the one of taylor_by_sine_cosine without parity: two full Cauchy products, in mpfr, its
+// sums fused, which favours it; its start is given to it, while ours begins with the typed energy. At 1000 digits it
+// is timed up to N = 1000 and scaled by N^2. Ends with 1 where the two sides disagree.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

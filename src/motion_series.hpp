@@ -24,15 +24,15 @@ struct series_request {
 /// input_error for what is no point of that motion.
 expansion_point point_of(const std::optional<std::string>& at, const chosen_motion& chosen);
 
-/// a_first .. a_N in the motion's unit of time: right to the digits of an mpfr scalar; as a fixed scalar computes them in time
-/// scaled by the radius, and without its bounds of range.
+/// a_first .. a_N in the motion's unit of time: right to the digits of an mpfr scalar; as a fixed scalar computes them
+/// in time scaled by the radius, and without its bounds of range.
 std::vector<mpfr> coefficient_values(const series_request& request);
 
 /// a_first .. a_N with every printed digit proved. Throws std::runtime_error where a proof is impossible.
 std::vector<proved_decimal> proved_coefficients(const series_request& request);
 
-/// The radius of convergence about the point from the lattice of singularities, in the motion's unit of time, to `digits`
-/// digits; nothing where it is infinite.
+/// The radius of convergence about the point from the lattice of singularities, in the motion's unit of time, to
+/// `digits` digits; nothing where it is infinite.
 std::optional<mpfr> exact_radius(const series_request& request, long digits);
 
 }  // namespace libration

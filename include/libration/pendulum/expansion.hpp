@@ -12,8 +12,8 @@
 
 namespace libration {
 
-/// A Taylor series of theta about a point: coefficients a_n scale^n, the scale being the radius of convergence, of a ball
-/// its midpoint (1 where that is infinite), in dimensionless time.
+/// A Taylor series of theta about a point: coefficients a_n scale^n, the scale being the radius of convergence, of a
+/// ball its midpoint (1 where that is infinite), in dimensionless time.
 template <scalar T>
 struct expansion {
     power_series<T> scaled;
@@ -37,10 +37,10 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
-/// a_n scale^n, n = first .. last, about a point: by the recurrence of symmetric squares up to the power from which sums
-/// over the singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and need none before them. What
-/// a_n is does not depend on first and last, up to rounding. Throws std::invalid_argument for first < 0, last < first and
-/// last > largest_power.
+/// a_n scale^n, n = first .. last, about a point: by the recurrence of symmetric squares up to the power from which
+/// sums over the singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and need none
+/// before them. What a_n is does not depend on first and last, up to rounding. Throws std::invalid_argument for first
+/// < 0, last < first and last > largest_power.
 template <scalar T>
 std::vector<T> coefficients_about(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
                                   long first, long last) {

@@ -9,8 +9,8 @@
 
 namespace libration {
 
-/// A point of a motion to expand about. The top is the one that canonical motions start from (+theta_max, or pi after the
-/// whole turns), the bottom the passage T* later.
+/// A point of a motion to expand about. The top is the one that canonical motions start from (+theta_max, or pi after
+/// the whole turns), the bottom the passage T* later.
 struct expansion_point {
     enum class place { top, bottom, start, time } where = place::top;
     exact time;  ///< for place::time
@@ -35,7 +35,8 @@ inline expansion_point read_expansion_point(std::string_view text) {
     return {place::time, std::move(time)};
 }
 
-/// The phase of a point of a motion; clock(), its timeline, is asked for starts and times alone. Throws std::domain_error for the top at E = 2, which is reached after infinite time.
+/// The phase of a point of a motion; clock(), its timeline, is asked for starts and times alone. Throws
+/// std::domain_error for the top at E = 2, which is reached after infinite time.
 template <scalar T, class Clock>
 phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& clock) {
     const integer top = exact_solution<T>::top_quarter(m);

@@ -30,11 +30,11 @@ inline void require_powers(long first, long last) {
 /// a_n scale^n about a point of a motion, for n from 5 to largest_power. An error of a few epsilon of T in
 /// (8/n)(scale/R)^n, proved on balls. Made in the precision it is used in. Not for equilibria.
 ///
-/// Each pole gives (scale/z)^n = g c of a power g that begins a block of 32 and a power c of a table, and the sum over the
-/// poles is one inner product; the poles that a coefficient needs are fewer for larger n, in the end one or two. All is
-/// computed from the exact motion with 64 bits more than T has, and 128 beyond n = 2^24: an n-th power multiplies an error by
-/// n, and on balls each of the O(log n) complex products that lead to g widens rectangles by up to sqrt 2 more. 2 products
-/// a pole for each coefficient, O(log n) at the begin of every 16th block.
+/// Each pole gives (scale/z)^n = g c of a power g that begins a block of 32 and a power c of a table, and the sum over
+/// the poles is one inner product; the poles that a coefficient needs are fewer for larger n, in the end one or two.
+/// All is computed from the exact motion with 64 bits more than T has, and 128 beyond n = 2^24: an n-th power
+/// multiplies an error by n, and on balls each of the O(log n) complex products that lead to g widens rectangles by up
+/// to sqrt 2 more. 2 products a pole for each coefficient, O(log n) at the begin of every 16th block.
 template <scalar T>
 class lattice_coefficients {
     using W = wide_t<T>;
@@ -98,8 +98,8 @@ private:
         return poles;
     }
 
-    // Rows of powers 0, stride, 2 stride, ..: for each pole the imaginary part and the real one, by doubling; and the step of
-    // a whole block.
+    // Rows of powers 0, stride, 2 stride, ..: for each pole the imaginary part and the real one, by doubling; and the
+    // step of a whole block.
     std::vector<std::vector<T>> table_of(std::vector<tracked_pole>& poles, long rows) const {
         const auto count = static_cast<std::size_t>(rows);
         std::vector<std::vector<T>> table(count, std::vector<T>(poles.size() * 2, T(0)));

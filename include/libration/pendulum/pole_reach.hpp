@@ -11,8 +11,8 @@
 namespace libration {
 
 /// How far the poles reach that a_n needs: left-out ones add less than an eighth of an epsilon of T in 8/(n R^n).
-/// 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it decides costs alone, few digits
-/// are enough.
+/// 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it decides costs alone, few
+/// digits are enough.
 template <scalar T>
 class pole_reach {
 public:
@@ -35,12 +35,13 @@ private:
     long bits_;
 };
 
-/// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner: about
-/// 2 powers a digit at 50 digits, 0.8 at 1000, and never below 512 for the built-in floating types, whose products cost
-/// nothing beside those of the tables; `first`, where the powers from there on alone cost less than the recurrence up to it.
-/// A step of the recurrence costs 3n/8 products a power (with symmetry, for half of the poles; without it twice as many of
-/// both), a coefficient 2 products a pole, and the tables of a pole 180; the poles within reach are about those of half an
-/// ellipse in the lattice. An estimate of costs, which no result depends on beyond rounding.
+/// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner:
+/// about 2 powers a digit at 50 digits, 0.8 at 1000, and never below 512 for the built-in floating types, whose
+/// products cost nothing beside those of the tables; `first`, where the powers from there on alone cost less than the
+/// recurrence up to it. A step of the recurrence costs 3n/8 products a power (with symmetry, for half of the poles;
+/// without it twice as many of both), a coefficient 2 products a pole, and the tables of a pole 180; the poles within
+/// reach are about those of half an ellipse in the lattice. An estimate of costs, which no result depends on beyond
+/// rounding.
 template <scalar T>
 long lattice_begins(const singularity_view<T>& view, long first, long last) {
     constexpr bool built_in = fixed_scalar<T> && !std::same_as<T, quad>;

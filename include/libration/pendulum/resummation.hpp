@@ -44,8 +44,9 @@ power_series<T> descent_series(const descent<T>& d, int order, recurrence by) {
     return taylor_coefficients(taylor_start<T>{d.top, d.o.pair, of_theta}, order, d.effective_period, by);
 }
 
-/// a_n T*^n, n = 0 .. N, about the top, by the cheapest way: in mpfr and on balls the sum over the singularities beyond the
-/// power from which it costs less. The fixed scalars keep to the recurrence, whose rounding is what is asked of them.
+/// a_n T*^n, n = 0 .. N, about the top, by the cheapest way: in mpfr and on balls the sum over the singularities
+/// beyond the power from which it costs less. The fixed scalars keep to the recurrence, whose rounding is what is
+/// asked of them.
 template <scalar T>
 power_series<T> descent_series(const descent<T>& d, int order) {
     if constexpr (!fixed_scalar<T>) {

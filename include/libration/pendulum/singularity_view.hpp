@@ -1,17 +1,17 @@
 // The singularities as seen from any point of a motion, and what those that a sum leaves out can add to a coefficient.
 //
-// Theorem A, from a point s0. omega has simple poles with the residues -2i sigma at s0 + z in the upper half plane and the
-// conjugate ones below, sigma = +-1: in time since the bottom, 2k cn has sigma = (-1)^(m+j) at 2m T* + i(2j+1) K~', 2 dn of
-// rotation and 2/cosh of the separatrix have (-1)^j times the direction [DLMF 22.4, 4.28]. The integral of
-// omega(s) (s-s0)^-n over growing boxes of the lattice that avoid the poles tends to 0, because omega is bounded on them
-// (on the separatrix it falls exponentially to both sides), so for n >= 3
+// Theorem A, from a point s0. omega has simple poles with the residues -2i sigma at s0 + z in the upper half plane and
+// the conjugate ones below, sigma = +-1: in time since the bottom, 2k cn has sigma = (-1)^(m+j) at 2m T* + i(2j+1)
+// K~', 2 dn of rotation and 2/cosh of the separatrix have (-1)^j times the direction [DLMF 22.4, 4.28]. The integral of
+// omega(s) (s-s0)^-n over growing boxes of the lattice that avoid the poles tends to 0, because omega is bounded on
+// them (on the separatrix it falls exponentially to both sides), so for n >= 3
 //     a_n = -(1/n) sum of residue (pole - s0)^-n = -(4/n) sum_{z, Im z > 0} sigma Im z^-n.
-// Theorem A1. The poles at a distance of at least d add at most (2/n) d^(4-n) S4, n >= 4, where S4 = sum |z|^-4 over both
-// half planes: 2|z|^-n <= 2 d^(4-n) |z|^-4.
-// Here S4 <= pi^2/(4 R^2 K~'^2) + pi^4/(64 T*^2 K~'^2), on the separatrix its first term alone. For the column nearest to
-// s0 |z|^-4 <= R^-2 y^-2, and 2 sum y^-2 over y = (2j+1) K~' is pi^2/(4 K~'^2). The other columns are at |x| >= (2k-1) T*,
-// k = 1, 2, .., on both sides, since the nearest is at most T* away; there |z|^4 >= 4 x^2 y^2, and the sum of 4/(4 x^2 y^2) is
-// (pi^2/8)^2/(T*^2 K~'^2).
+// Theorem A1. The poles at a distance of at least d add at most (2/n) d^(4-n) S4, n >= 4, where S4 = sum |z|^-4 over
+// both half planes: 2|z|^-n <= 2 d^(4-n) |z|^-4.
+// Here S4 <= pi^2/(4 R^2 K~'^2) + pi^4/(64 T*^2 K~'^2), on the separatrix its first term alone. For the column nearest
+// to s0 |z|^-4 <= R^-2 y^-2, and 2 sum y^-2 over y = (2j+1) K~' is pi^2/(4 K~'^2). The other columns are at |x| >=
+// (2k-1) T*, k = 1, 2, .., on both sides, since the nearest is at most T* away; there |z|^4 >= 4 x^2 y^2, and the sum
+// of 4/(4 x^2 y^2) is (pi^2/8)^2/(T*^2 K~'^2).
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@
 
 namespace libration {
 
-/// A pole of omega in the upper half plane, from the expansion point, and sigma, doubled where the symmetry of the point
-/// makes its mirror image add the same.
+/// A pole of omega in the upper half plane, from the expansion point, and sigma, doubled where the symmetry of the
+/// point makes its mirror image add the same.
 template <scalar T>
 struct seen_pole {
     T along;
@@ -44,8 +44,8 @@ struct power_pattern {
     long next(long n) const { return n + ((first - n) % stride + stride) % stride; }
 };
 
-/// By parity; at E = 1 T* = K~', and z -> i conj(z) maps the poles about the top onto themselves with the same sigma and
-/// Im z^-n to -Im i^n z^-n for even n: only n = 2 mod 4 is left.
+/// By parity; at E = 1 T* = K~', and z -> i conj(z) maps the poles about the top onto themselves with the same sigma
+/// and Im z^-n to -Im i^n z^-n for even n: only n = 2 mod 4 is left.
 template <scalar T>
 power_pattern powers_about(const motion& m, const phase<T>& at) {
     switch (parity_about(m, at)) {
@@ -86,7 +86,8 @@ public:
         return nearest + square * square / (lattice_.effective_period * lattice_.effective_period * height * 64);
     }
 
-    /// All poles that are not certainly farther than `reach`, the nearest first; of mirror images one, with both weights.
+    /// All poles that are not certainly farther than `reach`, the nearest first; of mirror images one, with both
+    /// weights.
     std::vector<seen_pole<T>> within(const T& reach) const {
         const T limit = reach * reach;
         std::vector<seen_pole<T>> all;
@@ -105,8 +106,8 @@ public:
     }
 
 private:
-    // Adds a column, numbered from left to right, 0 next to the point or left of it; false where it is beyond the limit, as
-    // all that follow are.
+    // Adds a column, numbered from left to right, 0 next to the point or left of it; false where it is beyond the
+    // limit, as all that follow are.
     bool add_column(int column, const T& limit, std::vector<seen_pole<T>>& all) const {
         if (lattice_.single_column && column != 0) {
             return false;

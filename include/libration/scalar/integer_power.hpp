@@ -7,8 +7,8 @@
 
 namespace libration {
 
-/// z^n, n >= 0, by squaring from the highest bit of n on: O(log n) products. Relative to |z|^n an error of n epsilon; on balls
-/// up to sqrt 2 times that for each product.
+/// z^n, n >= 0, by squaring from the highest bit of n on: O(log n) products. Relative to |z|^n an error of n epsilon;
+/// on balls up to sqrt 2 times that for each product.
 template <scalar T>
 complex_number<T> integer_power(const complex_number<T>& z, long n) {
     complex_number<T> power{T(1), T(0)};
