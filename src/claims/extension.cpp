@@ -21,7 +21,7 @@ public:
         const mpfr rate = log(1 + height * height) / 2;  // log(R/T*)
         const int order = nearest_integer(45 * log(mpfr(10)) / rate).convert_to<int>() + 2;
         way_.top.omega *= direction;
-        a_ = descent_series(way_, order);
+        a_ = descent_series(way_, order, recurrence::symmetric_squares);
     }
 
     const mpfr& duration() const { return way_.effective_period; }

@@ -18,7 +18,7 @@ struct descent {
     T effective_period;
     pendulum_state<T> top;
     jet<T> bottom;  ///< theta* and omega*
-    motion m;       ///< whose descent it is
+    motion m;       ///< whose descent it is: what is changed above is seen by the recurrences alone
 };
 
 /// With the T* of a rule that is not exact, what is made of the descent is what the paper's formulas make with that T*:
