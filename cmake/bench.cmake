@@ -10,3 +10,13 @@ foreach(source IN LISTS bench_sources)
     target_link_libraries(libration-bench-${name}
         PRIVATE libration::ball benchmark::benchmark fmt::fmt libration-warnings)
 endforeach()
+
+# The one that starts a peer of its own, and whose Boost.Math in float128 asks for the literals of GNU's C++.
+set_target_properties(libration-bench-trajectory PROPERTIES CXX_EXTENSIONS ON)
+target_sources(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/sweep/child_program.cpp)
+target_include_directories(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src)
+if(TARGET libration-gsl-trajectory)
+    add_dependencies(libration-bench-trajectory libration-gsl-trajectory)
+    target_compile_definitions(libration-bench-trajectory PRIVATE
+        LIBRATION_GSL_TRAJECTORY="$<TARGET_FILE:libration-gsl-trajectory>")
+endif()

@@ -40,7 +40,10 @@ template <std::size_t count, fixed_scalar T>
     std::array<T, count> mirror;
     std::array<T, count> sign;
     std::array<std::size_t, count> index;
+    std::array<T, count> value;
+    std::array<T, count> slope;
     const T end = tables.panels.end();
+    const T per_unit = 1 / tables.panels.unit();
     for (std::size_t i = 0; i < count; ++i) {
         const auto at = tables.clock.locate(times[i]);
         passage[i] = at.passage;
@@ -57,12 +60,14 @@ template <std::size_t count, fixed_scalar T>
     }
     for (std::size_t i = 0; i < count; ++i) {
         const jet<T> swing = tables.panels[index[i]].at(step[i]);
-        theta[i] = swing.value;
-        omega[i] = swing.slope;
+        value[i] = swing.value;
+        slope[i] = swing.slope;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        theta[i] = tables.turns.theta(passage[i], T(theta[i] * mirror[i]));
-        omega[i] *= sign[i];
+        theta[i] = tables.turns.theta(passage[i], T(value[i] * mirror[i]));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        omega[i] = slope[i] * (sign[i] * per_unit);
     }
 }
 

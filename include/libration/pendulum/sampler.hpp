@@ -55,38 +55,49 @@ public:
             throw std::invalid_argument(std::to_string(times.size()) + " times for " + std::to_string(theta.size()) +
                                         " angles and " + std::to_string(omega.size()) + " velocities");
         }
-        // Sixteen double operations fill the vectors and hide their latency.
         if constexpr (!std::same_as<T, double>) {
             sample<1>(times, theta, omega);
         } else if (has_avx2()) {
             sample_with_avx2(times, theta, omega);
         } else {
-            sample<16>(times, theta, omega);
+            sample<block_size>(times, theta, omega);
         }
     }
 
 private:
+    // Enough double operations to fill the vectors and to hide their latency.
+    static constexpr std::size_t block_size = 32;
+
     sampler(const motion& m, const precision_scope& /*scope*/) : motion_(m), tables_(m) {}
 
     template <std::size_t block>
     [[gnu::always_inline]] void sample(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
-        std::array<T, block> t{};
-        std::array<T, block> angle;
-        std::array<T, block> speed;
-        for (std::size_t first = 0; first < times.size(); first += block) {
-            const std::size_t size = std::min(block, times.size() - first);
-            std::copy_n(times.data() + first, size, t.data());
-            std::size_t late = 0;
-            for (std::size_t i = 0; i < block; ++i) {
-                late += tables_.clock.reaches(t[i]) ? 0U : 1U;
-            }
-            if (late == 0) {
-                sample_block<block>(tables_, t.data(), angle.data(), speed.data());
-            } else {
-                sample_late(std::span(t).first(size), angle.data(), speed.data());
-            }
-            std::copy_n(angle.data(), size, theta.data() + first);
-            std::copy_n(speed.data(), size, omega.data() + first);
+        std::size_t first = 0;
+        for (; first + block <= times.size(); first += block) {
+            sample_whole<block>(times.data() + first, theta.data() + first, omega.data() + first);
+        }
+        if (first < times.size()) {
+            const std::size_t rest = times.size() - first;
+            std::array<T, block> t{};
+            std::array<T, block> angle;
+            std::array<T, block> speed;
+            std::copy_n(times.data() + first, rest, t.data());
+            sample_whole<block>(t.data(), angle.data(), speed.data());
+            std::copy_n(angle.data(), rest, theta.data() + first);
+            std::copy_n(speed.data(), rest, omega.data() + first);
+        }
+    }
+
+    template <std::size_t block>
+    [[gnu::always_inline]] void sample_whole(const T* times, T* theta, T* omega) const {
+        std::size_t late = 0;
+        for (std::size_t i = 0; i < block; ++i) {
+            late += tables_.clock.reaches(times[i]) ? 0U : 1U;
+        }
+        if (late == 0) {
+            sample_block<block>(tables_, times, theta, omega);
+        } else {
+            sample_late({times, block}, theta, omega);
         }
     }
 
@@ -107,7 +118,7 @@ private:
             const T sign = turns.sign(T(0), tables_.clock);
             *theta = turns.theta(T(0), T(at.time < 0 ? T(-swing.value * sign) : T(swing.value * sign)));
             require_finite<std::range_error>(*theta++, "theta at ", time);
-            *omega++ = swing.slope * sign;
+            *omega++ = swing.slope * sign / tables_.panels.unit();
         }
     }
 
@@ -123,14 +134,14 @@ private:
 #if LIBRATION_CHOOSES_AVX2
     [[gnu::target("avx2,fma")]] void sample_with_avx2(std::span<const T> times, std::span<T> theta,
                                                       std::span<T> omega) const {
-        sample<16>(times, theta, omega);
+        sample<block_size>(times, theta, omega);
     }
     static bool has_avx2() {
         return static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
     }
 #else
     void sample_with_avx2(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
-        sample<16>(times, theta, omega);
+        sample<block_size>(times, theta, omega);
     }
     static bool has_avx2() { return false; }
 #endif

@@ -50,29 +50,59 @@ T rounded_to(const F& x) {
 /// How many powers of a panel are kept, an even number: 4.7 bits each; the bound 8/n R^-n of a coefficient [THEOREMS A]
 /// and the derivative's n take 3 more than the digits.
 template <fixed_scalar T>
-inline constexpr int panel_terms = std::same_as<T, double>                              ? 12
-                                   : std::same_as<T, long double>&& LDBL_MANT_DIG == 64 ? 16
-                                                                                        : 26;
+inline constexpr std::size_t panel_terms = std::same_as<T, double>                              ? 12
+                                           : std::same_as<T, long double>&& LDBL_MANT_DIG == 64 ? 16
+                                                                                                : 26;
 
-/// A panel: theta_0, omega_0, theta_1, omega_1, ... of its polynomials in x - centre; two neighbouring powers of both are
-/// one vector of four.
+/// How many of them are kept in T: the powers from the 14th on are below 2^-66 of the value, and where 26 are kept, double
+/// has digits enough for those and is forty times faster.
+template <fixed_scalar T>
+inline constexpr std::size_t panel_head = panel_terms<T> == 26 ? 14 : panel_terms<T>;
+
+/// A panel: theta_0, theta'_0, theta_1, theta'_1, ... of the polynomials of theta and d theta/dx in x - centre; two
+/// neighbouring powers of both are one vector of four.
 template <fixed_scalar T>
 struct alignas(64) panel {
-    std::array<T, static_cast<std::size_t>(2 * panel_terms<T>)> coefficients{};
+    std::array<T, 2 * panel_head<T>> head{};
+    std::array<double, 2 * (panel_terms<T> - panel_head<T>)> tail{};
 
-    /// theta and omega at x = centre + step, even and odd powers side by side.
+    void set(std::size_t power, const T& theta, const T& slope) {
+        if (power < panel_head<T>) {
+            head[2 * power] = theta;
+            head[2 * power + 1] = slope;
+        } else {
+            const std::size_t slot = 2 * (power - panel_head<T>);
+            tail[slot] = static_cast<double>(theta);
+            tail[slot + 1] = static_cast<double>(slope);
+        }
+    }
+
+    /// theta and its slope at x = centre + step, even and odd powers side by side.
     [[gnu::always_inline]] jet<T> at(const T& step) const {
-        constexpr std::size_t last = 2 * panel_terms<T> - 4;
         const T square = step * step;
-        std::array<T, 4> sum{coefficients[last], coefficients[last + 1], coefficients[last + 2],
-                             coefficients[last + 3]};
-        for (std::size_t k = last; k > 0;) {
-            k -= 4;
+        constexpr std::size_t last = 2 * panel_head<T> - 4;
+        std::array<T, 4> sum{head[last], head[last + 1], head[last + 2], head[last + 3]};
+        if constexpr (panel_head<T> < panel_terms<T>) {
+            std::array<double, 4> small{};
+            add_powers<2 * (panel_terms<T> - panel_head<T>)>(small, tail.data(), static_cast<double>(square));
             for (std::size_t lane = 0; lane < 4; ++lane) {
-                sum[lane] = sum[lane] * square + coefficients[k + lane];
+                sum[lane] += square * small[lane];
             }
         }
+        add_powers<last>(sum, head.data(), square);
         return {sum[0] + step * sum[2], sum[1] + step * sum[3]};
+    }
+
+private:
+    // Horner's rule for four polynomials in the square, down to the first of `count` coefficients.
+    template <std::size_t count, class F>
+    [[gnu::always_inline]] static void add_powers(std::array<F, 4>& sum, const F* coefficients, const F& square) {
+        for (std::size_t left = count; left > 0;) {
+            left -= 4;
+            for (std::size_t lane = 0; lane < 4; ++lane) {
+                sum[lane] = sum[lane] * square + coefficients[left + lane];
+            }
+        }
     }
 };
 
@@ -119,7 +149,7 @@ public:
         panels_.reserve(count);
         for (double x = 0; panels_.size() < count;) {
             const double centre = place_of(x).centre;
-            panels_.push_back(expanded(way, centre, scale, seconds));
+            panels_.push_back(expanded(way, centre, scale));
             x = 2 * centre - x;
         }
     }
@@ -152,20 +182,18 @@ private:
         return way.has_top() && way_up < settled ? way_up : settled;
     }
 
-    panel<T> expanded(const swing<finer>& way, double centre, const finer& scale, const finer& seconds) const {
-        constexpr int terms = panel_terms<T>;
+    static panel<T> expanded(const swing<finer>& way, double centre, const finer& scale) {
         const auto down = [](const finer& x) { return rounded_to<T>(x); };
         const pendulum_state<finer> at = way.at(finer(scale * centre));
         const taylor_start<T> start{{down(at.theta), down(at.omega), down(at.half_sine), down(at.half_cosine)},
                                     {down(way.pair().energy), down(way.pair().gap)}};
-        const power_series<T> theta = taylor_coefficients(start, terms, down(scale));
+        power_series<T> theta = taylor_coefficients(start, static_cast<int>(panel_terms<T>), down(scale));
+        theta[1] = down(finer(at.omega * scale));
         panel<T> result;
-        for (int n = 0; n < terms; ++n) {
-            const auto slot = 2 * static_cast<std::size_t>(n);
-            result.coefficients[slot] = theta[n];
-            result.coefficients[slot + 1] = theta[n + 1] * (n + 1) / unit_;
+        for (std::size_t n = 0; n < panel_terms<T>; ++n) {
+            const int power = static_cast<int>(n);
+            result.set(n, theta[power], T(theta[power + 1] * (power + 1)));
         }
-        result.coefficients[1] = down(finer(at.omega / seconds));
         return result;
     }
 
