@@ -48,20 +48,27 @@ exact exact_of(const T& x) {
     return exactly(q);
 }
 
-// The largest error of theta and omega at 200 of the times, in units of the last place of max(1, |theta|) and of 1.
+template <class T>
+mpfr unit_of(const mpfr& x) {
+    const mpfr size = abs(x) < 1 ? mpfr(1) : mpfr(abs(x));
+    return ldexp(widen(epsilon<T>()), static_cast<int>(binary_exponent(size)) - 1);
+}
+
+// The largest error of theta and omega at 200 of the times, in units of the last place of max(1, |theta|), and of 1 or what
+// omega may be at most.
 template <class T>
 double worst_units(const motion& m, const trajectory<T>& found) {
     const precision_scope scope(80);
     const proved_motion proved(m);
+    const mpfr fastest = sqrt(mpfr(energies<mpfr>(m).energy * 2));
+    const mpfr unit_of_speed = unit_of<T>(fastest);
     mpfr worst(0);
     const std::size_t step = std::max<std::size_t>(1, found.times.size() / 200);
     for (std::size_t i = 0; i < found.times.size(); i += step) {
         const auto truth = proved.at(exact_of(found.times[i]));
         const mpfr theta = midpoint_of(truth.theta);
-        const mpfr size = abs(theta) < 1 ? mpfr(1) : mpfr(abs(theta));
-        const mpfr unit = ldexp(widen(epsilon<T>()), static_cast<int>(binary_exponent(size)) - 1);
-        const mpfr angle = abs(mpfr(widen(found.theta[i]) - theta)) / unit;
-        const mpfr speed = abs(mpfr(widen(found.omega[i]) - midpoint_of(truth.omega))) / widen(epsilon<T>());
+        const mpfr angle = abs(mpfr(widen(found.theta[i]) - theta)) / unit_of<T>(theta);
+        const mpfr speed = abs(mpfr(widen(found.omega[i]) - midpoint_of(truth.omega))) / unit_of_speed;
         worst = std::max({worst, angle, speed});
     }
     return static_cast<double>(worst);
@@ -90,7 +97,7 @@ void add(std::vector<contender>& all, const std::string& name, double allowed, c
 template <class T>
 std::vector<T> random_times(const motion& m, std::size_t count) {
     const precision_scope scope(60);
-    const mpfr reach = passage_interval(m) * 20;
+    const mpfr reach = has_passages(m) ? mpfr(passage_interval(m) * 20) : mpfr(100);
     std::mt19937_64 engine(1);
     std::uniform_real_distribution<double> part(-1, 1);
     std::vector<T> times(count);
@@ -231,6 +238,41 @@ void compare_with_integration() {
     print_ratios(fmt::format("from rest at {} to t = 10^4, {} outputs", theta0, count), "error/ulp", all);
 }
 
+// Where the others lose their digits: next to E = 2, at it, above it, and a thousand million periods away.
+void show_other_motions() {
+    const auto near_two = [](const char* gap) { return motion::of_energy(rational(2 - read_exact(gap).coefficient)); };
+    struct question {
+        const char* name;
+        motion m;
+        int reach;
+    };
+    const std::vector<question> questions{
+        {"E = 1.71", motion::of_energy(rational(171, 100)), 1},
+        {"E = 1.71, up to 10^9 periods", motion::of_energy(rational(171, 100)), 100'000'000},
+        {"2 - E = 1e-15", near_two("1e-15"), 1},
+        {"2 - E = 1e-100", near_two("1e-100"), 1},
+        {"E = 2, |t| < 100", motion::of_energy(rational(2)), 1},
+        {"E = 2.5, rotation", motion::of_energy(rational(5, 2)), 1},
+        {"E = 2.5, up to 10^9 periods", motion::of_energy(rational(5, 2)), 50'000'000},
+        {"E = 0", motion::of_energy(rational(0)), 1}};
+    std::vector<sampler<double>> samplers;
+    std::vector<trajectory<double>> all_times;
+    samplers.reserve(questions.size());
+    all_times.reserve(questions.size());
+    std::vector<contender> all;
+    for (const question& each : questions) {
+        const sampler<double>& sample = samplers.emplace_back(each.m);
+        trajectory<double>& in = all_times.emplace_back(random_times<double>(each.m, 100'000));
+        for (double& t : in.times) {
+            t *= each.reach;
+        }
+        add(all, each.name, ours_allowed, each.m, in,
+            [&sample](trajectory<double>& of) { sample(of.times, of.theta, of.omega); });
+    }
+    run_rounds(all, rounds);
+    print_ratios("libration sampler<double>, arrays, at 100000 times in 20 periods", "error/ulp", all);
+}
+
 // The time to make a sampler, in ns; an output is a sampler here.
 void show_set_up() {
     std::vector<contender> all;
@@ -263,6 +305,7 @@ int main() {
         compare_in_double(read_exact("0.1"), 100'000);
         compare_in_quad(read_exact("1.71"), 2000);
         compare_with_integration();
+        show_other_motions();
         show_set_up();
         return 0;
     } catch (const std::exception& problem) {

@@ -6,6 +6,10 @@
 
 #include "libration/pendulum/swing_panels.hpp"
 
+#ifdef __FAST_MATH__
+#error "-ffast-math takes the rounding errors apart that swing_clock keeps"
+#endif
+
 namespace libration {
 
 /// A passage through the bottom, counted from the one with theta = 2 pi turns, rising, and the time since then.
