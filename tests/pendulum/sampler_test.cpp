@@ -43,6 +43,9 @@ std::vector<named_motion> all_motions() {
     motions.push_back({"turning from 1e6", with_state("1000000", "7")});
     motions.push_back({"turning from 1e30", with_state("1e30", "7")});
     motions.push_back({"back through the top", with_state("5pi", "-0.2")});
+    motions.push_back({"next to the top", with_state("3.14159265358979", "1e-16")});
+    motions.push_back({"next to the bottom, 3 turns back", with_state("-18.8495559215387", "2")});
+    motions.push_back({"given energy, falling", motion::of_energy_from(fraction("1.9999999"), read_exact("-3"), -1)});
     motions.push_back({"in seconds", with_state("2.5", "-0.3").with_stiffness(fraction("9.81/0.7"))});
     return motions;
 }
