@@ -7,7 +7,9 @@
 //     factored   p(x) = sum_j e_j (x-1)^j + (1-x)^m sum_{n=0}^{N} h_n x^n     [paper (resummation)]
 //     corrected  p(x) = sum_{n=0}^{N} a_n x^n + x^(N+1) q(x), deg q < m       [paper (efficient)]
 // They are equal as polynomials; the first is accurate next to x = 1, the second is the cheapest. For an f analytic
-// in |x| < r, r > 1, both converge on [0,1] like r^-N, as the series does; the norm of the error gains a factor N^-m.
+// in |x| < r, r > 1, and a fixed m the rate on [0,1] is that of the series, r^-N; the norm of the error gains a factor
+// N^-m. For m = N + 1 it is (1/(4 min |z (z-1)|))^N over the singularities z of f, because |x (1-x)| <= 1/4: convergent
+// where that is below 1, also for r <= 1, and divergent where it is above.
 #pragma once
 
 #include <cstddef>

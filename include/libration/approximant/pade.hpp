@@ -1,5 +1,8 @@
 // The Pade approximant [L/M] of a power series: the rational function P/Q, deg P <= L, deg Q <= M, Q(0) = 1, with
 // f - P/Q = O(x^(L+M+1)) [DLMF 3.11(iv)]. Its poles settle on those of a meromorphic f, beyond the radius of convergence.
+// Rates: with a fixed M, for an f with M poles in |x| < r and no other singularity there, the error at x falls like
+// (|x|/r)^L off the poles [Baker1996, Montessus's theorem]. With L = M and branch points it falls like exp(-2 M G(x)), G
+// the Green function of the complement of the cuts of least capacity, in capacity only [Stahl1997].
 #pragma once
 
 #include <cstddef>
