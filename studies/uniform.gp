@@ -43,7 +43,7 @@ do for [kind in terminals] {
             if (p == 2) { set xrange [0.5:below-1]; set xlabel 'log_{10}(2 - E): towards the separatrix, libration' }
             if (p == 3) { set xrange [above-1:farthest+1]; set xlabel 'log_{10}(E - 2): from the separatrix, rotation' }
             plot for [i=1:words(counts)] rows(exact, across, 12, word(counts, i), side) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i) notitle, \
-                 for [i=1:words(counts)] rows(exact, across, 11, word(counts, i), side) using 1:2 with lines lw 2.2 lc rgb tone(i) title word(counts, i), \
+                 for [i=1:words(counts)] rows(exact, across, 11, word(counts, i), side) using 1:2 with linespoints pt 7 ps 0.35 lw 2.2 lc rgb tone(i) title word(counts, i), \
                  rows(rounded, across, 11, drawn, side) using 1:2 with points pt 6 ps 0.6 lc rgb '#333333' title drawn.', in double'
         }
     }
