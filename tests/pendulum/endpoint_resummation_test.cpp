@@ -24,7 +24,8 @@ TEMPLATE_LIST_TEST_CASE("the derivatives at the bottom are those of the expansio
         const descent<T> way = descent_of<T>(m);
         const auto endpoint = descent_endpoint(way, 12);
         // About the bottom by way of the exact solution, and the recurrence without symmetry.
-        const auto expected = expand(exact_solution<T>(m), read_expansion_point("bottom"), 11, recurrence::sine_cosine);
+        const auto expected =
+            expand_by(recurrence::sine_cosine, exact_solution<T>(m), read_expansion_point("bottom"), 11);
         const auto in_periods = rescale(expected.scaled, T(way.effective_period / expected.scale));
         REQUIRE(endpoint.size() == 12);
         for (int j = 0; j < 12; ++j) {
