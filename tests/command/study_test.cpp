@@ -87,7 +87,7 @@ TEST_CASE("all scalars of a study are one table on stdout, with one header line"
         CHECK(row.at("energy") == "1");
         scalars.push_back(row.at("scalar"));
     }
-    CHECK(scalars == words{"mpfr:50", "mpfr:50", "double", "double", "long-double", "long-double", "quad", "quad"});
+    CHECK(scalars == words{"ball:50", "ball:50", "double", "double", "long-double", "long-double", "quad", "quad"});
 }
 
 TEST_CASE("studies are listed with question, parameters and cost", "[command][study]") {
