@@ -5,8 +5,8 @@
 #include "agreement.hpp"
 #include "libration/pendulum/coefficients.hpp"
 #include "libration/pendulum/vanishing_coefficients.hpp"
-#include "sweep/proofs.hpp"
 #include "sweep/input_error.hpp"
+#include "sweep/proofs.hpp"
 
 namespace libration {
 

@@ -8,9 +8,9 @@
 #include "agreement.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "options.hpp"
-#include "sweep/proofs.hpp"
 #include "subcommand.hpp"
 #include "sweep/input_error.hpp"
+#include "sweep/proofs.hpp"
 
 namespace libration {
 

@@ -267,7 +267,8 @@ TEST_CASE("the fixed scalars have the proved norms down to their floor", "[studi
     }
 }
 
-TEST_CASE("where the proved norm is far below it double shows its floor and does not hide it", "[studies][error_norm]") {
+TEST_CASE("where the proved norm is far below it double shows its floor and does not hide it",
+          "[studies][error_norm]") {
     const precision_scope scope(60);
     const auto& exact = default_tables().at("");
     const auto& rounded = default_tables().at("double");
