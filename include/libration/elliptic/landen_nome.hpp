@@ -82,7 +82,7 @@ public:
 
     // x/y for adding to a number of the size of y and of so many bits: fewer where x is small beside y^2.
     static ball quotient(const ball& x, const ball& y, long bits) {
-        const long few = std::clamp(bits + exponent(x) - 2 * exponent(y) + 8, 8L, bits);
+        const long few = std::min(bits, std::max(8L, bits + exponent(x) - 2 * exponent(y) + 8));
         ball result;
         if (bits > 640 && few < bits - 100) {
             arb_set_round(result.handle(), y.handle(), few);
@@ -168,7 +168,7 @@ inline void landen_nome::descend() {
         }
         steps_.emplace_back();
         ball& step = steps_.back();
-        const long bits = std::clamp(bits_ + 2 * (exponent(sum) - exponent(a_)) + 8, 64L, bits_);
+        const long bits = std::min(bits_, std::max(64L, bits_ + 2 * (exponent(sum) - exponent(a_)) + 8));
         step = product(sum, sum, bits);
         arb_mul_2exp_si(step.handle(), step.handle(), -4);
         arb_add(sum.handle(), a_.handle(), b_.handle(), bits_);
