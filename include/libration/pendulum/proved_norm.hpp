@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    rational middle_of(int panel) const { return rational(2 * panel + 1, 2 * count_); }
+    rational middle_of(int panel) const { return {2 * panel + 1, 2 * count_}; }
 
     void add_truth() {
         const exact_solution<ball> solution(motion_);

@@ -98,7 +98,8 @@ private:
             part += left.part * sign + right.part * mirrored;
             slope += left.slope * sign - right.slope * mirrored;
         }
-        sum.value += part + constants_[static_cast<std::size_t>(pis + 2 * bounds_.columns)];
+        const int place = pis + 2 * bounds_.columns;
+        sum.value += part + constants_[static_cast<std::size_t>(place)];
         sum.slope += slope * half_distance_;
         if (proved_scalar<T> && encloses_theta_) {
             const jet<T> left_out = proved_remainder(x);
@@ -150,7 +151,7 @@ uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns 
         half_distance = half_column_distance(orbit_of<W>(m));
         wide = column_rest(m.regime(), half_distance, columns, order);
         const int own = m.regime() == regime::rotation || columns % 2 == 0 ? 1 : -1;
-        wide_constants.reserve(static_cast<std::size_t>(4 * columns + 1));
+        wide_constants.reserve(4 * static_cast<std::size_t>(columns) + 1);
         for (int k = -2 * columns; k <= 2 * columns; ++k) {
             wide_constants.push_back(wide[0] + pi<W>() * (own + k));
         }

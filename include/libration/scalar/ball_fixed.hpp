@@ -193,7 +193,7 @@ inline fixed_ball fixed_ball::root_of_half(int n, const rational& q) {
     if (mpz_size(above) == 1 && mpz_size(below) == 1) {
         words shifted;
         std::fill_n(shifted.begin(), 2 * n, mp_limb_t{0});
-        shifted[static_cast<std::size_t>(2 * n)] = mpz_getlimbn(above, 0);
+        shifted[2 * static_cast<std::size_t>(n)] = mpz_getlimbn(above, 0);
         mpn_divrem_1(w.data(), 0, shifted.data(), size, mpz_getlimbn(below, 0));
     } else {
         const integer quotient = (numerator(q) << static_cast<unsigned>(2 * z.bits())) / denominator(q);
