@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every public header compiles alone, included twice: check_headers.sh INCLUDE_DIR EXTERNAL_DIR[:...] COMPILER FLAG...
+# Every public header compiles alone, included twice, and all of them compile together.
+# Usage: check_headers.sh INCLUDE_DIR EXTERNAL_DIR[:...] COMPILER FLAG...
 # Headers are looked up now, so a new one is tested without configuring again. Two compilers at a time.
 set -euo pipefail
 
@@ -26,4 +27,7 @@ mapfile -t headers < <(find libration -name '*.hpp' | sort)
 ((${#headers[@]})) || { echo "no headers in $include/libration" && exit 1; }
 printf '%s\0' "${headers[@]}" | xargs -0 -P 2 -I HEADER bash -c 'check "$@"' check HEADER "${compile[@]}" ||
     { echo "some of ${#headers[@]} headers do not compile alone" && exit 1; }
-echo "${#headers[@]} headers compile alone"
+# Together: no two of them define one name. The first has to come before all others, and says so.
+printf '#include <%s>\n' libration/scalar/counted.hpp "${headers[@]}" | "${compile[@]}" -x c++ - ||
+    { echo "the headers do not compile together" && exit 1; }
+echo "${#headers[@]} headers compile alone and together"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libration/convergence/radius_report.hpp"
-#include "libration/pendulum/descent_series.hpp"
+#include "libration/pendulum/series_on_descent.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "sweep/study.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "libration/convergence/known_singularity.hpp"
-#include "libration/pendulum/descent_series.hpp"
+#include "libration/pendulum/series_on_descent.hpp"
 
 namespace libration {
 

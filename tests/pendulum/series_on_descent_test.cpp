@@ -1,5 +1,5 @@
 // The lists for radius tests against the exact solution, and their ratios against what theory says of them.
-#include "libration/pendulum/descent_series.hpp"
+#include "libration/pendulum/series_on_descent.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -10,7 +10,7 @@
 using namespace libration;
 using namespace libration::tests;
 
-TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next to it", "[pendulum][descent_series]",
+TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next to it", "[pendulum][series_on_descent]",
                         all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
@@ -36,7 +36,7 @@ TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next 
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("the unit is as many radii as asked", "[pendulum][descent_series]", all_scalars) {
+TEMPLATE_LIST_TEST_CASE("the unit is as many radii as asked", "[pendulum][series_on_descent]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
     // E = 1: R = T* sqrt 2 about the top, T* about the bottom.
@@ -46,7 +46,7 @@ TEMPLATE_LIST_TEST_CASE("the unit is as many radii as asked", "[pendulum][descen
     CHECK_THAT(T(top * top * 81), near(T(bottom * bottom * 128), 8));
 }
 
-TEST_CASE("ratios run to their limit along the line of a logarithm, or scatter", "[pendulum][descent_series]") {
+TEST_CASE("ratios run to their limit along the line of a logarithm, or scatter", "[pendulum][series_on_descent]") {
     const precision_scope scope(40);
     const auto late_ratios = [](const char* energy, const rational& x, int first, int power) {
         const auto list = series_on_descent<mpfr>(motion::of_energy(rational(energy)), x, 160);
@@ -83,7 +83,7 @@ TEST_CASE("ratios run to their limit along the line of a logarithm, or scatter",
     CHECK(largest - least > 3);
 }
 
-TEST_CASE("the nearest singularity is R away, and there are four about the top", "[pendulum][descent_series]") {
+TEST_CASE("the nearest singularity is R away, and there are four about the top", "[pendulum][series_on_descent]") {
     const precision_scope scope(40);
     for (const char* const energy : {"1/2", "202/100"}) {
         for (const rational& x : {rational(0), rational(1) / 3, rational(1)}) {
@@ -96,7 +96,7 @@ TEST_CASE("the nearest singularity is R away, and there are four about the top",
     CHECK(nearest_count_on_descent(1) == 2);
 }
 
-TEST_CASE("there is no list at rest, on the separatrix, or of a negative order", "[pendulum][descent_series]") {
+TEST_CASE("there is no list at rest, on the separatrix, or of a negative order", "[pendulum][series_on_descent]") {
     CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(0), 0, 4), std::domain_error);
     CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(2), 1, 4), std::domain_error);
     CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(1), 1, -1), std::invalid_argument);

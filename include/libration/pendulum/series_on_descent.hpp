@@ -13,7 +13,7 @@ namespace libration {
 
 /// a_n unit^n about a point, each within a unit in the last place of T.
 template <rounding_scalar T>
-struct descent_series {
+struct descent_list {
     power_series<T> scaled;
     T unit;  ///< dimensionless time
 };
@@ -22,7 +22,7 @@ struct descent_series {
 /// the tests. The coefficients come from the recurrence in more digits than T has, so that rounding them is their only
 /// noise. O(N^2) products. Throws std::domain_error at E = 0 and 2, std::invalid_argument for a negative order.
 template <rounding_scalar T>
-descent_series<T> series_on_descent(const motion& m, const rational& x, int order, const rational& radii = 1) {
+descent_list<T> series_on_descent(const motion& m, const rational& x, int order, const rational& radii = 1) {
     constexpr long guard_digits = 25;
     power_series<mpfr> wide;
     mpfr unit;
