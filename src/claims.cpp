@@ -38,7 +38,7 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
 }
 
 // One claim under the other: a table of sentences is too wide for a terminal.
-std::string as_text(const std::vector<judgement>& judged) {
+std::string as_text(const std::vector<judged_claim>& judged) {
     const table data = claims_table(judged);
     std::string text;
     for (const auto& row : data.rows) {

@@ -30,7 +30,7 @@ std::vector<claim> all_claims() {
 
 bool is_own(const std::string& label) { return label.starts_with("libration:"); }
 
-std::vector<judgement> judge(const std::vector<claim>& claims, int jobs) {
+std::vector<judged_claim> judge(const std::vector<claim>& claims, int jobs) {
     constexpr long claim_digits = 50;
     progress shown("claims", claims.size());
     auto findings = parallel_map(claims.size(), jobs, shown, [&](std::size_t i) {
@@ -41,7 +41,7 @@ std::vector<judgement> judge(const std::vector<claim>& claims, int jobs) {
             throw std::runtime_error("claim " + claims[i].name + ": " + problem.what());
         }
     });
-    std::vector<judgement> judged;
+    std::vector<judged_claim> judged;
     judged.reserve(claims.size());
     for (std::size_t i = 0; i < claims.size(); ++i) {
         judged.push_back({&claims[i], std::move(findings[i])});
@@ -49,7 +49,7 @@ std::vector<judgement> judge(const std::vector<claim>& claims, int jobs) {
     return judged;
 }
 
-table claims_table(const std::vector<judgement>& judged) {
+table claims_table(const std::vector<judged_claim>& judged) {
     table result{{{"claim", "name, also of the test"},
                   {"label", "where it stands in the paper's source"},
                   {"statement", "in our words"},
@@ -60,7 +60,7 @@ table claims_table(const std::vector<judgement>& judged) {
                   {"command", "shows it"}},
                  {}};
     constexpr long shown_digits = 3;
-    for (const judgement& each : judged) {
+    for (const judged_claim& each : judged) {
         const claim& c = *each.of;
         result.rows.push_back({c.name, c.label, c.statement, name_of(each.found.verdict),
                                to_decimal(each.found.number, shown_digits), c.number, c.correction, c.command});

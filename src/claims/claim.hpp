@@ -59,16 +59,16 @@ std::vector<claim> claims_of_libration();         ///< none of the paper's: what
 bool is_own(const std::string& label);
 
 /// A judged claim.
-struct judgement {
+struct judged_claim {
     const claim* of;
     finding found;
 };
 
 /// Measures all of them with 50 digits on `jobs` threads; the result does not depend on how many. A measurement that
 /// throws is passed on as std::runtime_error with the claim's name.
-std::vector<judgement> judge(const std::vector<claim>& claims, int jobs);
+std::vector<judged_claim> judge(const std::vector<claim>& claims, int jobs);
 
 /// Columns claim,label,statement,verdict,number,measured,correction,command.
-table claims_table(const std::vector<judgement>& judged);
+table claims_table(const std::vector<judged_claim>& judged);
 
 }  // namespace libration

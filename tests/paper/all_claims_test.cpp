@@ -52,7 +52,7 @@ TEST_CASE("each claim has a test of its own", "[paper][claims]") {
 
 TEST_CASE("a correction stands beside exactly those claims that need one", "[paper][claims]") {
     const auto claims = all_claims();
-    for (const judgement& each : judge(claims, 2)) {
+    for (const judged_claim& each : judge(claims, 2)) {
         INFO(each.of->name);
         CHECK(each.of->correction.empty() == (each.found.verdict == verdict::holds));
     }
