@@ -109,6 +109,7 @@ private:
     }
 
     jet<T> proved_remainder(const T& x) const {
+        using std::abs;
         if (certainly_less(T(1), T(abs(x)))) {
             throw std::domain_error("theorem U is not proved beyond x = 1");
         }
