@@ -51,10 +51,7 @@ template <rounding_scalar T>
 descent_cover<T> cover_from(const motion& m, const rational& x) {
     const orbit<T> o = orbit_of<T>(m);
     const singularity_lattice<T> lattice{effective_period(o), singularity_height(o)};
-    const int whole = x > rational(1, 2) ? 1 : 0;
-    const rational rest = x - whole;
-    const T offset = from_rational<T>(rest) * lattice.effective_period;
-    const phase<T> place{exact_solution<T>::top_quarter(m) + whole, offset, rest.sign()};
+    const phase<T> place = phase_from_top<T>(m, x, lattice.effective_period);
     const T radius = lattice.radius(place);
     const T reach = from_rational<T>(std::max(x, rational(1 - x))) * lattice.effective_period;
     return {lattice.effective_period, lattice.height, place, radius, reach, reach / radius, cover_sign(m, x, lattice)};

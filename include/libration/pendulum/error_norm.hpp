@@ -10,7 +10,7 @@
 
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/pendulum/bounds.hpp"
-#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/expansion_point.hpp"
 #include "libration/pendulum/resummation.hpp"
 #include "libration/pendulum/separatrix_sum.hpp"
 
@@ -151,10 +151,7 @@ private:
     }
 
     mpfr second_theta(const mpfr& x) const {
-        const integer quarter = nearest_integer(x);
-        const mpfr offset = (x - from_rational<mpfr>(rational(quarter))) * descent_.effective_period;
-        const integer top = exact_solution<mpfr>::top_quarter(truth_.of());
-        return canonical(second_route_.at({integer(top + quarter), offset, decided_sign(offset)}).value);
+        return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, descent_.effective_period)).value);
     }
 
     const std::vector<jet<mpfr>>& truth_at(const std::vector<double>& points) {

@@ -1,6 +1,7 @@
 // Expansion points of a motion by name: top, bottom, start, or a time.
 #pragma once
 
+#include <concepts>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -63,6 +64,22 @@ phase<T> phase_of(const expansion_point& point, const exact_solution<T>& solutio
 template <scalar T>
 phase<T> phase_of(const expansion_point& point, const motion& m) {
     return phase_of<T>(point, m, [&] { return timeline<T>(m); });
+}
+
+/// The phase at the fraction x of T* after the top that canonical motions start from, 0 <= x <= 1, x a rational or a T. It
+/// is counted from the nearer end of the way, half way from the top; the offset is one product. Not for E = 2.
+template <scalar T, class X>
+phase<T> phase_from_top(const motion& m, const X& x, const T& effective_period) {
+    const int whole = x * 2 > 1 ? 1 : 0;
+    const X rest = x - whole;
+    T offset(0);
+    if constexpr (std::same_as<X, rational>) {
+        offset = from_rational<T>(rest) * effective_period;
+    } else {
+        offset = rest * effective_period;
+    }
+    const int side = rest > 0 ? 1 : rest < 0 ? -1 : 0;
+    return {integer(exact_solution<T>::top_quarter(m) + whole), std::move(offset), side};
 }
 
 }  // namespace libration

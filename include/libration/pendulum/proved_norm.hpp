@@ -74,15 +74,10 @@ private:
 
     void add_truth() {
         const exact_solution<ball> solution(motion_);
-        const integer top = exact_solution<ball>::top_quarter(motion_);
         const ball half = descent_.effective_period / (2 * count_);
         truth_.reserve(static_cast<std::size_t>(count_));
         for (int i = 0; i < count_; ++i) {
-            const rational x = middle_of(i);
-            const int whole = x > rational(1, 2) ? 1 : 0;
-            const rational rest = x - whole;
-            const phase<ball> place{integer(top + whole), from_rational<ball>(rest) * descent_.effective_period,
-                                    rest.sign()};
+            const phase<ball> place = phase_from_top<ball>(motion_, middle_of(i), descent_.effective_period);
             truth_.push_back(taylor_coefficients(start_at(solution, place), order_, half));
         }
     }
