@@ -1,16 +1,10 @@
 // Proved error norms on the way from the top to the bottom: of the series and of its resummation, max |theta - p| on
 // [0, T*], p a polynomial in x = t/T*.
 //
-// [0, 1] is cut into K = ceil(2 T*/K~') panels. On each, theta is its Taylor polynomial about the middle s0 of the panel
-// with the tail of theorem A, which holds about every point: |a_j| <= (2/j) r^(4-j) S4 for j >= 4 and any r <= R(s0). Here
-// r = K~', the distance of the rows of poles, and with the half width d = T*/(2K) of a panel d/r <= 1/4, whatever the energy.
-//
-// S4 = sum |t_s - s0|^-4 over the poles. Those of one column at the distance a, t_s - s0 = a +- i (2q+1) K~', sum to
-//     2 sum_q ((2q+1) K~')^-4 = pi^4/(48 K~'^4)                  at any a, and for a > 0, by a^2 + b^2 >= 2ab, to at most
-//     2 sum_q (2 a (2q+1) K~')^-2 = pi^2/(16 a^2 K~'^2).
-// For s0 in [0, T*] the nearest column is granted the first; the others are, on its side, at least 2p T* away and on the
-// other side (2p+1) T*; sum_{p>=1} (2p)^-2 + sum_{p>=0} (2p+1)^-2 = pi^2/6. Hence
-//     S4 <= pi^4/(48 K~'^4) + pi^4/(96 T*^2 K~'^2).
+// [0, 1] is cut into K panels, K > 2 T*/K~'. On each, theta is its Taylor polynomial about the middle of the panel with
+// the tail of theorem A1 (singularity_view.hpp): no pole is nearer to it than R, so |a_j| <= (2/j) R^(4-j) S4 for
+// j >= 4. The half width d = T*/(2K) of a panel has d/R <= d/K~' < 1/4, whatever the energy, and
+//     |a_j| d^j <= scale (d/R)^j for every j > J >= 3, scale = 2 S4 R^4/(J+1).
 #pragma once
 
 #include <algorithm>
@@ -19,32 +13,23 @@
 
 #include "libration/approximant/proved_maximum.hpp"
 #include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/singularity_view.hpp"
 
 namespace libration {
 
-/// The bound of S4 K~'^4 for every point of [0, T*], given T*/K~'.
-template <scalar T>
-T pole_sum_bound(const T& step) {
-    const T half_turn_squared = pi<T>() * pi<T>();
-    return half_turn_squared * half_turn_squared * (T(1) / 48 + 1 / (step * step * 96));
-}
-
-/// theta of a canonical motion on [0, T*] in panels, for any number of norms, at the working precision in force: it has to
-/// hold the wanted digits of a norm below theta, digits_below() and some more.
+/// theta of a canonical motion on [0, T*] in panels, for any number of norms, at the working precision in force: it has
+/// to hold the wanted digits of a norm below theta, digits_below() and some more.
 class proved_descent_errors {
 public:
     /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms). O(K bits^2).
     /// Throws std::domain_error for E = 0 and 2, precision_exhausted.
     explicit proved_descent_errors(const rational& energy)
         : motion_(motion::of_energy(energy)), descent_(descent_of<ball>(motion_)) {
-        const ball height = singularity_height(descent_.o);
-        const ball panels = descent_.effective_period * 2 / height;
+        const singularity_lattice<ball> lattice{descent_.effective_period, singularity_height(descent_.o)};
+        const ball panels = lattice.effective_period * 2 / lattice.height;
         count_ = static_cast<int>(nearest_integer(upper_bound(panels)) + 1);
-        const ball step = descent_.effective_period / height;
         order_ = digits<ball>() / 2 + 8;
-        ratio_ = step / (2 * count_);
-        scale_ = pole_sum_bound(step) * 2 / (order_ + 1);
-        add_truth();
+        add_truth(lattice);
     }
 
     /// T*.
@@ -70,37 +55,45 @@ public:
     }
 
 private:
+    // theta about the middle of a panel, in units of its half width, and what bounds the powers from order + 1 on.
+    struct truth_panel {
+        power_series<ball> theta;
+        ball ratio;  ///< d/R
+        ball scale;
+    };
+
     rational middle_of(int panel) const { return {2 * panel + 1, 2 * count_}; }
 
-    void add_truth() {
+    void add_truth(const singularity_lattice<ball>& lattice) {
         const exact_solution<ball> solution(motion_);
-        const ball half = descent_.effective_period / (2 * count_);
+        const ball half = lattice.effective_period / (2 * count_);
         truth_.reserve(static_cast<std::size_t>(count_));
         for (int i = 0; i < count_; ++i) {
-            const phase<ball> place = phase_from_top<ball>(motion_, middle_of(i), descent_.effective_period);
-            truth_.push_back(taylor_coefficients(start_at(solution, place), order_, half));
+            const phase<ball> place = phase_from_top<ball>(motion_, middle_of(i), lattice.effective_period);
+            const singularity_view<ball> view(motion_, lattice, place);
+            truth_.push_back({taylor_coefficients(start_at(solution, place), order_, half), half / view.radius(),
+                              view.fourth_powers() * pow(view.radius(), 4) * 2 / (order_ + 1)});
         }
     }
 
     // theta - p on a panel; beyond the order of theta's polynomial p stands against the bound of theta's tail.
     enclosed_panel difference(int panel, const power_series<ball>& p) const {
-        power_series<ball> kept = truth_[static_cast<std::size_t>(panel)];
+        const auto& [theta, ratio, scale] = truth_[static_cast<std::size_t>(panel)];
+        power_series<ball> kept = theta;
         for (int n = kept.order() + 1; n <= p.order(); ++n) {
-            kept.push_back(enclose(ball(0), ball(scale_ * pow(ratio_, n))));
+            kept.push_back(enclose(ball(0), ball(scale * pow(ratio, n))));
         }
         for (int n = 0; n <= p.order(); ++n) {
             kept[n] -= p[n];
         }
-        return {std::move(kept), scale_, ratio_, rational(panel, count_), rational(panel + 1, count_)};
+        return {std::move(kept), scale, ratio, rational(panel, count_), rational(panel + 1, count_)};
     }
 
     motion motion_;
     descent<ball> descent_;
-    int count_;   ///< K
-    int order_;   ///< of theta's polynomials
-    ball ratio_;  ///< d/K~'
-    ball scale_;  ///< |a_j| d^j <= scale ratio^j from j = order + 1 on
-    std::vector<power_series<ball>> truth_;
+    int count_ = 0;  ///< K
+    int order_ = 0;  ///< of theta's polynomials, J
+    std::vector<truth_panel> truth_;
 };
 
 }  // namespace libration
