@@ -45,32 +45,6 @@ std::vector<exact> angles_of(const std::string& words) {
     return angles;
 }
 
-// gravity/length.
-rational stiffness_of(const said_words& said) {
-    const auto& length = said["--length"];
-    const auto& gravity = said["--gravity"];
-    if (length.has_value() != gravity.has_value()) {
-        throw input_error(length ? "--length '" + *length + "' comes without --gravity: give both or neither"
-                                 : "--gravity '" + *gravity + "' comes without --length: give both or neither");
-    }
-    const auto positive = [](const char* option, const std::string& words) {
-        const exact number = number_of(option, words);
-        if (number.coefficient <= 0) {
-            throw input_error(option, words, "is not positive", "write a positive number");
-        }
-        return number.coefficient;
-    };
-    return length ? rational(positive("--gravity", *gravity) / positive("--length", *length)) : rational(1);
-}
-
-int direction_of(const said_words& said) {
-    const auto& words = said["--direction"];
-    if (words && *words != "+" && *words != "-") {
-        throw input_error("--direction", *words, "is no direction", "write + or -");
-    }
-    return words == "-" ? -1 : 1;
-}
-
 // The motions of one list of energies or gaps, from every angle where there are some.
 void add_by_energy(std::vector<grid_motion>& motions, const said_words& said, const std::string& option,
                    const typed_motion& usual) {
@@ -137,8 +111,8 @@ void require_one_kind(const said_words& said) {
 std::vector<grid_motion> motions_of(const said_words& said) {
     require_one_kind(said);
     typed_motion usual;
-    usual.direction = direction_of(said);
-    usual.stiffness = stiffness_of(said);
+    usual.direction = direction_of(said["--direction"]);
+    usual.stiffness = stiffness_of(said["--length"], said["--gravity"]);
     std::vector<grid_motion> motions;
     if (said["--omega0"]) {
         add_by_state(motions, said, usual);

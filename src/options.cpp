@@ -34,14 +34,6 @@ exact angle_of(const std::string& option, const std::string& value) {
     return angle;
 }
 
-rational positive_of(const std::string& option, const std::string& value) {
-    const exact number = number_of(option, value);
-    if (number.coefficient <= 0) {
-        throw input_error(option, value, "is not positive", "write a positive number");
-    }
-    return number.coefficient;
-}
-
 }  // namespace
 
 exact number_of(const std::string& option, const std::string& value) {
@@ -50,6 +42,33 @@ exact number_of(const std::string& option, const std::string& value) {
         throw input_error(option, value, "has a unit", number_remedy);
     }
     return number;
+}
+
+rational positive_number_of(const std::string& option, const std::string& value) {
+    const exact number = number_of(option, value);
+    if (number.coefficient <= 0) {
+        throw input_error(option, value, "is not positive", "write a positive number");
+    }
+    return number.coefficient;
+}
+
+rational stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
+    if (length.has_value() != gravity.has_value()) {
+        throw input_error(length ? "--length '" + *length + "' comes without --gravity: give both or neither"
+                                 : "--gravity '" + *gravity + "' comes without --length: give both or neither");
+    }
+    return length ? rational(positive_number_of("--gravity", *gravity) / positive_number_of("--length", *length))
+                  : rational(1);
+}
+
+int direction_of(const std::optional<std::string>& words) {
+    if (!words || *words == "+") {
+        return 1;
+    }
+    if (*words != "-") {
+        throw input_error("--direction", *words, "is no direction", "write + or -");
+    }
+    return -1;
 }
 
 long digits_of(const std::optional<std::string>& value) {
@@ -94,24 +113,6 @@ void motion_options::add_to(CLI::App& command) {
     command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
 }
 
-int motion_options::direction() const {
-    if (!direction_ || *direction_ == "+") {
-        return 1;
-    }
-    if (*direction_ != "-") {
-        throw input_error("--direction", *direction_, "is no direction", "write + or -");
-    }
-    return -1;
-}
-
-rational motion_options::stiffness() const {
-    if (length_.has_value() != gravity_.has_value()) {
-        throw input_error(length_ ? "--length '" + *length_ + "' comes without --gravity: give both or neither"
-                                  : "--gravity '" + *gravity_ + "' comes without --length: give both or neither");
-    }
-    return length_ ? rational(positive_of("--gravity", *gravity_) / positive_of("--length", *length_)) : rational(1);
-}
-
 chosen_motion motion_options::by_energy() const {
     const bool by_gap = gap_.has_value();
     const std::string option = by_gap ? "--gap" : "--energy";
@@ -123,7 +124,7 @@ chosen_motion motion_options::by_energy() const {
                           by_gap ? "write a gap 2 - E of at most 2" : "write an energy of 0 or more");
     }
     const sweep_energy texts = by_gap ? energy_from_gap(number) : energy_from(number);
-    const int sense = direction();
+    const int sense = direction_of(direction_);
     if (!theta0_) {
         return {motion::of_energy(energy, sense).with_stiffness(stiffness()),
                 false,

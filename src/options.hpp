@@ -25,6 +25,18 @@ struct chosen_motion {
     std::optional<std::string> gap;
 };
 
+/// A number of an option; throws input_error.
+exact number_of(const std::string& option, const std::string& value);
+
+/// A number of an option above 0; throws input_error.
+rational positive_number_of(const std::string& option, const std::string& value);
+
+/// gravity/length of --length and --gravity, 1 where neither is given. Throws input_error where one of them is.
+rational stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
+
+/// 1 or -1 of --direction + or -, 1 where it is not given. Throws input_error.
+int direction_of(const std::optional<std::string>& words);
+
 /// --energy E | --gap G [--theta0 A] [--direction +|-], or --theta0 A --omega0 W; --length L --gravity G.
 class motion_options {
 public:
@@ -35,14 +47,12 @@ public:
     std::optional<std::string> first_given() const;
     /// What was given for the option of this name, "--energy" say.
     const std::optional<std::string>& given(std::string_view option) const;
-    /// gravity/length; 1 where neither is given. Throws input_error where one of them is.
-    rational stiffness() const;
+    rational stiffness() const { return stiffness_of(length_, gravity_); }
 
 private:
     chosen_motion choose() const;
     chosen_motion by_energy() const;
     chosen_motion by_state() const;
-    int direction() const;
 
     using named = std::pair<const char*, const std::optional<std::string>*>;
     std::array<named, 7> all() const;
@@ -94,9 +104,6 @@ private:
 
 /// A table in one of the formats that every command has.
 std::string in_format(const std::string& format, const table& data);
-
-/// A number of an option; throws input_error.
-exact number_of(const std::string& option, const std::string& value);
 
 /// The --digits D of a command without a choice of arithmetic; 50 where it is not given.
 long digits_of(const std::optional<std::string>& value);

@@ -344,14 +344,6 @@ void judge_all(csv_records& records, const verify_columns& columns, const verify
     show_progress(0);
 }
 
-rational positive_number(const std::string& option, const std::string& value) {
-    const exact number = number_of(option, value);
-    if (number.coefficient <= 0) {
-        throw input_error(option, value, "is not positive", "write a positive number");
-    }
-    return number.coefficient;
-}
-
 verify_rules rules_of(const verify_options& options) {
     verify_rules rules;
     if (options.tolerance && options.ulps) {
@@ -359,10 +351,10 @@ verify_rules rules_of(const verify_options& options) {
                           "give one of the two");
     }
     if (options.tolerance) {
-        rules.tolerance = positive_number("--tolerance", *options.tolerance);
+        rules.tolerance = positive_number_of("--tolerance", *options.tolerance);
     }
     if (options.ulps) {
-        rules.ulps = positive_number("--ulp", *options.ulps);
+        rules.ulps = positive_number_of("--ulp", *options.ulps);
     }
     if (options.inputs != "decimal" && options.inputs != "double") {
         throw input_error("--inputs", options.inputs, "is neither decimal nor double",
