@@ -26,16 +26,6 @@ std::vector<std::string> texts_of(const std::vector<proved_decimal>& values) {
     return texts;
 }
 
-// The digits that a time loses before its point; multiples of T are reduced exactly.
-long digits_before_point(const motion& m, const exact& time) {
-    if (time.measure == unit::period || time.is_zero()) {
-        return 0;
-    }
-    const precision_scope rough(20);
-    const mpfr dimensionless = from_exact<mpfr>(time) / time_unit<mpfr>(m);
-    return decimal_digits(std::max(0L, binary_exponent(dimensionless)));
-}
-
 // Whether a ball is narrower than one unit in the last of its digits; around 0, of those of 1.
 bool shows_digits(const ball& x, const ball& size, long digits) {
     const ball unit = is_exact(size) && contains_zero(size) ? pow(ball(10), -digits)
@@ -44,6 +34,15 @@ bool shows_digits(const ball& x, const ball& size, long digits) {
 }
 
 }  // namespace
+
+long digits_before_point(const motion& m, const exact& time) {
+    if (time.measure == unit::period || time.is_zero()) {
+        return 0;
+    }
+    const precision_scope rough(20);
+    const mpfr dimensionless = from_exact<mpfr>(time) / time_unit<mpfr>(m);
+    return decimal_digits(std::max(0L, binary_exponent(dimensionless)));
+}
 
 const proved_motion& proved_states::motion_here() { return made_.try_emplace(working_digits(), motion_).first->second; }
 

@@ -11,6 +11,9 @@
 
 namespace libration {
 
+/// The digits that a time loses before its point when it is reduced; 0 for multiples of T, which are reduced exactly.
+long digits_before_point(const motion& m, const exact& time);
+
 /// The digits of one motion. Not for several threads at once.
 class proved_states {
 public:

@@ -8,6 +8,7 @@
 #include "libration/pendulum/periodic_extension.hpp"
 #include "libration/pendulum/proved_motion.hpp"
 #include "libration/pendulum/uniform_resummation.hpp"
+#include "proved_states.hpp"
 #include "sweep/proofs.hpp"
 
 namespace libration {
@@ -16,15 +17,11 @@ namespace {
 
 constexpr long error_digits = 6;
 
-// The digits that the times have before their point: reducing them costs as many.
+// What the latest of the times needs.
 long digits_before_point(const trajectory_request& request) {
-    const precision_scope rough(20);
     long most = 0;
     for (const exact& time : request.times) {
-        if (time.measure != unit::period && !time.is_zero()) {
-            const mpfr dimensionless = from_exact<mpfr>(time) / time_unit<mpfr>(request.chosen.of);
-            most = std::max(most, decimal_digits(std::max(0L, binary_exponent(dimensionless))));
-        }
+        most = std::max(most, digits_before_point(request.chosen.of, time));
     }
     return most;
 }
