@@ -3,22 +3,19 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 #include "options.hpp"
 #include "subcommand.hpp"
 #include "sweep/input_error.hpp"
+#include "sweep/parallel.hpp"
 #include "sweep/study_order.hpp"
 #include "verify_rows.hpp"
 
@@ -279,37 +276,6 @@ std::vector<row_batch> read_batches(csv_records& records, std::size_t most) {
         }
     }
     return batches;
-}
-
-// Calls work(i) for every i below count on so many threads; the first exception is thrown here.
-template <class Work>
-void on_threads(std::size_t count, int jobs, const Work& work) {
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr failure;
-    std::mutex failure_mutex;
-    const auto worker = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(failure_mutex);
-                failure = failure ? failure : std::current_exception();
-                next = count;
-            }
-        }
-        mpfr_free_cache();
-    };
-    {
-        std::vector<std::jthread> threads;
-        const std::size_t used = std::min(count, static_cast<std::size_t>(jobs));
-        threads.reserve(used);
-        for (std::size_t i = 0; i < used; ++i) {
-            threads.emplace_back(worker);
-        }
-    }
-    if (failure) {
-        std::rethrow_exception(failure);
-    }
 }
 
 void show_progress(long rows) {
