@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -132,9 +130,7 @@ void add_single() {
         });
 }
 
-std::string shown(const typical_time& time, double factor = 1) {
-    return fmt::format("{:.2f} +-{:.0f}%", time.microseconds * factor / 1000, time.spread * 100);
-}
+constexpr double milliseconds = 1e-3;
 
 void print_table(const time_keeper& times) {
     fmt::print("coefficients at E = 1.71: CPU time in milliseconds, median and half the distance of the quartiles\n");
@@ -150,23 +146,17 @@ void print_table(const time_keeper& times) {
         const typical_time fast = times.of(at.name("mpfr"));
         const typical_time proved = times.of(at.name("ball"));
         fmt::print("{:>4} {:>6} {:>7} {:>18} {:>15} {:>15} {:>13.0f} {:>13.0f} {:>6}\n", at.at, at.order, at.digits,
-                   shown(slow, scaled) + (at.timed == at.order ? " " : "*"), shown(fast), shown(proved),
-                   slow.microseconds * scaled / fast.microseconds, slow.microseconds * scaled / proved.microseconds,
-                   at.asked);
+                   shown(slow, scaled * milliseconds) + (at.timed == at.order ? " " : "*"), shown(fast, milliseconds),
+                   shown(proved, milliseconds), slow.microseconds * scaled / fast.microseconds,
+                   slow.microseconds * scaled / proved.microseconds, at.asked);
     }
     fmt::print("* timed to N = 1000 and scaled by N^2\n");
     fmt::print("a_n alone, n = 10^9, about the top, from the typed energy to 50 proved digits: {} ms\n",
-               shown(times.of("single")));
+               shown(times.of("single"), milliseconds));
 }
 
-int run(int count, char** given) {
-    std::vector<char*> words(given, given + count);
-    std::string interleaved = "--benchmark_enable_random_interleaving=true";
-    words.insert(words.begin() + 1, interleaved.data());
-    int left = static_cast<int>(words.size());
-    words.push_back(nullptr);
-    benchmark::Initialize(&left, words.data());
-    if (benchmark::ReportUnrecognizedArguments(left, words.data())) {
+int run(const std::vector<char*>& words) {
+    if (!initialized(words)) {
         return 2;
     }
     for (const problem& each : problems()) {
@@ -183,10 +173,5 @@ int run(int count, char** given) {
 }  // namespace
 
 int main(int count, char** given) {
-    try {
-        return run(count, given);
-    } catch (const std::exception& problem) {
-        fmt::print(stderr, "bench coefficients: {}\n", problem.what());
-        return 1;
-    }
+    return libration::bench::exit_code_of("coefficients", [&] { return run({given, given + count}); });
 }

@@ -1,9 +1,14 @@
-// A reporter of Google Benchmark that keeps the CPU time of every repetition, for ratios of medians.
+// What the benchmarks share: a reporter of Google Benchmark that keeps the CPU time of every repetition, for ratios of
+// medians, how it is started, and how a benchmark ends.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -45,5 +50,32 @@ public:
 private:
     std::map<std::string, std::vector<double>> times_;
 };
+
+/// The median times `factor`, in microseconds where that is 1, and the spread.
+inline std::string shown(const typical_time& time, double factor = 1) {
+    return fmt::format("{:.2f} +-{:.0f}%", time.microseconds * factor, time.spread * 100);
+}
+
+/// Starts Google Benchmark with the words of a command line, the repetitions interleaved at random. False where one of
+/// them is none of its own.
+inline bool initialized(std::vector<char*> words) {
+    static std::string interleaved = "--benchmark_enable_random_interleaving=true";
+    words.insert(words.begin() + 1, interleaved.data());
+    int left = static_cast<int>(words.size());
+    words.push_back(nullptr);
+    benchmark::Initialize(&left, words.data());
+    return !benchmark::ReportUnrecognizedArguments(left, words.data());
+}
+
+/// What run() says as the exit code of a program; 1, with the reason on stderr, where it throws.
+template <class Run>
+int exit_code_of(const char* name, const Run& run) {
+    try {
+        return run();
+    } catch (const std::exception& problem) {
+        fmt::print(stderr, "bench {}: {}\n", name, problem.what());
+        return 1;
+    }
+}
 
 }  // namespace libration::bench

@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -124,10 +122,6 @@ void add_all(const guards& with) {
     }
 }
 
-std::string shown(const typical_time& time) {
-    return fmt::format("{:.2f} +-{:.0f}%", time.microseconds, time.spread * 100);
-}
-
 void print_table(const time_keeper& times, const std::vector<guards>& all) {
     fmt::print("theta({}) at E = {}: CPU time in microseconds, median and half the distance of the quartiles\n",
                asked().time, asked().energy);
@@ -149,18 +143,12 @@ void print_table(const time_keeper& times, const std::vector<guards>& all) {
 // Our own option, taken out of the words for Google Benchmark.
 bool take_long(std::vector<char*>& words) { return std::erase(words, std::string("--long")) != 0; }
 
-int run(int count, char** given) {
-    std::vector<char*> words(given, given + count);
+int run(std::vector<char*> words) {
     std::vector<long> digits{16, 50, 100, 1000, 10'000};
     if (take_long(words)) {
         digits.push_back(100'000);
     }
-    std::string interleaved = "--benchmark_enable_random_interleaving=true";
-    words.insert(words.begin() + 1, interleaved.data());
-    int left = static_cast<int>(words.size());
-    words.push_back(nullptr);
-    benchmark::Initialize(&left, words.data());
-    if (benchmark::ReportUnrecognizedArguments(left, words.data())) {
+    if (!initialized(words)) {
         return 2;
     }
     std::vector<guards> all;
@@ -178,10 +166,5 @@ int run(int count, char** given) {
 }  // namespace
 
 int main(int count, char** given) {
-    try {
-        return run(count, given);
-    } catch (const std::exception& problem) {
-        fmt::print(stderr, "bench reference: {}\n", problem.what());
-        return 1;
-    }
+    return libration::bench::exit_code_of("reference", [&] { return run({given, given + count}); });
 }

@@ -12,13 +12,13 @@
 #include <boost/numeric/odeint.hpp>
 
 #include <cmath>
-#include <exception>
 #include <random>
 #include <sstream>
 #include <stdexcept>
 
 #include "libration/pendulum/proved_motion.hpp"
 #include "libration/pendulum/sampler.hpp"
+#include "ratio_table.hpp"
 #include "rounds.hpp"
 #include "sweep/child_program.hpp"
 
@@ -300,7 +300,7 @@ void show_set_up() {
 }  // namespace
 
 int main() {
-    try {
+    return libration::bench::exit_code_of("trajectory", [] {
         compare_in_double(read_exact("1.71"), 100'000);
         compare_in_double(read_exact("0.1"), 100'000);
         compare_in_quad(read_exact("1.71"), 2000);
@@ -308,8 +308,5 @@ int main() {
         show_other_motions();
         show_set_up();
         return 0;
-    } catch (const std::exception& problem) {
-        fmt::print(stderr, "bench trajectory: {}\n", problem.what());
-        return 1;
-    }
+    });
 }
