@@ -16,18 +16,6 @@ using namespace libration::tests;
 
 namespace {
 
-// Energies of both regimes, near rest, next to E = 2 and fast.
-std::vector<named_motion> energies_of_all_sizes() {
-    std::vector<named_motion> all;
-    for (const std::string energy : {"1e-20", "1e-3", "0.1", "1", "1.71", "2.02", "4", "1e6"}) {
-        all.push_back({"E = " + energy, with_energy(energy)});
-    }
-    for (const std::string gap : {"1e-3", "-1e-3", "1e-15", "-1e-15", "1e-100", "-1e-100"}) {
-        all.push_back({"gap " + gap, with_gap(gap)});
-    }
-    return all;
-}
-
 // Taylor coefficients of sech about a: s' = -s t, t' = s^2 with t = tanh.
 std::vector<mpfr> sech_series(const mpfr& a, int order) {
     std::vector<mpfr> s{mpfr(1 / cosh(a))};
@@ -92,7 +80,7 @@ TEMPLATE_LIST_TEST_CASE("the coefficients have the absolute accuracy of their sc
                         all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    for (const auto& [name, m] : energies_of_all_sizes()) {
+    for (const auto& [name, m] : canonical_motions()) {
         INFO(name);
         const auto o = orbit_of<T>(m);
         const auto rest = column_rest(o.regime, half_column_distance(o), 1, 33);
@@ -108,7 +96,7 @@ TEMPLATE_LIST_TEST_CASE("the coefficients have the absolute accuracy of their sc
 
 TEST_CASE("on balls every coefficient is enclosed", "[column_rest]") {
     const precision_scope precision(50);
-    for (const auto& [name, m] : energies_of_all_sizes()) {
+    for (const auto& [name, m] : canonical_motions()) {
         INFO(name);
         const auto o = orbit_of<ball>(m);
         const auto rest = column_rest(o.regime, half_column_distance(o), 1, 40);
@@ -123,7 +111,7 @@ TEST_CASE("on balls every coefficient is enclosed", "[column_rest]") {
 TEST_CASE("theorem U bounds every coefficient, by a factor down to 1.2", "[column_rest]") {
     const precision_scope precision(80);
     mpfr closest(0);
-    for (const auto& [name, m] : energies_of_all_sizes()) {
+    for (const auto& [name, m] : canonical_motions()) {
         const auto o = orbit_of<mpfr>(m);
         for (const int columns : {1, 2, 5}) {
             INFO(name << ", P = " << columns);

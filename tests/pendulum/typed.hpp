@@ -66,4 +66,16 @@ inline std::vector<named_motion> periodic_motions() {
             {"from (-50, -3)", with_state("-50", "-3")}};
 }
 
+/// Motions from the top, of energies of both regimes, near rest, next to E = 2 and fast.
+inline std::vector<named_motion> canonical_motions() {
+    std::vector<named_motion> all;
+    for (const std::string energy : {"1e-20", "1e-3", "0.1", "1", "1.71", "2.02", "4", "1e6"}) {
+        all.push_back({"E = " + energy, with_energy(energy)});
+    }
+    for (const std::string gap : {"1e-3", "-1e-3", "1e-15", "-1e-15", "1e-100", "-1e-100"}) {
+        all.push_back({"gap " + gap, with_gap(gap)});
+    }
+    return all;
+}
+
 }  // namespace libration::tests

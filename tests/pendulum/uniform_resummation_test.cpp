@@ -20,17 +20,6 @@ using namespace libration::tests;
 
 namespace {
 
-std::vector<named_motion> canonical_motions() {
-    std::vector<named_motion> all;
-    for (const std::string energy : {"1e-20", "1e-3", "0.1", "1", "1.71", "2.02", "4", "1e6"}) {
-        all.push_back({"E = " + energy, with_energy(energy)});
-    }
-    for (const std::string gap : {"1e-3", "-1e-3", "1e-15", "-1e-15", "1e-100", "-1e-100"}) {
-        all.push_back({"gap " + gap, with_gap(gap)});
-    }
-    return all;
-}
-
 // theta and its slope in x on the way down.
 jet<mpfr> exact_at(const exact_solution<mpfr>& solution, const mpfr& effective_period, const mpfr& x) {
     const auto state = solution.from_top(x);
