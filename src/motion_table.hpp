@@ -18,9 +18,6 @@ inline constexpr long more_input_digits = 10;
 /// A number as a decimal: exactly where there is one, else with so many proved digits.
 std::string decimal_text(const exact& number, long digits);
 
-/// --energies, --gaps, --theta0, --omega0, --direction, --length, --gravity, --times.
-void offer_motions(said_words& said, CLI::App& command);
-
 /// Every motion at every time, in the order in which they were typed, --energies before --gaps. The columns are
 /// energy, gap, theta0, omega0 and direction (these three where they were given), time, theta, omega, period, tstar,
 /// radius, condition, and, in the typed style, digits and rigour.

@@ -5,7 +5,7 @@
 
 #include "elliptic_request.hpp"
 #include "function_table.hpp"
-#include "motion_table.hpp"
+#include "motion_grid.hpp"
 #include "options.hpp"
 #include "study_files.hpp"
 #include "subcommand.hpp"
