@@ -3,13 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <map>
 #include <memory>
 
 #include "options.hpp"
@@ -17,7 +11,8 @@
 #include "sweep/input_error.hpp"
 #include "sweep/parallel.hpp"
 #include "sweep/study_order.hpp"
-#include "verify_rows.hpp"
+#include "verify_files.hpp"
+#include "verify_summary.hpp"
 
 namespace libration {
 
@@ -35,108 +30,6 @@ struct verify_options {
 
 constexpr std::size_t batch_rows = 256;
 constexpr std::size_t batches_per_job = 16;
-constexpr long most_named = 10;
-
-// Where the rows come from.
-class row_source {
-public:
-    explicit row_source(const std::string& path) : records_(path == "-" ? std::cin : file_) {
-        if (path == "-") {
-            return;
-        }
-        const char* const remedy = "name a readable CSV file, or - for stdin";
-        std::error_code error;
-        if (std::filesystem::is_directory(path, error)) {
-            throw input_error("FILE", path, "is a folder", remedy);
-        }
-        errno = 0;
-        file_.open(path, std::ios::binary);
-        if (!file_) {
-            throw input_error("FILE", path, fmt::format("cannot be read ({})", std::strerror(errno)), remedy);
-        }
-    }
-    csv_records& records() { return records_; }
-
-private:
-    std::ifstream file_;
-    csv_records records_;
-};
-
-// Where they go: stdout, or a file that is written beside and renamed when it is whole. What exists and is no regular file
-// (a pipe, a device) is written to as it is.
-class row_target {
-public:
-    explicit row_target(const std::optional<std::string>& path) : path_(path.value_or("")) {
-        if (!path) {
-            return;
-        }
-        namespace fs = std::filesystem;
-        std::error_code error;
-        if (fs::is_symlink(path_, error)) {
-            path_ = fs::weakly_canonical(path_, error).string();
-        }
-        const bool as_it_is = fs::exists(path_, error) && !fs::is_regular_file(path_, error);
-        written_ = as_it_is ? path_ : fmt::format("{}.{}.part", path_, ::getpid());
-        errno = 0;
-        file_ = std::fopen(written_.c_str(), "wb");
-        if (file_ == nullptr) {
-            fail();
-        }
-    }
-    row_target(const row_target&) = delete;
-    row_target& operator=(const row_target&) = delete;
-    ~row_target() {
-        if (file_ != nullptr && file_ != stdout) {
-            std::fclose(file_);
-            remove_part();
-        }
-    }
-
-    void write(const std::string& text) {
-        if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
-            fail();
-        }
-    }
-
-    void finish() {
-        if (std::fflush(file_) != 0) {
-            fail();
-        }
-        if (file_ != stdout) {
-            std::fclose(file_);
-            file_ = nullptr;
-            std::error_code error;
-            if (written_ != path_) {
-                std::filesystem::rename(written_, path_, error);
-            }
-            if (error) {
-                remove_part();
-                throw input_error("--out", path_, fmt::format("cannot be written ({})", error.message()), remedy);
-            }
-        }
-    }
-
-private:
-    static constexpr const char* remedy = "choose a file in a folder that you may write in";
-
-    [[noreturn]] void fail() const {
-        const std::string reason = std::strerror(errno);
-        if (path_.empty()) {
-            throw std::runtime_error(fmt::format("stdout cannot be written ({})", reason));
-        }
-        throw input_error("--out", path_, fmt::format("cannot be written ({})", reason), remedy);
-    }
-    void remove_part() const {
-        std::error_code error;
-        if (written_ != path_) {
-            std::filesystem::remove(written_, error);
-        }
-    }
-
-    std::string path_;
-    std::string written_;
-    std::FILE* file_ = stdout;
-};
 
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
@@ -196,70 +89,6 @@ std::string header_text(const std::vector<std::string>& header, const verify_col
     }
     return text + '\n';
 }
-
-// Counts, the worst row and the correct digits of all rows.
-class verify_summary {
-public:
-    explicit verify_summary(std::string file) : file_(std::move(file)) {}
-
-    void add(const judged_row& row) {
-        ++rows_;
-        if (row.verdict == verdict::malformed) {
-            name(row, ++malformed_, malformed_named_);
-            return;
-        }
-        ++digits_[row.tenths_of_digits ? *row.tenths_of_digits / 10 : exact_digits];
-        if (row.verdict == verdict::miss) {
-            name(row, ++misses_, misses_named_);
-        }
-        if (!worst_ || row.of_tolerance > worst_->of_tolerance) {
-            worst_ = row;
-        }
-    }
-
-    void print() const {
-        more(misses_ - misses_named_, "that miss");
-        more(malformed_ - malformed_named_, "malformed");
-        fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed\n", file_, rows_, rows_ - misses_ - malformed_,
-                   misses_, malformed_);
-        if (worst_) {
-            const precision_scope scope(20);
-            fmt::print(stderr, "worst row: line {}, error {}, {} times the tolerance, condition {}\n", worst_->line,
-                       worst_->error, to_decimal(worst_->of_tolerance, 3), worst_->condition);
-        }
-        for (const auto& [digits, count] : digits_) {
-            fmt::print(stderr, "{:>6} correct digits: {:>9}\n", digits == exact_digits ? "all" : std::to_string(digits),
-                       count);
-        }
-    }
-
-    long rows() const { return rows_; }
-    int exit_code() const { return malformed_ > 0 ? 2 : misses_ > 0 ? 1 : 0; }
-
-private:
-    static constexpr long exact_digits = 1L << 40;
-
-    void name(const judged_row& row, long count, long& named) const {
-        if (count <= most_named) {
-            ++named;
-            fmt::print(stderr, "{}:{}: {}\n", file_, row.line, row.reason);
-        }
-    }
-    static void more(long count, const char* what) {
-        if (count > 0) {
-            fmt::print(stderr, "and {} more rows {}\n", count, what);
-        }
-    }
-
-    std::string file_;
-    long rows_ = 0;
-    long misses_ = 0;
-    long malformed_ = 0;
-    long misses_named_ = 0;
-    long malformed_named_ = 0;
-    std::optional<judged_row> worst_;
-    std::map<long, long> digits_;
-};
 
 using row_batch = std::vector<csv_record>;
 
