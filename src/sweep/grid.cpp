@@ -32,8 +32,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
                                              : "has the item '" + std::string(item) + "', which " + reason);
 }
 
-// A multiple of a unit as text that read_exact takes: 3/4 of T is 3T/4.
+// A multiple of a unit as text that read_exact takes: 3/4 of T is 3T/4. Zero has no unit, as where it is typed.
 exact in_unit(const rational& coefficient, unit measure) {
+    if (coefficient == 0) {
+        return {coefficient, unit::one, "0"};
+    }
     exact result{coefficient, measure, ""};
     const std::string_view name = measure == unit::pi       ? "pi"
                                   : measure == unit::degree ? "deg"

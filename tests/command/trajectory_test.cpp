@@ -106,6 +106,12 @@ TEST_CASE("released from rest the pendulum passes the bottom at exactly T/4", "[
     }
 }
 
+TEST_CASE("a range of multiples of T prints what its list prints, the 0 without a unit", "[command][trajectory]") {
+    const words line{"trajectory", "--energy", "1.71", "--digits", "20"};
+    CHECK(output_of(line + words{"--times=-T/2:T/2:5"}) ==
+          output_of(line + words{"--times=-0.5T,-0.25T,0,0.25T,0.5T"}));
+}
+
 TEST_CASE("the resummation at 401 times is as far from the motion as it says, and within its bound",
           "[command][trajectory]") {
     struct shown {
