@@ -183,33 +183,4 @@ private:
     double radius_ = 0;
 };
 
-inline fixed_ball fixed_ball::root_of_half(int n, const rational& q) {
-    fixed_ball z(n);
-    words w;
-    std::array<mp_limb_t, most_limbs + 2> root;
-    const auto* above = mpq_numref(q.backend().data());
-    const auto* below = mpq_denref(q.backend().data());
-    int size = 2 * n + 1;
-    if (mpz_size(above) == 1 && mpz_size(below) == 1) {
-        words shifted;
-        std::fill_n(shifted.begin(), 2 * n, mp_limb_t{0});
-        shifted[2 * static_cast<std::size_t>(n)] = mpz_getlimbn(above, 0);
-        mpn_divrem_1(w.data(), 0, shifted.data(), size, mpz_getlimbn(below, 0));
-    } else {
-        const integer quotient = (numerator(q) << static_cast<unsigned>(2 * z.bits())) / denominator(q);
-        const auto* digits = quotient.backend().data();
-        size = static_cast<int>(mpz_size(digits));
-        require(size <= 2 * n + 2);
-        std::copy_n(mpz_limbs_read(digits), size, w.begin());
-    }
-    require(size > 0);
-    mpn_rshift(w.data(), w.data(), size, 1);
-    size = significant(w, size);
-    require(size > 0);
-    mpn_sqrtrem(root.data(), nullptr, w.data(), size);
-    z.take(root.data(), (size + 1) / 2);
-    z.radius_ = 1;
-    return z;
-}
-
 }  // namespace libration
