@@ -25,6 +25,30 @@ T whole_turns(const integer& turns) {
     return from_rational<T>(rational(turns * 2)) * pi<T>();
 }
 
+/// sin and cos of the amplitude of a start: of theta0/2 less the whole turns, and on a libration, both times k,
+/// sin(theta0/2) and |omega0|/2, from omega0^2 where it is rational, else sqrt(E/2 - sin^2(theta0/2)).
+template <scalar T>
+struct start_amplitude {
+    T sine;
+    T cosine;
+};
+
+/// Not for equilibria. At the working precision in force, of which a start may cancel condition_bits() of the motion.
+template <scalar T>
+start_amplitude<T> amplitude_at_start(const motion& m) {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const T half = (from_exact<T>(*m.theta0()) - whole_turns<T>(m.turns())) / 2;
+    T sine = sin(half);
+    if (m.regime() != regime::libration) {
+        return {std::move(sine), cos(half)};
+    }
+    T speed = m.omega0_squared() ? T(sqrt(from_rational<T>(*m.omega0_squared())) / 2)
+                                 : T(sqrt(from_rational<T>(rational(*m.energy() / 2)) - sine * sine));
+    return {std::move(sine), std::move(speed)};
+}
+
 /// The clock of one motion. Its T* is exact, or the approximation of a rule, as the paper's modulo uses it. The time
 /// from the nearest quarter to a start between the quarters is exact either way, and so is the T of a time 3T/4.
 template <scalar T>
@@ -106,13 +130,9 @@ private:
         return start;
     }
 
-    // The offset of a start between the symmetric points, from half = theta0/2 - pi turns.
+    // The offset of a start between the symmetric points.
     void place_start(origin& start) const {
-        using std::cos;
-        using std::sin;
-        const W half = (from_exact<W>(*motion_.theta0()) - whole_turns<W>(motion_.turns())) / 2;
-        const W sine = sin(half);
-        const W cosine = cos(half);
+        const auto [sine, cosine] = amplitude_at_start<W>(motion_);
         if (motion_.regime() == regime::separatrix) {
             start.offset = arsinh(W(sine / cosine)) * motion_.direction();
             return;
@@ -123,20 +143,11 @@ private:
             start.offset = incomplete_integral(sine, cosine, chain) * motion_.direction() / o.rate;
             return;
         }
-        // sin phi0 : cos phi0 = sin(theta0/2) : omega0/2; where omega0 < 0 the reflection 2K - F.
+        // Where omega0 < 0 the reflection 2K - F.
         const bool falling = motion_.omega0_sign() < 0;
-        const W from_bottom = incomplete_integral(sine, half_initial_speed(sine), chain);
+        const W from_bottom = incomplete_integral(sine, cosine, chain);
         start.quarter = falling ? 2 : 0;
         start.offset = falling ? W(-from_bottom) : from_bottom;
-    }
-
-    // |omega0|/2: from omega0^2 where it is rational, else from the energy, sqrt(E/2 - sin^2(theta0/2)).
-    W half_initial_speed(const W& sine) const {
-        using std::sqrt;
-        if (motion_.omega0_squared()) {
-            return sqrt(from_rational<W>(*motion_.omega0_squared())) / 2;
-        }
-        return sqrt(from_rational<W>(rational(*motion_.energy() / 2)) - sine * sine);
     }
 
     motion motion_;

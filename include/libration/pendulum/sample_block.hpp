@@ -5,7 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "libration/pendulum/swing_clock.hpp"
+#include "libration/pendulum/swing_panels.hpp"
+#include "libration/pendulum/swing_turns.hpp"
 
 namespace libration {
 

@@ -1,80 +1,13 @@
-// From a time in floating point, however late, to the nearest passage through the bottom and the whole turns before it.
+// From a time in floating point, however late, to the nearest passage through the bottom.
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
-#include "libration/pendulum/swing_panels.hpp"
+#include "libration/pendulum/passage.hpp"
 
 #ifdef __FAST_MATH__
 #error "-ffast-math takes the rounding errors apart that swing_clock keeps"
 #endif
 
 namespace libration {
-
-/// A passage through the bottom, counted from the one with theta = 2 pi turns, rising, and the time since then.
-struct after_passage {
-    integer passage;
-    mpfr time;
-};
-
-/// Whether the motion comes to the top and back, T* < infinity; at E = 0 it only does so in the limit.
-inline bool has_passages(const motion& m) { return m.regime() == regime::libration || m.regime() == regime::rotation; }
-
-/// 2 T* in the units of the motion, 0 where nothing passes twice, at the working precision in force.
-inline mpfr passage_interval(const motion& m) {
-    return has_passages(m) ? mpfr(effective_period(orbit_of<mpfr>(m)) * time_unit<mpfr>(m) * 2) : mpfr(0);
-}
-
-/// The passage next to an exact time. Cost: a timeline. Throws as that.
-template <rounding_scalar T>
-after_passage nearest_passage(const motion& m, const exact& time) {
-    const phase<T> p = timeline<T>(m).at(time);
-    const mpfr offset = widen(p.offset) * time_unit<mpfr>(m);
-    if (quarter_of_four(p.quarter) % 2 == 0) {
-        return {p.quarter / 2, offset};
-    }
-    const int way = p.side < 0 ? -1 : 1;
-    return {integer((p.quarter + way) / 2), offset - passage_interval(m) / 2 * way};
-}
-
-/// The passage at a start between the symmetric points, as timeline places it: sine and cosine of the amplitude, which may
-/// cancel, in mpfr, and the integral of this well conditioned pair in T, in a tenth of the time.
-template <rounding_scalar T>
-after_passage passage_before_start(const motion& m) {
-    const precision_scope scope(decimal_digits(digits<mpfr>() + m.condition_bits()));
-    const mpfr half = (from_exact<mpfr>(*m.theta0()) - whole_turns<mpfr>(m.turns())) / 2;
-    const mpfr sine = sin(half);
-    mpfr cosine = cos(half);
-    if (m.regime() == regime::separatrix) {
-        return {0, arsinh(mpfr(sine / cosine)) * m.direction() * time_unit<mpfr>(m)};
-    }
-    if (m.regime() == regime::libration) {
-        const mpfr kinetic = m.omega0_squared() ? from_rational<mpfr>(rational(*m.omega0_squared() / 4))
-                                                : from_rational<mpfr>(rational(*m.energy() / 2)) - sine * sine;
-        cosine = sqrt(kinetic);
-    }
-    const auto o = orbit_of<T>(m);
-    const landen_chain<T> chain(o.shape);
-    const mpfr along = widen(T(incomplete_integral(narrow<T>(sine), narrow<T>(cosine), chain) / o.rate));
-    const bool falls = m.regime() == regime::libration && m.omega0_sign() < 0;
-    const int way = m.regime() == regime::rotation ? m.direction() : falls ? -1 : 1;
-    return {falls ? 1 : 0, along * time_unit<mpfr>(m) * way};
-}
-
-/// The passage next to the start of a motion whose passages come in this interval, right to some epsilon of T.
-template <rounding_scalar T>
-after_passage passage_at_start(const motion& m, const mpfr& interval) {
-    if (m.regime() == regime::stable_equilibrium || m.regime() == regime::unstable_equilibrium) {
-        return {0, mpfr(0)};
-    }
-    if (!m.start_quarter()) {
-        return passage_before_start<T>(m);
-    }
-    const int quarter = *m.start_quarter();
-    return quarter % 2 == 0 ? after_passage{quarter / 2, mpfr(0)}
-                            : after_passage{(quarter + 1) / 2, mpfr(-interval / 2)};
-}
 
 /// x as a number of T and what it lacks.
 template <fixed_scalar T>
@@ -163,68 +96,6 @@ private:
     T first_ = T(0);
     T second_ = T(0);
     T third_ = T(0);
-};
-
-/// theta of the motion from that of the swing, g(y), after passage j: (-1)^j g in the libration, 2 pi (turns + d j) + d g
-/// in the rotation, d its direction.
-template <fixed_scalar T>
-class swing_turns {
-public:
-    /// The start's passage is counted as j = 0. In a precision_scope of at least 2 digits + 64 bits.
-    swing_turns(const motion& m, const integer& passage)
-        : turn_(pi<mpfr>() * 2), base_(base_of(m, passage)), sign_(T(sign_of_start(m, passage))) {
-        const bool rotates = m.regime() == regime::rotation;
-        winding_ = rotates ? T(m.direction()) : T(0);
-        alternation_ = m.regime() == regime::libration ? T(2) : T(0);
-        if (counts(m, passage)) {
-            turns_ = from_rational<T>(rational(turns_of(m, passage)));
-        }
-    }
-
-    /// The sign of omega after passage j, +-1; clock.whole() rounds j/2.
-    [[gnu::always_inline]] T sign(const T& passage, const swing_clock<T>& clock) const {
-        const T odd = passage - clock.whole(passage / 2) * 2;
-        return sign_ - sign_ * alternation_ * (odd < 0 ? T(-odd) : odd);
-    }
-
-    /// theta, where part = g(y) times the sign.
-    [[gnu::always_inline]] T theta(const T& passage, const T& part) const {
-        const T turns = turns_ + winding_ * passage;
-        return base_.high + (turns * turn_.high + (turns * turn_.low + (base_.low + part)));
-    }
-
-    /// The turns of theta at a passage, from the start's one where it is counted from there.
-    static integer turns_of(const motion& m, const integer& passage) {
-        return m.regime() == regime::rotation ? integer(m.turns() + passage * m.direction()) : m.turns();
-    }
-
-private:
-    // Turns that T counts are kept as a number, so that they may cancel; others as an angle.
-    static bool counts(const motion& m, const integer& passage) {
-        return m.regime() != regime::unstable_equilibrium &&
-               abs(turns_of(m, passage)) < pow(integer(2), static_cast<unsigned>(digits<T>() - 3));
-    }
-
-    static mpfr base_of(const motion& m, const integer& passage) {
-        if (m.regime() == regime::unstable_equilibrium) {
-            return from_exact<mpfr>(*m.theta0());
-        }
-        return counts(m, passage) ? mpfr(0) : whole_turns<mpfr>(turns_of(m, passage));
-    }
-
-    static int sign_of_start(const motion& m, const integer& passage) {
-        if (m.regime() == regime::libration) {
-            return passage % 2 == 0 ? 1 : -1;
-        }
-        return m.regime() == regime::stable_equilibrium ? 1 : m.direction();
-    }
-
-    split_number<T> turn_;
-    split_number<T> base_;
-    T sign_;
-    T turns_ = T(0);
-    T winding_ = T(0);
-    T alternation_ = T(0);
 };
 
 }  // namespace libration
