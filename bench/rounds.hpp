@@ -21,8 +21,8 @@ inline double cpu_nanoseconds() {
     return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-/// One way to an answer. pass() does it for all outputs and returns nanoseconds an output, its own measurement where the work
-/// is another program's; error is what its values are off, as the benchmark counts it.
+/// One way to an answer. pass() does it for all outputs and returns nanoseconds an output, its own measurement where
+/// the work is another program's; error is what its values are off, as the benchmark counts it.
 struct contender {
     std::string name;
     std::function<double()> pass;

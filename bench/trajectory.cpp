@@ -1,13 +1,14 @@
-// theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of Boost.Math in
-// double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run on one thread, in turns;
-// medians of CPU time with their spread. GSL, which may not be linked here, times itself in a program of its own.
+// theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of
+// Boost.Math in double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run
+// on one thread, in turns; medians of CPU time with their spread. GSL, which may not be linked here, times itself
+// in a program of its own.
 //
 //   ./run bench trajectory
 //
-// Every route is compared with proved values: ours has to keep its bound of 4 units of the last place of max(1, |theta|),
-// the others in double 1000 (k is rounded, and the time is ten times the period), Boost.Math in quad 10^7 (its dn is a
-// quotient of two cosines that vanish together at the quarters, and 2000 times come within 10^-3 of some; in double it
-// computes in long double), the integration 10^-8. Ends with 1 where one does not.
+// Every route is compared with proved values: ours has to keep its bound of 4 units of the last place of max(1,
+// |theta|), the others in double 1000 (k is rounded, and the time is ten times the period), Boost.Math in quad 10^7
+// (its dn is a quotient of two cosines that vanish together at the quarters, and 2000 times come within 10^-3 of some;
+// in double it computes in long double), the integration 10^-8. Ends with 1 where one does not.
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/numeric/odeint.hpp>
 
@@ -54,8 +55,8 @@ mpfr unit_of(const mpfr& x) {
     return ldexp(widen(epsilon<T>()), static_cast<int>(binary_exponent(size)) - 1);
 }
 
-// The largest error of theta and omega at 200 of the times, in units of the last place of max(1, |theta|), and of 1 or what
-// omega may be at most.
+// The largest error of theta and omega at 200 of the times, in units of the last place of max(1, |theta|), and of 1 or
+// what omega may be at most.
 template <class T>
 double worst_units(const motion& m, const trajectory<T>& found) {
     const precision_scope scope(80);

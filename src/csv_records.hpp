@@ -30,7 +30,8 @@ private:
     long line_ = 0;
 };
 
-/// The cells of a record; nothing where a quote is not closed. Quotes count at the start of a cell and are doubled within.
+/// The cells of a record; nothing where a quote is not closed. Quotes count at the start of a cell and are doubled
+/// within.
 std::optional<std::vector<std::string>> cells_of(const std::string& record);
 
 /// A cell as it is written, quoted where CSV needs it.

@@ -20,8 +20,8 @@ struct grid_motion {
 /// --energies, --gaps, --theta0, --omega0, --direction, --length, --gravity, --times.
 void offer_motions(said_words& said, CLI::App& command);
 
-/// The motions in the order in which they were typed, --energies before --gaps, each from every angle where there are some.
-/// Throws input_error.
+/// The motions in the order in which they were typed, --energies before --gaps, each from every angle where
+/// there are some. Throws input_error.
 std::vector<grid_motion> motions_of(const said_words& said);
 
 /// The times. Throws input_error, also where one of the motions has no period that they are multiples of, and where

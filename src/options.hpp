@@ -121,8 +121,8 @@ struct energy_texts {
 };
 energy_texts energy_texts_of(const chosen_motion& chosen, long digits);
 
-/// A folder that a command is about to fill, made with its parents where they are missing. Unless keep() is called, what
-/// was made and is still empty is taken away again, so that a failed command leaves nothing behind.
+/// A folder that a command is about to fill, made with its parents where they are missing. Unless keep() is called,
+/// what was made and is still empty is taken away again, so that a failed command leaves nothing behind.
 class output_folder {
 public:
     /// Throws input_error when the folder cannot be made or written.

@@ -11,7 +11,8 @@ namespace libration {
 std::string results_readme(const published& results);
 
 /// errata.md: studies/errata.md.in with each {{NAME}} replaced by the measured number of the claim NAME. Throws
-/// std::runtime_error for a claim that there is not, and where a claim does not hold and no placeholder or name mentions it.
+/// std::runtime_error for a claim that there is not, and where a claim does not hold and no placeholder or name
+/// mentions it.
 std::string errata_page(const published& results, const std::string& outline);
 
 /// index.html: one page that needs no network, with figures, claims, links to the tables, and provenance.

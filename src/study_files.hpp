@@ -14,7 +14,8 @@ namespace libration {
 /// when DIR cannot be written.
 void write_study(const study_order& order, const std::string& folder);
 
-/// Draws DIR/NAME/*.svg and *.png from the CSV with studies/NAME.gp. Throws input_error when the CSV or gnuplot is missing.
+/// Draws DIR/NAME/*.svg and *.png from the CSV with studies/NAME.gp. Throws input_error when the CSV or gnuplot is
+/// missing.
 void draw_study(const study& what, const std::string& folder);
 
 /// The folder of the figure scripts and of the errata's outline: in the source tree, or beside an installed program.

@@ -80,8 +80,8 @@ inline std::vector<column> answer_columns() {
     return all;
 }
 
-/// What the tests that are `shown` answer to the lists of these orders (the largest last), about one point of one motion:
-/// rows of answer_columns().
+/// What the tests that are `shown` answer to the lists of these orders (the largest last), about one point of
+/// one motion: rows of answer_columns().
 template <class Shown>
 std::vector<std::vector<std::string>> answers_about(const sweep_energy& at, const exact& point,
                                                     const std::vector<int>& orders, const scalar_spec& scalar,

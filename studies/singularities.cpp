@@ -82,7 +82,8 @@ plane plane_of(const sweep_energy& at, long digits) {
     return {at, std::move(m), digits, std::move(lattice), radius};
 }
 
-// The lattice as far as the figure shows it: three columns and rows on each side, or the circle of the top if that is larger.
+// The lattice as far as the figure shows it: three columns and rows on each side, or the circle of the top if that is
+// larger.
 rows lattice_rows(const plane& p) {
     const mpfr beyond = p.radius * 3 / 2;
     const mpfr width = std::max(mpfr(p.lattice.effective_period * 4), beyond);

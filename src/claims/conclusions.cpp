@@ -224,8 +224,8 @@ claim root_test() {
             }};
 }
 
-// R about the fraction x of the way from the top to the bottom, over the truth: deduced from 60 coefficients in time scaled
-// by T*, with 40 digits.
+// R about the fraction x of the way from the top to the bottom, over the truth: deduced from 60 coefficients in time
+// scaled by T*, with 40 digits.
 mpfr deduced_radius(const motion& m, const rational& x) {
     const exact_solution<mpfr> solution(m);
     const expansion_point point{expansion_point::place::time,

@@ -1,5 +1,5 @@
-// A motion on its way from the top to the bottom, in the paper's own frame, with constants at the bottom that may be wrong:
-// what the claims about the resummation are measured on.
+// A motion on its way from the top to the bottom, in the paper's own frame, with constants at the bottom that may be
+// wrong: what the claims about the resummation are measured on.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace libration::judging {
 
-/// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise rotation
-/// runs from pi to 0. At the working precision in force; throws std::domain_error at E = 2.
+/// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise
+/// rotation runs from pi to 0. At the working precision in force; throws std::domain_error at E = 2.
 class way_down {
 public:
     explicit way_down(const motion& m)

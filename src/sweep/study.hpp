@@ -22,12 +22,13 @@ struct sweep_energy {
     rational value;      ///< E
 };
 
-/// The energy E, or the one that a gap means. Throws std::invalid_argument for what is not an energy (negative, with pi).
+/// The energy E, or the one that a gap means. Throws std::invalid_argument for what is not an energy (negative, with
+/// pi).
 sweep_energy energy_from(const exact& energy);
 sweep_energy energy_from_gap(const exact& gap);
 
-/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws std::domain_error "has the energy 0, where
-/// ..." with the reasons; an empty reason lets that energy pass.
+/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws std::domain_error "has the energy 0,
+/// where ..." with the reasons; an empty reason lets that energy pass.
 void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical);
 
 /// A way to T* as it was typed: agm, series:N or resummed:N.
@@ -57,8 +58,8 @@ struct study_request {
 
 /// A parameter of a study: its option, what it is where the user says nothing, and what it means.
 struct study_parameter {
-    std::string
-        option;  ///< --energies, --gaps, --orders, --times, --points, --digits, --periods, --period-by, --step, --scalar
+    /// --energies, --gaps, --orders, --times, --points, --digits, --periods, --period-by, --step or --scalar.
+    std::string option;
     std::string usual;    ///< in the words of the command line; --gaps may be empty beside --energies
     std::string meaning;  ///< with unit
 };

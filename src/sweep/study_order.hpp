@@ -31,8 +31,8 @@ struct study_order {
     std::string command;
 };
 
-/// The parsed order. With --energies or --gaps given, the usual values of both are put aside. Throws input_error, also for
-/// an option that the study does not have.
+/// The parsed order. With --energies or --gaps given, the usual values of both are put aside. Throws input_error, also
+/// for an option that the study does not have.
 study_order order_of(const study& what, const study_words& words, int jobs);
 
 /// The number of threads: the words of --jobs, or all cores. Throws input_error.

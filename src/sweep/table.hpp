@@ -21,8 +21,9 @@ struct table {
 /// One header line, one row a line, no comments.
 std::string to_csv(const table& data);
 
-/// Reads what to_csv wrote: cells may be quoted, and hold commas, quotes and line ends then. The meanings of the columns
-/// stay empty. Throws std::runtime_error naming the line where a row has another number of cells than the header.
+/// Reads what to_csv wrote: cells may be quoted, and hold commas, quotes and line ends then. The meanings of the
+/// columns stay empty. Throws std::runtime_error naming the line where a row has another number of cells than the
+/// header.
 table from_csv(const std::string& text);
 
 /// An array of objects of strings with the keys of the CSV.

@@ -38,7 +38,8 @@ inline std::string command_line(const words& given) {
     return line;
 }
 
-/// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it. Its stdin is `input`.
+/// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it. Its stdin is
+/// `input`.
 inline finished_process run_libration(const words& given, const std::filesystem::path& folder,
                                       const std::string& input = "/dev/null") {
     const temporary_folder captured;

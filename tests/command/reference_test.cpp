@@ -1,4 +1,5 @@
-// The proved digits of `libration reference` against the reference tables, closed forms, symmetries and its own second route.
+// The proved digits of `libration reference` against the reference tables, closed forms, symmetries and its own second
+// route.
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>

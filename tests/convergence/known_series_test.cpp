@@ -174,9 +174,9 @@ TEMPLATE_LIST_TEST_CASE("known series say all that a radius test could find", "[
 TEST_CASE("the coefficients of known series grow as their nearest singularities ask", "[convergence][known_series]") {
     const precision_scope scope(40);
     constexpr int order = 600;
-    // |a_n| R^n ~ n^(-nu-1): the largest with 0.9 N < n <= N against the largest in the same part of N/2. A pair's cosine
-    // spares a few per cent of the largest, a second singularity near to the circle adds 3 * 1.02^-270 = 1.4%: a tenth
-    // in the exponent is allowed.
+    // |a_n| R^n ~ n^(-nu-1): the largest with 0.9 N < n <= N against the largest in the same part of N/2. A pair's
+    // cosine spares a few per cent of the largest, a second singularity near to the circle adds 3 * 1.02^-270 = 1.4%: a
+    // tenth in the exponent is allowed.
     const std::string stronger_at_minus_one = "(1-t)^(1/3)(1+t)^(-1/2)";
     for (const auto& each : all_known_series<mpfr>()) {
         if (!each.position) {
@@ -203,7 +203,8 @@ TEMPLATE_LIST_TEST_CASE("the nearest singularities without a closed form are whe
                         "[convergence][known_series]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    // mpmath 1.2.1 with mp.dps = 120: y = findroot(lambda y: sinh(y) + y, 2.25+4.21j); x = coth(y) - 1/y; abs(x), re, im.
+    // mpmath 1.2.1 with mp.dps = 120: y = findroot(lambda y: sinh(y) + y, 2.25+4.21j); x = coth(y) - 1/y; abs(x), re,
+    // im.
     const auto radius =
         decimal("0.904643679457683739246956773175964193511887570595313601840198234621608197193816063432162");
     const auto langevin = known<T>("inverse Langevin");
@@ -212,7 +213,8 @@ TEMPLATE_LIST_TEST_CASE("the nearest singularities without a closed form are whe
                near<T>(decimal("0.889240427271279413112393127164661205255149881300117458059356"), once_rounded));
     CHECK_THAT(langevin.position->im,
                near<T>(decimal("0.166227703133770314431063849404495603948193484457207289769489"), once_rounded));
-    // In T itself: hyperbolic and trigonometric functions, twenty roundings; the last ones of y do not count, x'(y) = 0.
+    // In T itself: hyperbolic and trigonometric functions, twenty roundings; the last ones of y do not count,
+    // x'(y) = 0.
     CHECK_THAT(modulus_of(inverse_langevin_singularity<T>()), near<T>(radius, 20));
     using std::exp;
     CHECK_THAT(*known<T>("Lambert W").radius, near<T>(T(exp(T(-1))), 2));
@@ -223,8 +225,8 @@ TEMPLATE_LIST_TEST_CASE("the inverse Langevin series inverts Langevin's function
                         all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    // coth y - 1/y = t is y cosh y = (1 + t y) sinh y. All coefficients of y are positive up to here: those of y e^y say
-    // how large the terms are whose sum is 0. Order 24: products of as many terms, three deep.
+    // coth y - 1/y = t is y cosh y = (1 + t y) sinh y. All coefficients of y are positive up to here: those of y e^y
+    // say how large the terms are whose sum is 0. Order 24: products of as many terms, three deep.
     constexpr int order = 24;
     const auto y = known<T>("inverse Langevin").coefficients(order);
     auto t = power_series<T>::zero(order);
@@ -254,9 +256,9 @@ TEST_CASE("Blasius' constants are those of their generator", "[convergence][know
 
 TEST_CASE("the coefficients of Blasius' series agree with its radius", "[convergence][known_series]") {
     const precision_scope scope(60);
-    // c_k R^3k tends to a constant with alternating sign; the powers u^(1 +- i sqrt 2) beside the pole 6/u add k^(-2) to it,
-    // so ratios are R^-3 up to k^-3. The constant of that is not known: from 100 to 400 it has to fall by 4^3 = 64, half
-    // of which is allowed for its oscillation.
+    // c_k R^3k tends to a constant with alternating sign; the powers u^(1 +- i sqrt 2) beside the pole 6/u add k^(-2)
+    // to it, so ratios are R^-3 up to k^-3. The constant of that is not known: from 100 to 400 it has to fall by
+    // 4^3 = 64, half of which is allowed for its oscillation.
     const auto a = known<mpfr>("Blasius").coefficients(1202);
     const mpfr radius = from_exact<mpfr>(read_exact(blasius_radius));
     const mpfr cube = radius * radius * radius;

@@ -44,7 +44,8 @@ TEMPLATE_LIST_TEST_CASE("the six-term test finds a pair in a power of x and refu
     for (int n = 0; n <= 60; ++n) {
         three[n] += 1;
     }
-    // Three singularities on the circle make results that differ, in some steps by real roots; arcsin in t^2 has one alone.
+    // Three singularities on the circle make results that differ, in some steps by real roots; arcsin in t^2 has one
+    // alone.
     CHECK_FALSE(six_term_test(every_coefficient(three)).radius);
     auto arcsine = power_series<T>::zero(60);
     arcsine[0] = T(1);

@@ -57,8 +57,8 @@ TEMPLATE_LIST_TEST_CASE("the zeta function agrees with mpmath", "[elliptic][jaco
         const T complement = sqrt(number(at.complement));
         const jacobi_zeta<T> zeta(landen_chain<T>(modulus<T>::from_both(k, complement)));
         const T phi = number(at.angle);
-        // Z and the means are below 1. c_n falls faster than the doublings raise the error of the angle; 16 for the operations
-        // of some 8 levels, and the derivatives by phi, k and k' are below 4 each.
+        // Z and the means are below 1. c_n falls faster than the doublings raise the error of the angle; 16 for the
+        // operations of some 8 levels, and the derivatives by phi, k and k' are below 4 each.
         CHECK_THAT(zeta(sin(phi), cos(phi)), near<T>(decimal(at.zeta), 32, T(1)));
         CHECK_THAT(zeta.mean_of_dn_squared(), near<T>(decimal(at.mean), 16, T(1)));
         CHECK_THAT(T(zeta.mean_of_cn_squared() + number(at.complement)), near<T>(decimal(at.mean), 16, T(1)));

@@ -66,8 +66,8 @@ TEST_CASE("balls of the Jacobi functions contain the table", "[elliptic][ball]")
             const ball u = typed_ball(row.at("u"));
             const auto m = modulus_of_complement(row.at("kc"));
             const auto v = jacobi(u, m);
-            // The radius of u, a rounding of up to |u| epsilon, times slopes up to 1, and the levels as above; am grows with
-            // u. A k' that is rounded moves values by u k'^2 of its rounding.
+            // The radius of u, a rounding of up to |u| epsilon, times slopes up to 1, and the levels as above; am grows
+            // with u. A k' that is rounded moves values by u k'^2 of its rounding.
             const mpfr spread = 1 + abs(midpoint_of(u));
             CHECK_THAT(v.sn, encloses(decimal(row.at("sn")), 5'000, spread));
             CHECK_THAT(v.cn, encloses(decimal(row.at("cn")), 5'000, spread));

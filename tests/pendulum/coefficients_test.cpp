@@ -46,7 +46,8 @@ TEMPLATE_LIST_TEST_CASE("theta'' + sin theta = 0, coefficient by coefficient", "
             const auto sine = sine_cosine(e.scaled).first;
             for (int n = 0; n + 2 <= 40; ++n) {
                 INFO("E = " << energy << " about " << at << ", n = " << n);
-                // theta'' in scaled time is a_(n+2) (n+1)(n+2), of size 8 n; its two terms cancel to the errors of both.
+                // theta'' in scaled time is a_(n+2) (n+1)(n+2), of size 8 n; its two terms cancel to the errors of
+                // both.
                 const T acceleration = e.scaled[n + 2] * (n + 1) * (n + 2);
                 const T force = sine[n] * e.scale * e.scale;
                 CHECK_THAT(T(-force), near<T>(acceleration, 16, T((n + 8) * (e.scale > 8 ? e.scale : T(8)))));

@@ -41,7 +41,8 @@ TEST_CASE("errors from the omitted terms are those of the approximations in many
                     CHECK(errors[i] == 0);
                     continue;
                 }
-                // 760 steps of half an epsilon, and the resummed error at 31/32 cancels (1-x)^2 N^2: 3 digits are granted.
+                // 760 steps of half an epsilon, and the resummed error at 31/32 cancels (1-x)^2 N^2: 3 digits are
+                // granted.
                 CHECK(abs(widen(errors[i]) / expected - 1) < widen(epsilon<long double>()) * 380'000);
             }
         }

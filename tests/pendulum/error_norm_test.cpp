@@ -7,8 +7,8 @@ using libration::tests::near;
 
 namespace {
 
-// The error of the series from the top of E = 1.71 at x, by the definition: a polynomial against the sum over separatrix
-// solutions.
+// The error of the series from the top of E = 1.71 at x, by the definition: a polynomial against the sum over
+// separatrix solutions.
 mpfr error_at(const motion& m, int order, const mpfr& x) {
     const descent<mpfr> way = descent_of<mpfr>(m);
     const separatrix_sum<mpfr> sum(m);

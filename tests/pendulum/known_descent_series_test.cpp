@@ -11,8 +11,8 @@ using namespace libration::tests;
 TEST_CASE("the pendulum's series is told with its radius, position and number of singularities",
           "[pendulum][known_descent_series]") {
     const precision_scope scope(60);
-    // At E = 4 the bottom radius is T* = K(m = 1/2)/sqrt 2, mpmath's ellipk(mpf(1)/2)/sqrt(2); the four about the top lie on
-    // the diagonals.
+    // At E = 4 the bottom radius is T* = K(m = 1/2)/sqrt 2, mpmath's ellipk(mpf(1)/2)/sqrt(2); the four about the
+    // top lie on the diagonals.
     const auto bottom = known_descent_series("bottom", motion::of_energy(4), 1);
     CHECK_THAT(*bottom.radius, near<mpfr>(decimal("1.311028777146059905232419794945559706841"), 8));
     CHECK_THAT(bottom.position->re, near<mpfr>(mpfr(0), 8, mpfr(1)));

@@ -56,8 +56,8 @@ std::vector<typed_case> random_cases(int count) {
 }  // namespace
 
 TEST_CASE("the Landen motion encloses the rows of the table", "[landen_motion]") {
-    // The rows are right to a unit of their 60th digit. Of the 80 digits the time takes as many as it has before its point,
-    // and the quotients near E = 2 the size of 1/k' < 10^11.
+    // The rows are right to a unit of their 60th digit. Of the 80 digits the time takes as many as it has before its
+    // point, and the quotients near E = 2 the size of 1/k' < 10^11.
     const precision_scope scope(100);
     int rows = 0;
     for (const table_row& row : reference_table("motions.csv")) {

@@ -59,7 +59,8 @@ TEST_CASE("the libration in fixed point encloses what twice the precision enclos
                 CHECK(contains(state->theta, truth.theta));
                 CHECK(contains(state->omega, truth.omega));
                 CHECK(contains(*angle, truth.theta));
-                // Some 2^8 units of each step, 2^4 for 1/cos z, and theta moves with z and the mean's 2^8 units times t.
+                // Some 2^8 units of each step, 2^4 for 1/cos z, and theta moves with z and the mean's 2^8 units times
+                // t.
                 const long of_time = std::max(0L, binary_exponent(from_rational<ball>(rational(time + 1))));
                 CHECK(lost_bits(*angle, rough.bits()) <= 10 + of_time);
                 CHECK(lost_bits(state->omega, rough.bits()) <= 20 + of_time);

@@ -29,8 +29,8 @@ TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next 
             const auto cover = cover_from<mpfr>(m, x);
             const mpfr away = cover.place.offset + widen(list.unit) / 8;
             const mpfr expected = exact_solution<mpfr>(m).at({cover.place.quarter, away, away > 0 ? 1 : -1}).theta;
-            // Coefficients of size 1 at most after the first, which is below 2 pi: an ulp of the sum and of a_0 each, and
-            // that of the unit in a_1.
+            // Coefficients of size 1 at most after the first, which is below 2 pi: an ulp of the sum and of a_0 each,
+            // and that of the unit in a_1.
             CHECK(abs(widen(sum) - expected) <= rounding * 16);
         }
     }

@@ -28,8 +28,8 @@ rational step() { return {integer(1), integer(1) << 200U}; }
 // x plus a 2^-200 of it.
 exact moved(const exact& x) { return {rational(x.coefficient * (1 + step())), x.measure, x.text}; }
 
-// The difference quotient of so small a step is right to 2^-200 times second derivatives, below 2^60 here, and what 500 bits
-// leave of 200.
+// The difference quotient of so small a step is right to 2^-200 times second derivatives, below 2^60 here, and what
+// 500 bits leave of 200.
 mpfr quotient(const mpfr& after, const mpfr& before, const exact& x) {
     return (after - before) / (from_exact<mpfr>(moved(x)) - from_exact<mpfr>(x));
 }

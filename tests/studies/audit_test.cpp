@@ -1,4 +1,5 @@
-// The studies audit_boost and audit_gsl: our own double holds its promise, and the judge's numbers agree with each other.
+// The studies audit_boost and audit_gsl: our own double holds its promise, and the judge's numbers agree with each
+// other.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -45,8 +46,8 @@ TEST_CASE("what a library loses is at most what it was not told and what it lost
             const mpfr printed = mpfr("1e-5");  // six digits of each
             CHECK(error <= (told + own) * (1 + printed));
             CHECK(error >= abs(told - own) - (told + own) * printed);
-            // k is off by 2^-54 relative at most, so E = 2 k^2 by 2^-53: half a unit. At 1e-15 that is 0.2 of the gap, and
-            // the condition changes by as much itself.
+            // k is off by 2^-54 relative at most, so E = 2 k^2 by 2^-53: half a unit. At 1e-15 that is 0.2 of the gap,
+            // and the condition changes by as much itself.
             if (row.at("library") != "libration") {
                 CHECK(told <= number_of(row.at("condition")));
             }

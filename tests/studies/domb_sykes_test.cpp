@@ -22,8 +22,8 @@ std::vector<table_row> rows_under(const std::string& suffix, const study_words& 
 
 TEST_CASE("the first ratios are those of Taylor's theorem", "[studies][domb_sykes]") {
     const precision_scope scope(40);
-    // About the bottom a_3 = -a_1/6 and a_5 = a_1 (1 + a_1^2)/120 with a_1^2 = 2 E, or its mirror image above 2; about the top
-    // of libration a_2 = -sin(theta_0)/2 and a_4 = sin(theta_0) cos(theta_0)/24 with cos(theta_0) = 1 - E.
+    // About the bottom a_3 = -a_1/6 and a_5 = a_1 (1 + a_1^2)/120 with a_1^2 = 2 E, or its mirror image above 2; about
+    // the top of libration a_2 = -sin(theta_0)/2 and a_4 = sin(theta_0) cos(theta_0)/24 with cos(theta_0) = 1 - E.
     for (const char* const energy : {"0.5", "1.71", "2.02"}) {
         const mpfr e = number_of(energy);
         std::map<std::string, mpfr> expected{{"1 2 3", mpfr(-1) / 6}, {"1 2 5", mpfr(-(1 + 2 * e) / 20)}};
@@ -43,9 +43,9 @@ TEST_CASE("the first ratios are those of Taylor's theorem", "[studies][domb_syke
 }
 
 TEST_CASE("in t parity divides every second time by 0, and at E = 1 three of four times", "[studies][domb_sykes]") {
-    // About the top of libration a_0, a_2, a_4, ... are not 0: of 40 ratios the 20 with n even divide by 0, the others are 0.
-    // At E = 1 a_0, a_2, a_6, ..., a_38 remain: 11 ratios are defined. About the bottom a_1, a_3, ... remain, and a_0 = 0; but in
-    // rotation a_0 is pi or 2 pi, and a_1/a_0 defined and not 0.
+    // About the top of libration a_0, a_2, a_4, ... are not 0: of 40 ratios the 20 with n even divide by 0, the others
+    // are 0. At E = 1 a_0, a_2, a_6, ..., a_38 remain: 11 ratios are defined. About the bottom a_1, a_3, ... remain,
+    // and a_0 = 0; but in rotation a_0 is pi or 2 pi, and a_1/a_0 defined and not 0.
     const std::map<std::string, std::string> undefined{{"0.5 0", "20"}, {"0.5 1", "20"},  {"1 0", "29"},
                                                        {"1 1", "20"},   {"2.02 0", "19"}, {"2.02 1", "19"}};
     std::map<std::string, std::string> last;
@@ -71,7 +71,8 @@ TEST_CASE("in t^2 the plot about the bottom is straight, and about the top it sc
         const bool drawn = row.at("power") == "2" && row.at("point") == "1";
         CHECK(row.at("line").empty() != drawn);
         if (drawn && std::stoi(row.at("n")) >= 60) {
-            // The next singularities are at 2 T* + i K~', at E = 0.5 at 1.86 K~': 1.86^-58 of the coefficient, five times.
+            // The next singularities are at 2 T* + i K~', at E = 0.5 at 1.86 K~': 1.86^-58 of the coefficient, five
+            // times.
             CHECK(abs(number_of(row.at("scaled_ratio")) - number_of(row.at("line"))) < mpfr("1e-14"));
         }
     }

@@ -29,8 +29,8 @@ std::map<std::string, std::map<std::string, mpfr>> by_point(const std::vector<ta
 }  // namespace
 
 TEST_CASE("the radius about each point of the way is that of mpmath to the last digit", "[studies][expansion_point]") {
-    // mpmath, 60 digits: sqrt(((1-x) T*)^2 + K'^2) with T* = ellipk(E/2), K' = ellipk(1-E/2), or sqrt(2/E) times ellipk(2/E)
-    // and ellipk(1-2/E); x = 0, 1/4, 1/2, 3/4, 1.
+    // mpmath, 60 digits: sqrt(((1-x) T*)^2 + K'^2) with T* = ellipk(E/2), K' = ellipk(1-E/2), or sqrt(2/E) times
+    // ellipk(2/E) and ellipk(1-2/E); x = 0, 1/4, 1/2, 3/4, 1.
     const std::map<std::string, std::vector<std::string>> tabulated{
         {"0.5",
          {"2.7372091620228073045683660639578977153213108", "2.49980929441790155838866052881717309592392481",
@@ -94,8 +94,8 @@ TEST_CASE("from the bottom the series covers the way below E = 1 and above E = 4
 }
 
 TEST_CASE("the norms are those of mpmath", "[studies][expansion_point]") {
-    // mpmath: the Taylor polynomial by (pendseries) against 2 asin(k cd) and 2 pi + 2 asin(sn), searched over 401 points
-    // and by golden section; all three are largest at an end.
+    // mpmath: the Taylor polynomial by (pendseries) against 2 asin(k cd) and 2 pi + 2 asin(sn), searched over 401
+    // points and by golden section; all three are largest at an end.
     struct sample {
         std::string energy, point, order, norm;
     };

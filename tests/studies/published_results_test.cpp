@@ -1,5 +1,5 @@
-// What is committed in results/ is what the program computes: the quick studies again, byte for byte. (The slow ones are
-// compared by hand with `./run reproduce`.) Tables of fixed scalars are left out: libm may move their last digit.
+// What is committed in results/ is what the program computes: the quick studies again, byte for byte. (The slow ones
+// are compared by hand with `./run reproduce`.) Tables of fixed scalars are left out: libm may move their last digit.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

@@ -20,8 +20,8 @@ std::map<std::string, std::vector<table_row>> radius_map(const study_words& word
 }  // namespace
 
 TEST_CASE("verdicts hold the radius of mpmath within their uncertainty", "[studies][radius_map]") {
-    // mpmath, 60 digits: sqrt(((1-x) T*)^2 + K'^2) with T* = ellipk(E/2), K' = ellipk(1-E/2), or sqrt(2/E) times ellipk(2/E)
-    // and ellipk(1-2/E); x = 0, 1/2, 1.
+    // mpmath, 60 digits: sqrt(((1-x) T*)^2 + K'^2) with T* = ellipk(E/2), K' = ellipk(1-E/2), or sqrt(2/E) times
+    // ellipk(2/E) and ellipk(1-2/E); x = 0, 1/2, 1.
     const std::map<std::string, std::string> tabulated{{"0.5 0", "2.7372091620228073045683660639578977153213108"},
                                                        {"0.5 1/2", "2.31538297104356018932640850234524879426083889"},
                                                        {"0.5 1", "2.15651564749964323543867499880032202886411022"},

@@ -1,4 +1,5 @@
-// The tournament on a part of its problems: its judgements again from its own cells, and what the uncertainties promise.
+// The tournament on a part of its problems: its judgements again from its own cells, and what the uncertainties
+// promise.
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>

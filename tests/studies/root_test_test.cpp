@@ -19,7 +19,8 @@ std::vector<table_row> roots(const study_words& words) { return rows_of_study("r
 
 TEST_CASE("the first roots are those of Taylor's theorem", "[studies][root_test]") {
     const precision_scope scope(60);
-    // a_2 = -sin(theta_0)/2 about the top of libration, sin(theta_0)^2 = E (2 - E); a_1 = sqrt(2 E) in size about the bottom.
+    // a_2 = -sin(theta_0)/2 about the top of libration, sin(theta_0)^2 = E (2 - E); a_1 = sqrt(2 E) in size about the
+    // bottom.
     for (const char* const energy : {"0.5", "1", "1.71"}) {
         const mpfr e = number_of(energy);
         const mpfr top = sqrt(mpfr(2 / sqrt(mpfr(e * (2 - e)))));

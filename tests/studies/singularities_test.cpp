@@ -29,8 +29,8 @@ struct tabulated_pole {
     std::string re, im, residue_re, residue_im;
 };
 
-// mpmath: pade(f, 4, 5) and polyroots at 120 digits, f the series of omega/t (E = 1.71) or omega (E = 2.02) in s = t^2 from
-// 20 coefficients by (pendseries), t = sqrt(s), residue p(s)/q'(s) times 1/2 or 1/(2t).
+// mpmath: pade(f, 4, 5) and polyroots at 120 digits, f the series of omega/t (E = 1.71) or omega (E = 2.02) in s = t^2
+// from 20 coefficients by (pendseries), t = sqrt(s), residue p(s)/q'(s) times 1/2 or 1/(2t).
 const std::map<std::string, std::vector<tabulated_pole>> tabulated{
     {"1.71",
      {{"2.40473734855649488432960524469529547280289367", "1.63291502354056552602577107149676320561702429",

@@ -55,8 +55,8 @@ auto difference(F f, G g) {
     };
 }
 
-/// The zero of the slope of `difference` between two points where the slope has opposite signs, by the bracketing method
-/// of [TOMS748] to full working precision.
+/// The zero of the slope of `difference` between two points where the slope has opposite signs, by the bracketing
+/// method of [TOMS748] to full working precision.
 template <bracketed_scalar T, class F>
 T stationary_point(const F& difference, const T& left, const T& right, const jet<T>& at_left, const jet<T>& at_right) {
     const auto slope = [&](const T& x) { return difference(x).slope; };

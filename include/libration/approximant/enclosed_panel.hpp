@@ -16,8 +16,8 @@ struct enclosed_two_jet {
     ball curvature;
 };
 
-/// A function of s in [-1, 1], the part [from, to] of the caller's variable: a polynomial with a tail whose coefficients
-/// obey |c_j| <= scale ratio^j for every j > J, the order of the polynomial.
+/// A function of s in [-1, 1], the part [from, to] of the caller's variable: a polynomial with a tail whose
+/// coefficients obey |c_j| <= scale ratio^j for every j > J, the order of the polynomial.
 class enclosed_panel {
 public:
     /// Throws precision_exhausted where ratio < 1 is not certain.

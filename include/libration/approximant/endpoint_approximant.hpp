@@ -70,8 +70,8 @@ power_series<T> inner_series(const power_series<T>& series, const std::vector<T>
 }
 
 /// The corrected form as one power series of order N + m. With d_j the Taylor coefficients at 1 of f - sigma_N,
-/// q = sum_i q_i (x-1)^i, q_i = sum_{j<=i} d_j C(-N-1, i-j): for m = 2 the alpha and beta of the paper's appendix in the
-/// scaled variable, without a power of T*. O(m N).
+/// q = sum_i q_i (x-1)^i, q_i = sum_{j<=i} d_j C(-N-1, i-j): for m = 2 the alpha and beta of the paper's appendix in
+/// the scaled variable, without a power of T*. O(m N).
 template <scalar T>
 power_series<T> endpoint_corrected(const power_series<T>& series, const std::vector<T>& endpoint) {
     const int m = static_cast<int>(endpoint.size());

@@ -1,8 +1,8 @@
 // The Pade approximant [L/M] of a power series: the rational function P/Q, deg P <= L, deg Q <= M, Q(0) = 1, with
-// f - P/Q = O(x^(L+M+1)) [DLMF 3.11(iv)]. Its poles settle on those of a meromorphic f, beyond the radius of convergence.
-// Rates: with a fixed M, for an f with M poles in |x| < r and no other singularity there, the error at x falls like
-// (|x|/r)^L off the poles [Baker1996, Montessus's theorem]. With L = M and branch points it falls like exp(-2 M G(x)), G
-// the Green function of the complement of the cuts of least capacity, in capacity only [Stahl1997].
+// f - P/Q = O(x^(L+M+1)) [DLMF 3.11(iv)]. Its poles settle on those of a meromorphic f, beyond the radius of
+// convergence. Rates: with a fixed M, for an f with M poles in |x| < r and no other singularity there, the error at x
+// falls like (|x|/r)^L off the poles [Baker1996, Montessus's theorem]. With L = M and branch points it falls like
+// exp(-2 M G(x)), G the Green function of the complement of the cuts of least capacity, in capacity only [Stahl1997].
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ struct pade_approximant {
     }
 };
 
-/// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M and
-/// q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses digits with every degree of Q: scale x by the
+/// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M
+/// and q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses digits with every degree of Q: scale x by the
 /// radius of convergence and give the working precision guard digits. Throws std::invalid_argument when the series is
 /// too short, and std::domain_error where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
 /// exist or is one of smaller degrees.

@@ -1,15 +1,16 @@
 // The largest |f| on an interval, proved: by subdivision of polynomials with bounded tails, not by samples.
 //
-// On a piece with the midpoint m and the half width h, f, f' and f'' are enclosed by Horner's rule on the ball m +- h, and
-// |f| <= |f(m)| + h max|f'| there. A piece
+// On a piece with the midpoint m and the half width h, f, f' and f'' are enclosed by Horner's rule on the ball m +- h,
+// and |f| <= |f(m)| + h max|f'| there. A piece
 //   1. whose |f| is below a value that |f| takes somewhere counts for nothing;
 //   2. on which f' has no zero has its largest |f| at an end;
 //   3. on which |f''| >= mu > 0 has, beside its ends, at most one stationary point x. For any s in the piece
 //      |s - x| <= |f'(s)|/mu, and the extreme value of f lies between f(s) and f(s) -+ f'(s)^2/(2 mu): for f'' > 0,
 //      f(y) >= f(s) + f'(s) (y - s) + mu/2 (y - s)^2, whose least value that is, and f(s) is not below the least;
 //   4. is cut in two otherwise.
-// In 3 the point s comes from Newton's iteration; nothing is taken on trust from it. The result is the hull of what may be
-// the maximum. Where two far places share it to the working precision, the value is proved, and the place is not narrow.
+// In 3 the point s comes from Newton's iteration; nothing is taken on trust from it. The result is the hull of
+// what may be the maximum. Where two far places share it to the working precision, the value is proved, and
+// the place is not narrow.
 #pragma once
 
 #include <cstddef>
@@ -108,7 +109,8 @@ private:
         return contains_zero(at.slope) ? 0 : decided_sign(at.slope);
     }
 
-    // The stationary point of a piece that bends by at least `least`; false where Newton's iteration did not come near it.
+    // The stationary point of a piece that bends by at least `least`; false where Newton's iteration did not come near
+    // it.
     bool is_found(const enclosed_panel& f, const ball& centre, const ball& all, const ball& least) {
         ball s = centre;
         for (int step = doublings(digits<ball>()) + 3; step > 0; --step) {
@@ -146,9 +148,9 @@ private:
     std::vector<candidate> candidates_;
 };
 
-/// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of order
-/// J for each halving next to a stationary point; their number follows the shape of f and hardly the precision. Throws
-/// precision_exhausted where the working precision does not part the pieces, as where f is 0.
+/// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of
+/// order J for each halving next to a stationary point; their number follows the shape of f and hardly the precision.
+/// Throws precision_exhausted where the working precision does not part the pieces, as where f is 0.
 inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels) {
     return maximum_search(panels).result();
 }

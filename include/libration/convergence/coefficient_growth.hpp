@@ -1,10 +1,10 @@
 // Do the coefficients of a series fall or grow like powers R^-n at all? Those of an entire function fall faster, like
 // n^(-n/rho) for the order rho [Boas1954, 2.2.2]; those of a divergent series grow faster, like n!.
 //
-// log |c_k| is fitted by alpha + beta k + gamma k log k on the last three quarters: gamma -> 0 for 0 < R < infinity, where
-// the factor k^(-nu-1) of a singularity leaves gamma = O(1/K); -stride/rho for an entire function, and more than 0 where
-// the radius is 0. Coefficients of a complex pair pass near 0 again and again, so the fit is made a second time without the
-// points that lie below the first.
+// log |c_k| is fitted by alpha + beta k + gamma k log k on the last three quarters: gamma -> 0 for 0 < R < infinity,
+// where the factor k^(-nu-1) of a singularity leaves gamma = O(1/K); -stride/rho for an entire function, and more than
+// 0 where the radius is 0. Coefficients of a complex pair pass near 0 again and again, so the fit is made a second time
+// without the points that lie below the first.
 #pragma once
 
 #include <array>

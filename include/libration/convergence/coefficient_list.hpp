@@ -3,8 +3,9 @@
 //     1              0,1               n,coefficient
 //     1/3            1,1/3             0,1
 //     2/15           2,2/15            2,0.1333
-// One number a line stands for a_0, a_1, ...; two numbers are n and a_n. Cells are separated by commas, semicolons or blanks
-// and may be quoted. Lines may end in CR LF; blank lines are skipped, and what follows a #. A first line of names is a header.
+// One number a line stands for a_0, a_1, ...; two numbers are n and a_n. Cells are separated by commas, semicolons
+// or blanks and may be quoted. Lines may end in CR LF; blank lines are skipped, and what follows a #. A first line
+// of names is a header.
 #pragma once
 
 #include <algorithm>

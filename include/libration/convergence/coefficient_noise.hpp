@@ -11,7 +11,8 @@
 
 namespace libration {
 
-/// Significant digits of a number written with a point or an exponent; 0 of whole numbers and fractions, which are exact.
+/// Significant digits of a number written with a point or an exponent; 0 of whole numbers and fractions, which are
+/// exact.
 inline long written_digits(const exact& number) {
     const std::string& text = number.text;
     if (text.find('/') != std::string::npos || text.find_first_of(".eE") == std::string::npos) {
@@ -23,9 +24,9 @@ inline long written_digits(const exact& number) {
                                            [](unsigned char c) { return std::isdigit(c) != 0; }));
 }
 
-/// How far the numbers of a list can be relied on, relative to their size: epsilon, or 10^(1-d) where that is more, d the
-/// largest number of digits among the decimals of the second half; never more than 2^-12, for a short decimal is as often
-/// exact (1e-7) as rounded. Fails where decimals were printed with more digits than are right.
+/// How far the numbers of a list can be relied on, relative to their size: epsilon, or 10^(1-d) where that is more, d
+/// the largest number of digits among the decimals of the second half; never more than 2^-12, for a short decimal is as
+/// often exact (1e-7) as rounded. Fails where decimals were printed with more digits than are right.
 template <rounding_scalar T>
 T noise_of(const std::vector<exact>& list) {
     using std::ldexp;

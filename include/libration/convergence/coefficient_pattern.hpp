@@ -90,7 +90,8 @@ coefficient_pattern pattern_of(const power_series<T>& a, const T& noise) {
     for (const int n : late) {
         stride = std::gcd(stride, n - late.front());
     }
-    // A class is seen only where it holds three coefficients at least, none is missing at the end, and of a few none at all.
+    // A class is seen only where it holds three coefficients at least, none is missing at the end, and of a few none at
+    // all.
     constexpr std::size_t few = 6;
     const int span = stride * static_cast<int>(late.size() - 1);
     const bool complete = late.size() >= few || late.back() - late.front() == span;

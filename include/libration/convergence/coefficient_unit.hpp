@@ -1,7 +1,8 @@
 // A unit of length for a list of coefficients, in which its radius of convergence is about 1, from the list alone.
 //
-// a_n itself leaves every fixed range: 2.9^-1000 is below that of double. With x = u y the list a_n u^n stays between powers
-// of n where 1/u is the rate at which |a_n| falls. That rate is the slope of log2 |a_n| over the second half of the list.
+// a_n itself leaves every fixed range: 2.9^-1000 is below that of double. With x = u y the list a_n u^n stays
+// between powers of n where 1/u is the rate at which |a_n| falls. That rate is the slope of log2 |a_n| over the
+// second half of the list.
 #pragma once
 
 #include <cstddef>
@@ -66,8 +67,8 @@ inline size_line line_through(const std::vector<binary_size>& points) {
     return line;
 }
 
-/// The slope of the upper coefficients: those that nearly cancel, and the roundings that stand for 0 in a list of decimals,
-/// lie far below the others and do not count.
+/// The slope of the upper coefficients: those that nearly cancel, and the roundings that stand for 0 in a list of
+/// decimals, lie far below the others and do not count.
 inline mpfr slope_of_upper(const std::vector<binary_size>& points) {
     constexpr std::size_t fewest = 4;
     const size_line first = line_through(points);
@@ -82,9 +83,11 @@ inline mpfr slope_of_upper(const std::vector<binary_size>& points) {
 
 }  // namespace fitting
 
-/// The unit of a list: its length has twelve bits, so that it is an exact number in every scalar, and makes the slope of the
-/// second half 0; 1 where fewer than two coefficients are other than 0. The exponent is 0 where the largest coefficient of that
-/// half is within 2^100 of 1, since a root test sees the factor; else it makes that coefficient about 1. No radius has to exist: the unit of an entire function grows with N, that of a divergent series falls. O(N).
+/// The unit of a list: its length has twelve bits, so that it is an exact number in every scalar, and makes
+/// the slope of the second half 0; 1 where fewer than two coefficients are other than 0. The exponent is 0
+/// where the largest coefficient of that half is within 2^100 of 1, since a root test sees the factor; else it
+/// makes that coefficient about 1. No radius has to exist: the unit of an entire function grows with N, that
+/// of a divergent series falls. O(N).
 template <rounding_scalar T>
 coefficient_unit unit_of(const power_series<T>& a) {
     constexpr int bits = 12;
@@ -112,8 +115,8 @@ coefficient_unit unit_of(const power_series<T>& a) {
     return unit;
 }
 
-/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws std::range_error where T cannot
-/// hold one of them.
+/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws std::range_error where T
+/// cannot hold one of them.
 template <rounding_scalar T>
 power_series<T> in_unit_of(const power_series<mpfr>& a, const coefficient_unit& unit) {
     std::vector<mpfr> scaled;

@@ -1,8 +1,9 @@
 // The nearest singularities as roots of fitted recurrences, each with an exponent and an estimate of its error.
 //
-// The systems are solved in twice the digits of the coefficients and 40 more, for they lose digits with every degree. What a
-// recurrence leaves out and what rounding in the coefficients themselves spoils shows in the uncertainty: every root is
-// compared with those from the list without its last one, its last two and so on up to its last quarter of coefficients.
+// The systems are solved in twice the digits of the coefficients and 40 more, for they lose digits with every
+// degree. What a recurrence leaves out and what rounding in the coefficients themselves spoils shows in the
+// uncertainty: every root is compared with those from the list without its last one, its last two and so on up to
+// its last quarter of coefficients.
 #pragma once
 
 #include <algorithm>
@@ -93,8 +94,8 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     return found.nearest.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
-/// Where few digits are certain, steps may be small by chance: the error is then thought to be four times what the steps
-/// say, or four times the distance from the root of the next degree on either side, whichever is nearer.
+/// Where few digits are certain, steps may be small by chance: the error is then thought to be four times what the
+/// steps say, or four times the distance from the root of the next degree on either side, whichever is nearer.
 inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best) {
     constexpr int few_digits = 1'000'000;
     fitted_singularity& first = all[best].nearest.front();
@@ -113,10 +114,10 @@ inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std:
 
 }  // namespace fitting
 
-/// The nearest singularities by the degree whose root is the most certain, among those whose system has at most 64 unknowns,
-/// as far as the coefficients go; degrees grow more and more thinly, and growing ends where five in turn do not halve it.
-/// Nothing where no degree gives a root that can be followed. Works in the precision of the caller, which should have
-/// twice the digits of the coefficients; `fine` is the relative uncertainty that these allow at best.
+/// The nearest singularities by the degree whose root is the most certain, among those whose system has at most 64
+/// unknowns, as far as the coefficients go; degrees grow more and more thinly, and growing ends where five in turn do
+/// not halve it. Nothing where no degree gives a root that can be followed. Works in the precision of the caller, which
+/// should have twice the digits of the coefficients; `fine` is the relative uncertainty that these allow at best.
 inline std::optional<fitted_singularities> nearest_singularities(const fitting::wide_series& series,
                                                                  const recurrence_form& form, const mpfr& fine) {
     constexpr int most_unknowns = 64;
@@ -152,9 +153,9 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
     return all[best];
 }
 
-/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the error that
-/// is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and a rounding of the
-/// coefficients.
+/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the
+/// error that is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and
+/// a rounding of the coefficients.
 template <rounding_scalar T>
 radius_estimate<T> estimate_by_recurrence(const std::string& method, const strided_series<T>& c,
                                           const recurrence_form& form) {

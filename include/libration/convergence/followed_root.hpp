@@ -1,5 +1,5 @@
-// Roots of polynomials that change a little: starts, Newton's iteration, and how uncertain a root is that was followed from
-// fewer coefficients to more.
+// Roots of polynomials that change a little: starts, Newton's iteration, and how uncertain a root is that was followed
+// from fewer coefficients to more.
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ inline std::optional<complex_number<mpfr>> polished(const power_series<mpfr>& p,
     return std::nullopt;
 }
 
-/// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not tell
-/// every root to a thousandth of its size, or a conjugate pair from two real ones.
+/// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not
+/// tell every root to a thousandth of its size, or a conjugate pair from two real ones.
 template <rounding_scalar S>
 std::optional<std::vector<complex_number<mpfr>>> roots_in(const power_series<mpfr>& p) {
     auto rounded = power_series<S>::zero(p.order());
@@ -86,10 +86,11 @@ inline std::vector<int> fewer_coefficients(int count, int needed) {
 
 /// The error of a value x_0 from x_1, x_2, ... with the fewer coefficients of fewer_coefficients(); s = fewer[4].
 ///
-/// An error that falls like rho^K makes |x_0 - x_s| and |x_0 - x_2s| differ by rho^s. Then each of the last steps leaves
-/// |x_(j-1) - x_j| rho^j/(1 - rho), where rho is not taken for smaller than these steps themselves show: where they are
-/// rounding they do not shrink. Where the two hardly differ the error falls like a power of 1/K and is 8 |x_0 - x_s|, for
-/// s = K/8 the error of a fall like 1/K; or it is rounding alone, as large in one step as in s of them.
+/// An error that falls like rho^K makes |x_0 - x_s| and |x_0 - x_2s| differ by rho^s. Then each of the last steps
+/// leaves |x_(j-1) - x_j| rho^j/(1 - rho), where rho is not taken for smaller than these steps themselves show:
+/// where they are rounding they do not shrink. Where the two hardly differ the error falls like a power of 1/K
+/// and is 8 |x_0 - x_s|, for s = K/8 the error of a fall like 1/K; or it is rounding alone, as large in one step
+/// as in s of them.
 inline leftover left_after(const std::vector<complex_number<mpfr>>& x, int s) {
     const auto apart = [&](std::size_t i, std::size_t j) { return modulus_of(x[i] - x[j]); };
     const std::array<mpfr, 3> steps{apart(0, 1), apart(1, 2), apart(2, 3)};

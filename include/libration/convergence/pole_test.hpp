@@ -1,10 +1,10 @@
 // The pole test: where f or its derivative has poles nearest, they are the roots of a small Pade denominator.
 //
-// The coefficients of a function whose nearest singularities are M simple poles w_i, and the next at distance R2, are sums
-// c_k = sum_i A_i w_i^-k + O(R2^-k): Prony's exponentials [DLMF 3.11(iv); Baker1996, 2.2]. A logarithm A log(1 - x/x0) of
-// f is a simple pole of x f', whose coefficients are n a_n: so the singularities of the pendulum, which are logarithmic.
-// The error falls like (R/R2)^N for the nearest singularity that the degree leaves out. Fails, slowly converging, where the
-// singularities are neither; its uncertainty is then of the size of its error.
+// The coefficients of a function whose nearest singularities are M simple poles w_i, and the next at distance R2, are
+// sums c_k = sum_i A_i w_i^-k + O(R2^-k): Prony's exponentials [DLMF 3.11(iv); Baker1996, 2.2]. A logarithm A
+// log(1 - x/x0) of f is a simple pole of x f', whose coefficients are n a_n: so the singularities of the pendulum,
+// which are logarithmic. The error falls like (R/R2)^N for the nearest singularity that the degree leaves out. Fails,
+// slowly converging, where the singularities are neither; its uncertainty is then of the size of its error.
 #pragma once
 
 #include "libration/convergence/fitted_singularities.hpp"

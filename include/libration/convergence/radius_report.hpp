@@ -72,15 +72,16 @@ inline std::string reason_for_no_radius(const coefficient_pattern& pattern, grow
     return "";
 }
 
-/// Whether a verdict has six digits at least: then a radius is there, whatever the growth looks like. Coefficients of one
-/// singularity and a stronger one further out grow as if there were none.
+/// Whether a verdict has six digits at least: then a radius is there, whatever the growth looks like. Coefficients of
+/// one singularity and a stronger one further out grow as if there were none.
 template <rounding_scalar T>
 bool is_certain(const radius_estimate<T>& verdict) {
     return verdict.radius && verdict.uncertainty * 1'000'000 <= *verdict.radius;
 }
 
 /// All tests on a_0 .. a_N, known to `noise` of their size and scaled so that the radius is about 1: coefficients
-/// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the tests.
+/// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the
+/// tests.
 template <rounding_scalar T>
 radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
     radius_report<T> report;

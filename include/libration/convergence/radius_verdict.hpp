@@ -22,8 +22,8 @@ inline bool may_decide(std::string_view method) {
     return std::find(trusted.begin(), trusted.end(), method) != trusted.end();
 }
 
-/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with the
-/// smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
+/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with
+/// the smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
 template <rounding_scalar T>
 std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
     using std::abs;
@@ -54,8 +54,8 @@ singularity_kind kind_of(const radius_estimate<T>& estimate) {
     return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
 }
 
-/// The root test's answer for a lacunary series, which has its whole circle of convergence as a boundary if its gaps go on
-/// growing [Hadamard1892].
+/// The root test's answer for a lacunary series, which has its whole circle of convergence as a boundary if its
+/// gaps go on growing [Hadamard1892].
 template <rounding_scalar T>
 radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests) {
     for (const auto& each : tests) {
@@ -90,8 +90,8 @@ std::vector<radius_estimate<T>> answers_by_certainty(const std::vector<radius_es
     return answers;
 }
 
-/// The most certain answer, confirmed by another one: where it differs from all others by more than both allow, the least
-/// difference is the uncertainty.
+/// The most certain answer, confirmed by another one: where it differs from all others by more than both allow, the
+/// least difference is the uncertainty.
 template <rounding_scalar T>
 radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, const coefficient_pattern& pattern) {
     using std::abs;

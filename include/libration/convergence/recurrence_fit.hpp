@@ -1,12 +1,12 @@
-// A linear recurrence with polynomials in n as coefficients, fitted to the last coefficients of a series: the engine of the
-// pole tests and of the differential approximants.
+// A linear recurrence with polynomials in n as coefficients, fitted to the last coefficients of a series: the engine of
+// the pole tests and of the differential approximants.
 //
 // f is taken to obey a linear differential equation sum_i Q_i(w) (x d/dx)^i f = P(w), x d/dx x^n = n x^n, with
 // polynomials Q_i of degree M in w = x^stride. Beyond the degree of P its coefficients satisfy
 //     sum_{j=0}^{M} sum_{i=lowest}^{highest} q_ij n_{k-j}^i c_{k-j} = 0,   n_k = first + stride k,
 // a linear system for the q_ij (q of the highest i and j = 0 is 1). f is singular at the roots of Q_highest
-// [Guttmann1989, 3.2; Hunter1979]. With one power of n alone this is the Pade approximant [K-M/M] of f (i = 0: poles) or of
-// x f' (i = 1: logarithms), that is Prony's fit of a sum of exponentials to the last 2M coefficients.
+// [Guttmann1989, 3.2; Hunter1979]. With one power of n alone this is the Pade approximant [K-M/M] of f (i = 0: poles)
+// or of x f' (i = 1: logarithms), that is Prony's fit of a sum of exponentials to the last 2M coefficients.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@ struct recurrence_form {
 /// The q_ij of degree M but the one that is 1.
 inline int unknowns_of(const recurrence_form& form, int degree) { return (degree + 1) * form.powers() - 1; }
 
-/// The coefficients that a fit takes: one for each unknown, as many before them as the recurrence looks back, and four for
-/// comparison.
+/// The coefficients that a fit takes: one for each unknown, as many before them as the recurrence looks
+/// back, and four for comparison.
 inline int coefficients_needed(const recurrence_form& form, int degree) {
     return unknowns_of(form, degree) + degree + 4;
 }

@@ -74,8 +74,8 @@ T complete_integral_resummed(const modulus<T>& m, int order) {
     return sum + artanh_over_modulus(m);
 }
 
-/// Bound of K - complete_integral_series(m, N), proved above: (2N+3) c_{N+1} k^(2N+2) log(1 + 1/((N+1) k'^2))/2. Between
-/// 1 and 2 times what is left out at every k. It has the rounding of a few operations and of log(1 + x). O(N).
+/// Bound of K - complete_integral_series(m, N), proved above: (2N+3) c_{N+1} k^(2N+2) log(1 + 1/((N+1) k'^2))/2.
+/// Between 1 and 2 times what is left out at every k. It has the rounding of a few operations and of log(1 + x). O(N).
 template <scalar T>
 T complete_integral_series_bound(const modulus<T>& m, int order) {
     require_order(order);
@@ -88,8 +88,8 @@ T complete_integral_series_bound(const modulus<T>& m, int order) {
     return term * (2 * order + 3) * log(T(1 + 1 / (m.complement * m.complement * (order + 1)))) / 2;
 }
 
-/// Bound of K - complete_integral_resummed(m, N), proved above: k^(2N+2)/((8N+7) (1 + (N+7/8) k'^2)). It tends to what is
-/// left out as k -> 1 and N -> infinity. O(log N).
+/// Bound of K - complete_integral_resummed(m, N), proved above: k^(2N+2)/((8N+7) (1 + (N+7/8) k'^2)). It tends to what
+/// is left out as k -> 1 and N -> infinity. O(log N).
 template <scalar T>
 T complete_integral_resummed_bound(const modulus<T>& m, int order) {
     require_order(order);

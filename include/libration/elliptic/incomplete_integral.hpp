@@ -42,8 +42,8 @@ T branch_angle(const T& sine, const T& cosine, const T& near, int doublings) {
 /// Descending Landen [DLMF 19.8(ii)]: phi_{n+1} = phi_n + delta_n, tan delta_n = (b_n/a_n) tan phi_n, and
 /// F = phi_N / (2^N a_N). Sine and cosine travel as a pair, so that an angle next to pi/2 keeps the digits of its
 /// cosine, where F is steepest; the increments all have the sign of phi, so their sum does not cancel. The branch of
-/// delta_n is the one next to phi_n: they differ by less than pi/2, and the other branches by more than 3 pi/2; on balls
-/// less than pi has to be certain (precision_exhausted). At the last level the integrand lies in [1, 1/k_N'], and
+/// delta_n is the one next to phi_n: they differ by less than pi/2, and the other branches by more than 3 pi/2; on
+/// balls less than pi has to be certain (precision_exhausted). At the last level the integrand lies in [1, 1/k_N'], and
 /// 1/k_N' - 1 = k_N^2/(k_N' (1 + k_N')): so it leaves out at most that share of phi_N, k_N' = b_N/a_N.
 ///
 /// On balls every level's angle only chooses a branch, for which a few digits do; the last one, which is the result, is

@@ -99,8 +99,8 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
 }
 
 /// sn, cn, dn at any real u, given u and the modulus as exact: a few units in the last place each, times the condition
-/// |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' = 1e-100, K is
-/// 232). Throws std::domain_error at k = 1.
+/// |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' = 1e-100, K
+/// is 232). Throws std::domain_error at k = 1.
 template <scalar T>
 jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     const auto reduced = reduce_argument(u, m);
@@ -108,8 +108,8 @@ jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     return advance_quarters(near, quarter_of_four(reduced.quarter), m.complement);
 }
 
-/// am(u, k), unwrapped and odd: am(u + 2K) = am(u) + pi. With u = quarter K + offset, quarter >= 0 and h = quarter div 2
-/// it is h pi + atan2(sn, cn) at the rest, all of it without cancellation. A few units in the last place.
+/// am(u, k), unwrapped and odd: am(u + 2K) = am(u) + pi. With u = quarter K + offset, quarter >= 0 and h = quarter div
+/// 2 it is h pi + atan2(sn, cn) at the rest, all of it without cancellation. A few units in the last place.
 template <scalar T>
 T amplitude(const T& u, const modulus<T>& m) {
     using std::atan2;

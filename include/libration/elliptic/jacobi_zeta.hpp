@@ -1,8 +1,9 @@
 // Jacobi's zeta function and the mean of dn^2, from the chain of moduli of the arithmetic-geometric mean.
 //
-// With phi_0 = am(u, k), tan(phi_{n+1} - phi_n) = (b_n/a_n) tan phi_n, c_0 = k and c_{n+1} = (a_n - b_n)/2 = c_n^2/(4 a_{n+1}),
-// where a_0 = 1 [DLMF 22.20.5, 19.8.6; Abramowitz and Stegun 17.6]:
-//   Z(u) = integral of dn^2 from 0 to u - u E(k)/K(k) = sum_{n>=1} c_n sin phi_n,   E(k)/K(k) = 1 - sum_{n>=0} 2^(n-1) c_n^2.
+// With phi_0 = am(u, k), tan(phi_{n+1} - phi_n) = (b_n/a_n) tan phi_n, c_0 = k and c_{n+1} = (a_n - b_n)/2 = c_n^2/(4
+// a_{n+1}), where a_0 = 1 [DLMF 22.20.5, 19.8.6; Abramowitz and Stegun 17.6]:
+//   Z(u) = integral of dn^2 from 0 to u - u E(k)/K(k) = sum_{n>=1} c_n sin phi_n,
+//   E(k)/K(k) = 1 - sum_{n>=0} 2^(n-1) c_n^2.
 #pragma once
 
 #include <cmath>

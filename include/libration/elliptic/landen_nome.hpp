@@ -1,15 +1,16 @@
 // The descent to a small nome in balls: the few steps of the arithmetic-geometric mean after which three terms of the
-// theta series are exact to the precision. What depends on the modulus alone is here, proved, for any number of arguments.
+// theta series are exact to the precision. What depends on the modulus alone is here, proved, for any number of
+// arguments.
 //
 // With a_0 > b_0 > 0 (only b_0/a_0 = k' matters) and c_{n+1} = (a_n - b_n)/2 the modulus of level n is k_n, with
-// k_{n+1} = c_{n+1}/a_{n+1}, and its nome is q^(2^n) [DLMF 22.7(i), 20.9(i)]. At the last level r the nome P follows from
-// e = k_{r+1}/4 = (a_r - b_r)/(4 (a_r + b_r)), a_r = M theta_3(0)^2 and b_r = M theta_4(0)^2, M = agm(a_0, b_0).
+// k_{n+1} = c_{n+1}/a_{n+1}, and its nome is q^(2^n) [DLMF 22.7(i), 20.9(i)]. At the last level r the nome P follows
+// from e = k_{r+1}/4 = (a_r - b_r)/(4 (a_r + b_r)), a_r = M theta_3(0)^2 and b_r = M theta_4(0)^2, M = agm(a_0, b_0).
 //
 // (1) P = e sum_j p_j e^(2j) = e (1 + 4 e^2 + 34 e^4 + ...), and after J terms the sum lacks at most
 //     4 k^(2J)/(1 - k^2), k = k_{r+1} = 4e. Proof: at nome P^2, k = 4P (sum P^(2n(n+1)))^2/(sum P^(2n^2))^2, the first
 //     sum over n >= 0, the second over all n [DLMF 20.9.1]. The nome exp(-pi K'/K) as a function of k^2 is analytic for
-//     |k| < 1, of modulus below 1, with its only zero at k = 0, simple: so P, its square root, is an odd analytic function
-//     of k there, of modulus below 1, and Cauchy's estimate on |k| = s -> 1 gives |p_j| <= 4^(2j+1).
+//     |k| < 1, of modulus below 1, with its only zero at k = 0, simple: so P, its square root, is an odd analytic
+//     function of k there, of modulus below 1, and Cauchy's estimate on |k| = s -> 1 gives |p_j| <= 4^(2j+1).
 // (2) theta_3(z) = 1 + 2 sum P^(n^2) cos 2nz lacks after n = N at most 4 P^((N+1)^2). With x_n = cos((2n+1)z)/cos z, or
 //     the same of sines, |x_n| <= 2n+1, and sum P^(n(n+1)) x_n lacks at most 2 (2N+3) P^((N+1)(N+2)), if P <= 1/8.
 //     Proof: every bound is at most half of the one before: P^(2n+1) <= 1/8, (2n+3)/(2n+1) P^(2n+2) <= 1/2.
@@ -24,9 +25,9 @@
 
 namespace libration {
 
-/// Chain, nome and mean. Cost: one square root, two products and three sums a level, log2 log2(1/k') levels until b/a is
-/// above 1/2, then about log2(bits) - 4; two square roots and 7 levels serve 1000 digits. Absolute errors relative to a:
-/// a few units of the working precision in M; of the sums, few units. The precision is that of the scope.
+/// Chain, nome and mean. Cost: one square root, two products and three sums a level, log2 log2(1/k') levels until b/a
+/// is above 1/2, then about log2(bits) - 4; two square roots and 7 levels serve 1000 digits. Absolute errors relative
+/// to a: a few units of the working precision in M; of the sums, few units. The precision is that of the scope.
 class landen_nome {
 public:
     /// quarter_square is c_0^2/4 = (a_0^2 - b_0^2)/4. Throws std::domain_error unless a_0 and b_0 are positive, and

@@ -8,9 +8,9 @@
 
 namespace libration {
 
-/// The motion of this energy that is at its lowest point at t = 0: libration passing theta = 0 with omega = -sqrt(2E), as
-/// the one released at +theta_max does T* after its start, rotation counterclockwise at theta = 2 pi [paper fig:series].
-/// E = 2 starts as libration does.
+/// The motion of this energy that is at its lowest point at t = 0: libration passing theta = 0 with omega = -sqrt(2E),
+/// as the one released at +theta_max does T* after its start, rotation counterclockwise at theta = 2 pi [paper
+/// fig:series]. E = 2 starts as libration does.
 inline motion motion_from_bottom(const rational& energy) {
     const bool rotates = energy > 2;
     return motion::of_energy_from(energy, read_exact(rotates ? "2pi" : "0"), rotates ? 1 : -1);

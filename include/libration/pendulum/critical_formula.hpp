@@ -21,9 +21,9 @@ T critical_growth(const motion& m, const T& t) {
 }
 
 /// theta = -pi + 4 arctan(e^t tan((theta0 + pi)/4)) at dimensionless time t [paper (critical)], which holds for
-/// omega0 = +2 cos(theta0/2) and |theta0| < pi; here for every motion with E = 2, by reflection and whole turns. It loses
-/// relative digits next to theta = +-pi, where the arctangent saturates; exact_solution does not.
-/// Throws std::domain_error for a motion with another energy.
+/// omega0 = +2 cos(theta0/2) and |theta0| < pi; here for every motion with E = 2, by reflection and whole turns. It
+/// loses relative digits next to theta = +-pi, where the arctangent saturates; exact_solution does not. Throws
+/// std::domain_error for a motion with another energy.
 template <scalar T>
 T critical_formula(const motion& m, const T& t) {
     using std::atan;

@@ -23,8 +23,8 @@ struct bounded_value {
     mpfr error;
 };
 
-/// The sign of a real number known not to be 0: evaluate() is called at 128, 256, ... bits until its value exceeds twice
-/// its error bound. Throws std::domain_error when a million bits do not decide.
+/// The sign of a real number known not to be 0: evaluate() is called at 128, 256, ... bits until its value exceeds
+/// twice its error bound. Throws std::domain_error when a million bits do not decide.
 template <class F>
 proved_sign decide_sign(const F& evaluate, const std::string& what) {
     for (long bits = 128; bits <= (1L << 20); bits *= 2) {

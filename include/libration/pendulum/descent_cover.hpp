@@ -30,8 +30,8 @@ struct descent_cover {
     int covers;  ///< sign of R(x) - reach: 1 where the circle of convergence holds [0, T*], 0 where it ends there
 };
 
-/// The sign of R(x) - max(x, 1-x) T*, that is of K~'^2 - (2x-1) T*^2. At the bottom it is that of 1 - E or E - 4, exactly;
-/// up to x = 1/2 it is 1; between them it takes the values of T at their word.
+/// The sign of R(x) - max(x, 1-x) T*, that is of K~'^2 - (2x-1) T*^2. At the bottom it is that of 1 - E or E - 4,
+/// exactly; up to x = 1/2 it is 1; between them it takes the values of T at their word.
 template <rounding_scalar T>
 int cover_sign(const motion& m, const rational& x, const singularity_lattice<T>& lattice) {
     const rational beyond_half = x * 2 - 1;
@@ -46,7 +46,8 @@ int cover_sign(const motion& m, const rational& x, const singularity_lattice<T>&
     return decided_sign(widen(T(lattice.height * lattice.height - along)));
 }
 
-/// The cover from a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws std::domain_error at E = 0 and 2.
+/// The cover from a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws std::domain_error at
+/// E = 0 and 2.
 template <rounding_scalar T>
 descent_cover<T> cover_from(const motion& m, const rational& x) {
     const orbit<T> o = orbit_of<T>(m);

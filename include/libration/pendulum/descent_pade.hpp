@@ -2,10 +2,10 @@
 //
 // In s = x^2, x = t/T*, theta = a_0 + x^p g(s) with p = 0 or 1, and g has logarithmic branch points at the squares of
 // the lattice. Rate: the approximants [n/n] converge in capacity off the cuts of least capacity that join the branch
-// points, the error falling like exp(-2 n G), G the Green function at 1/s of the complement of the cuts [Stahl1997]; there
-// is no closed form for this lattice. Measured, it is between the rate of the series and that of the uniform
-// resummation, and it tends to 1 at E = 2. In capacity only: a pole may come to lie on [0, 1], and nothing bounds the
-// error.
+// points, the error falling like exp(-2 n G), G the Green function at 1/s of the complement of the cuts
+// [Stahl1997]; there is no closed form for this lattice. Measured, it is between the rate of the series and that
+// of the uniform resummation, and it tends to 1 at E = 2. In capacity only: a pole may come to lie on [0, 1],
+// and nothing bounds the error.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// The errors of sigma_N and theta_N on [0, T*] from the terms that they leave out, for all N on the way down from a high
-// one: no cancellation against theta, so a fixed scalar sees errors far below its epsilon.
+// The errors of sigma_N and theta_N on [0, T*] from the terms that they leave out, for all N on the way down from a
+// high one: no cancellation against theta, so a fixed scalar sees errors far below its epsilon.
 //
 // With x = t/T* and a_n scaled likewise, T_N(x) = sum_{n>N} a_n x^(n-N-1) obeys T_{N-1} = a_N + x T_N, and
 //     theta - sigma_N = x^(N+1) T_N(x),

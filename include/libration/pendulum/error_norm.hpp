@@ -46,8 +46,8 @@ public:
                                                 : norm_of(resummation_from_top(descent_, order), order);
     }
 
-    /// |approximation - theta| at a fraction x of T*, theta by the second route: its agreement with a norm found at x is
-    /// what makes that norm "two-method".
+    /// |approximation - theta| at a fraction x of T*, theta by the second route: its agreement with a norm found at x
+    /// is what makes that norm "two-method".
     mpfr second_opinion(descent_method method, int order, const mpfr& x) const {
         const mpfr value = method == descent_method::series ? series_from_top(descent_, order)(x).value
                                                             : resummation_from_top(descent_, order)(x).value;
@@ -92,8 +92,8 @@ public:
                    : norm_of_rounded(rounded([&] { return resummation_from_top(way, order); }), rounded_place);
     }
 
-    /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for a polynomial of
-    /// degree `order`.
+    /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for
+    /// a polynomial of degree `order`.
     template <class F>
     norm_at<mpfr> norm_of(const F& approximation, int order) {
         const auto points = chebyshev_points(points_for(order));
@@ -107,8 +107,8 @@ public:
         return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
     }
 
-    /// The largest error at the Chebyshev points and one more place, which is rounded already, of an approximation in any
-    /// arithmetic: value(x) is what it gives, as a wide number.
+    /// The largest error at the Chebyshev points and one more place, which is rounded already, of an approximation in
+    /// any arithmetic: value(x) is what it gives, as a wide number.
     template <class T, class F>
     norm_at<mpfr> rounded_norm(const F& value, const T& place) {
         const auto points = chebyshev_points(points_in_rounding_scalars);

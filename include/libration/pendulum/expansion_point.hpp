@@ -66,8 +66,8 @@ phase<T> phase_of(const expansion_point& point, const motion& m) {
     return phase_of<T>(point, m, [&] { return timeline<T>(m); });
 }
 
-/// The phase at the fraction x of T* after the top that canonical motions start from, 0 <= x <= 1, x a rational or a T. It
-/// is counted from the nearer end of the way, half way from the top; the offset is one product. Not for E = 2.
+/// The phase at the fraction x of T* after the top that canonical motions start from, 0 <= x <= 1, x a rational or a T.
+/// It is counted from the nearer end of the way, half way from the top; the offset is one product. Not for E = 2.
 template <scalar T, class X>
 phase<T> phase_from_top(const motion& m, const X& x, const T& effective_period) {
     const int whole = x * 2 > 1 ? 1 : 0;

@@ -32,8 +32,8 @@ std::vector<T> odd_multiples(const T& step, const T& reach) {
     return all;
 }
 
-/// All singularities in the rectangle |re| <= width, |im| <= height about the top: columns from left to right, each from
-/// below. Not for the separatrix.
+/// All singularities in the rectangle |re| <= width, |im| <= height about the top: columns from left to right, each
+/// from below. Not for the separatrix.
 template <rounding_scalar T>
 std::vector<complex_number<T>> lattice_points(const singularity_lattice<T>& lattice, const T& width, const T& height) {
     const std::vector<T> heights = odd_multiples(lattice.height, height);

@@ -13,8 +13,8 @@
 
 namespace libration {
 
-/// The proved order: the least N >= 4 whose bound A (series) or A2 (resummed) is at most 10^-D. Both bounds fall with N, so
-/// from there on no norm is above it.
+/// The proved order: the least N >= 4 whose bound A (series) or A2 (resummed) is at most 10^-D. Both bounds fall with
+/// N, so from there on no norm is above it.
 inline int proved_order(const top_bounds<mpfr>& bounds, descent_method method, long digits) {
     const mpfr goal = pow(mpfr(10), static_cast<int>(-digits));
     const auto enough = [&](int order) {

@@ -11,16 +11,17 @@
 
 namespace libration {
 
-/// What the march from (0, 2) misses. The solution departs from its neighbours like e^t on its way to the top, so a step's
-/// own error arrives at time t multiplied by about e^(t-s): `undone` is the largest |error| e^-t, without that growth.
+/// What the march from (0, 2) misses. The solution departs from its neighbours like e^t on its way to the
+/// top, so a step's own error arrives at time t multiplied by about e^(t-s): `undone` is the largest
+/// |error| e^-t, without that growth.
 struct march_error {
     mpfr norm;    ///< largest |theta - (critical)|, radians
     mpfr time;    ///< where it is
     mpfr undone;  ///< largest |theta - (critical)| e^-t, radians
 };
 
-/// Steps of h, rounded to the nearest whole number, from 0 to the end. Throws std::domain_error for less than one step and
-/// for more than runge_kutta_march allows.
+/// Steps of h, rounded to the nearest whole number, from 0 to the end. Throws std::domain_error for less than one step
+/// and for more than runge_kutta_march allows.
 inline long march_steps(const rational& step, const rational& end) {
     const precision_scope scope(60);
     const integer steps = nearest_integer(from_rational<mpfr>(rational(end / step)));
@@ -31,9 +32,9 @@ inline long march_steps(const rational& step, const rational& end) {
     return steps.convert_to<long>();
 }
 
-/// The march of `steps` steps of h in T, compared after each of `samples` even parts of them, the last one included. The
-/// times are whole multiples of h as T holds it, so no rounding of the clock is in the error. Compared at the working
-/// precision in force, which has to be above that of T.
+/// The march of `steps` steps of h in T, compared after each of `samples` even parts of them, the last one included.
+/// The times are whole multiples of h as T holds it, so no rounding of the clock is in the error. Compared at the
+/// working precision in force, which has to be above that of T.
 template <fixed_scalar T>
 march_error separatrix_march_error(const rational& step, long steps, int samples) {
     const motion on_separatrix = motion::of_energy(2);

@@ -12,10 +12,11 @@ namespace libration {
 /// Through y = sin(theta/2), which is k cd(t, k) from the top of libration and sn(t sqrt(E/2), sqrt(2/E)) from the
 /// bottom of rotation: y'^2 = (1 - y^2)(E/2 - y^2), so
 ///     y'' = -(1 + E/2) y + 2 y^3,   theta = 2 arcsin y,   theta' = 2 y'/sqrt(1 - y^2);
-/// a square, a product, a square root and a quotient of series in the variable t/scale: O(N^2) products, 3/2 of those of
-/// (pendseries). It is exponentially unstable: sqrt(1 - y^2) is 0 at +-i K~' about the top, closer than the singularities of
-/// theta, and there the quotient is 0/0; rounding does not cancel in it and grows by R/K~' a power. Throws std::domain_error where cos(theta/2) = 0, at the top of rotation: y = 1 is the branch point of
-/// the arcsine, and the quotient is 0/0 there.
+/// a square, a product, a square root and a quotient of series in the variable t/scale: O(N^2) products, 3/2 of those
+/// of (pendseries). It is exponentially unstable: sqrt(1 - y^2) is 0 at +-i K~' about the top, closer than the
+/// singularities of theta, and there the quotient is 0/0; rounding does not cancel in it and grows by R/K~' a power.
+/// Throws std::domain_error where cos(theta/2) = 0, at the top of rotation: y = 1 is the branch point of the arcsine,
+/// and the quotient is 0/0 there.
 template <scalar T>
 power_series<T> taylor_by_arcsine(const taylor_start<T>& start, int order, const T& scale) {
     require_taylor_order(order);

@@ -1,8 +1,9 @@
 // The poles of Pade approximants of omega about the top of a motion, which settle on the lattice of singularities.
 //
-// omega is odd in t for libration and even for rotation: in s = (t/R)^2, R omega / x (x = t/R) and R omega are power series
-// in s, meromorphic, with one simple pole at the square of each pair +-t_s of singularities. A residue rho of the approximant in s
-// is one of omega in t of rho/2 (libration) or rho/(2 x) (rotation), which should be +-2i [DLMF 22.4].
+// omega is odd in t for libration and even for rotation: in s = (t/R)^2, R omega / x (x = t/R) and R omega are
+// power series in s, meromorphic, with one simple pole at the square of each pair +-t_s of singularities. A
+// residue rho of the approximant in s is one of omega in t of rho/2 (libration) or rho/(2 x) (rotation), which
+// should be +-2i [DLMF 22.4].
 #pragma once
 
 #include <algorithm>
@@ -55,8 +56,8 @@ power_series<T> speed_in_square(const power_series<T>& theta, regime r) {
     return power_series<T>(std::move(c));
 }
 
-/// The poles of a Pade approximant of the series in s, as times. Nothing where the roots of the denominator did not settle
-/// or do not come as real ones and conjugate pairs, which a higher precision mends.
+/// The poles of a Pade approximant of the series in s, as times. Nothing where the roots of the denominator did not
+/// settle or do not come as real ones and conjugate pairs, which a higher precision mends.
 template <rounding_scalar T>
 std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>& approximant, regime r,
                                                        const T& radius, const singularity_lattice<T>& lattice) {
@@ -92,8 +93,8 @@ std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>
 }
 
 /// The approximant [L/M] from the series to t^N, L + M + 1 the number of its coefficients and M <= L + 1 as large as
-/// possible, or the next smaller M for which it exists up to `negligible` (at E = 1 every second coefficient is 0); M = 0
-/// is the series itself, which has no pole. Nothing as poles_in_time(). Throws std::domain_error at E = 2.
+/// possible, or the next smaller M for which it exists up to `negligible` (at E = 1 every second coefficient is 0);
+/// M = 0 is the series itself, which has no pole. Nothing as poles_in_time(). Throws std::domain_error at E = 2.
 template <rounding_scalar T>
 std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T& negligible) {
     const descent<T> way = descent_of<T>(m);
@@ -113,7 +114,8 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
     return pade_poles<T>{speed.order(), 0, {}};
 }
 
-/// The distance from the first singularity, T* + i K~', to the nearest of the poles next to it; nothing where no pole is.
+/// The distance from the first singularity, T* + i K~', to the nearest of the poles next to it; nothing where no pole
+/// is.
 template <rounding_scalar T>
 std::optional<T> distance_from_first(const pade_poles<T>& found, const singularity_lattice<T>& lattice) {
     std::optional<T> least;

@@ -31,8 +31,8 @@ after_passage nearest_passage(const motion& m, const exact& time) {
     return {integer((p.quarter + way) / 2), offset - passage_interval(m) / 2 * way};
 }
 
-/// The passage at a start between the symmetric points, as timeline places it: the amplitude, which may cancel, in mpfr,
-/// and the integral of this well conditioned pair in T, in a tenth of the time.
+/// The passage at a start between the symmetric points, as timeline places it: the amplitude, which may cancel, in
+/// mpfr, and the integral of this well conditioned pair in T, in a tenth of the time.
 template <rounding_scalar T>
 after_passage passage_before_start(const motion& m) {
     const precision_scope scope(decimal_digits(digits<mpfr>() + m.condition_bits()));

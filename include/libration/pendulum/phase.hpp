@@ -59,9 +59,9 @@ public:
     explicit timeline(motion m, period_rule by = {})
         : motion_(std::move(m)), by_(by), start_(start_at(bits_for(default_margin + spare_margin))) {}
 
-    /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more digits
-    /// as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a quarter.
-    /// Throws std::domain_error for a multiple of an infinite period.
+    /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more
+    /// digits as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a
+    /// quarter. Throws std::domain_error for a multiple of an infinite period.
     phase<T> at(const exact& time) const {
         const phase<W> wide = wide_at(time);
         return {wide.quarter, narrow<T>(wide.offset), wide.side};

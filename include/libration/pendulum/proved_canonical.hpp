@@ -1,4 +1,5 @@
-// theta and omega of the canonical motion, proved, by the cheaper of two routes: fixed point where it serves, else balls.
+// theta and omega of the canonical motion, proved, by the cheaper of two routes: fixed point where it serves, else
+// balls.
 #pragma once
 
 #include <optional>
@@ -9,9 +10,9 @@
 
 namespace libration {
 
-/// One energy, any number of times: what landen_motion gives, from proved_libration where that serves the energy and the
-/// working precision. Where it leaves a time out (|cos z| < 1/16), a landen_motion is made for that time alone.
-/// Use it in a precision_scope of the size it was made in.
+/// One energy, any number of times: what landen_motion gives, from proved_libration where that serves the energy and
+/// the working precision. Where it leaves a time out (|cos z| < 1/16), a landen_motion is made for that time alone. Use
+/// it in a precision_scope of the size it was made in.
 class proved_canonical {
 public:
     /// E and 2-E, exactly. Throws as landen_motion.

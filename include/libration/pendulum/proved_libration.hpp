@@ -4,12 +4,15 @@
 // Chain, nome, theta series and return are those of landen_nome.hpp and landen_motion.hpp, with one term of the series
 // throughout, and V = 1/X on the way back:
 //   V_r = scale theta_3(z)/theta_2(z),   V_n = V_{n+1} + (c_n^2/4)/V_{n+1},   tan(theta/4) = c_0/(2 V_1) = s,
-//   w_r = b_r scale theta_1(z) theta_4(z)/(scale theta_3(z))^2,   w_n = w_{n+1} V_{n+1} (V_{n+1} - (c_n^2/4)/V_{n+1})/V_n^2,
+//   w_r = b_r scale theta_1(z) theta_4(z)/(scale theta_3(z))^2,
+//   w_n = w_{n+1} V_{n+1} (V_{n+1} - (c_n^2/4)/V_{n+1})/V_n^2,
 //   omega = -2 c_0 w_1/(1 + s^2),
-// w = V'/V^2, theta_1 and theta_2 without the factor 2 P^(1/4). The radius of every operation is counted (ball_fixed.hpp); what the
-// series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, 4 l >= 64 n + 4, so l >= 17:
+// w = V'/V^2, theta_1 and theta_2 without the factor 2 P^(1/4). The radius of every operation is counted
+// (ball_fixed.hpp); what the series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, 4 l >= 64
+// n + 4, so l >= 17:
 //   P = e (1 + 4 e^2) lacks at most e 4 k^4/(1 - k^2), k = 4e (landen_nome (1), two terms): below 2^(11 - 5l) <= u;
-//   P < 1.001 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l) <= u, the other two 10 P^6 < u (landen_nome (2)).
+//   P < 1.001 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l) <= u, the other two 10 P^6 < u (landen_nome
+//   (2)).
 #pragma once
 
 #include <array>
@@ -22,8 +25,8 @@
 namespace libration {
 
 /// One energy, any number of times. Cost: a square root, two products a level, 3 or 4 divisions, and a division a level
-/// for a time. Absolute errors: some 2^8 units of 2^-bits(), times max(1, t) in theta. Not proved, but empty, where cos z
-/// is small: theta is next to 0 there and deserves relative digits, which fixed point has not.
+/// for a time. Absolute errors: some 2^8 units of 2^-bits(), times max(1, t) in theta. Not proved, but empty, where cos
+/// z is small: theta is next to 0 there and deserves relative digits, which fixed point has not.
 class proved_libration {
 public:
     /// Whether it serves an energy and a precision: k^2 and k'^2 in [2^-8, 1), up to 1200 bits.

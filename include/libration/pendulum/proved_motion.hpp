@@ -1,9 +1,10 @@
 // Any motion in balls: theta, omega, T* and R as proofs, each from the cheapest route that serves the motion.
 //
-// Where E is rational and the motion starts on a symmetric point (every motion given by its energy; from rest at 90deg), a
-// few Landen steps on exact E and 2-E do: proved_canonical. Every other start needs an incomplete integral, and an energy
-// such as 1 - cos 2.5 is itself a ball: exact_solution does that. At whole quarters from a symmetric start there is
-// nothing to compute but the energy, and what vanishes by symmetry is the number 0, which no precision would show.
+// Where E is rational and the motion starts on a symmetric point (every motion given by its energy; from rest at
+// 90deg), a few Landen steps on exact E and 2-E do: proved_canonical. Every other start needs an incomplete
+// integral, and an energy such as 1 - cos 2.5 is itself a ball: exact_solution does that. At whole quarters from
+// a symmetric start there is nothing to compute but the energy, and what vanishes by symmetry is the number 0,
+// which no precision would show.
 #pragma once
 
 #include <optional>

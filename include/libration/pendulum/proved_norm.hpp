@@ -21,8 +21,8 @@ namespace libration {
 /// to hold the wanted digits of a norm below theta, digits_below() and some more.
 class proved_descent_errors {
 public:
-    /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms). O(K bits^2).
-    /// Throws std::domain_error for E = 0 and 2, precision_exhausted.
+    /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms). O(K
+    /// bits^2). Throws std::domain_error for E = 0 and 2, precision_exhausted.
     explicit proved_descent_errors(const rational& energy)
         : motion_(motion::of_energy(energy)), descent_(descent_of<ball>(motion_)) {
         const singularity_lattice<ball> lattice{descent_.effective_period, singularity_height(descent_.o)};

@@ -10,9 +10,10 @@
 
 namespace libration {
 
-/// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below 10^-places:
-/// the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own. Cost: that of
-/// a proved_canonical, a few times. Throws as landen_motion, and std::runtime_error where 10240 digits more do not prove it.
+/// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below
+/// 10^-places: the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own.
+/// Cost: that of a proved_canonical, a few times. Throws as landen_motion, and std::runtime_error where 10240 digits
+/// more do not prove it.
 inline ball proved_theta(const rational& energy, const rational& gap, const rational& time, long places) {
     constexpr long most_guard = 10'240;
     for (long guard = 20; guard <= most_guard; guard *= 2) {
@@ -32,8 +33,8 @@ inline ball proved_theta(const rational& energy, const rational& gap, const rati
 
 /// |d theta/dE| E/max(1, |theta|) at a fixed time: the relative change of the energy times this is the change of theta
 /// in units of max(1, |theta|). From the variation of the motion (variation.hpp) with 40 digits more than cancel in it;
-/// heuristic, and without correct digits where the derivative vanishes. Cost: one value of theta and omega, and a chain of
-/// moduli. Throws as landen_motion.
+/// heuristic, and without correct digits where the derivative vanishes. Cost: one value of theta and omega, and a chain
+/// of moduli. Throws as landen_motion.
 inline mpfr energy_condition(const rational& energy, const rational& gap, const rational& time) {
     const motion m = motion::of_energy(energy);
     const exact instant = exactly(time);

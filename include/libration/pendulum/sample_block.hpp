@@ -1,5 +1,5 @@
-// A few times at once through the tables of the sampler: loops of a fixed length over plain numbers, which compilers turn
-// into vector instructions.
+// A few times at once through the tables of the sampler: loops of a fixed length over plain numbers, which
+// compilers turn into vector instructions.
 #pragma once
 
 #include <array>
@@ -29,10 +29,10 @@ private:
 
 /// theta and omega at `count` times that the clock reaches; the arrays may be the same.
 ///
-/// Error of theta, in units of the last place of max(1, |theta|): its constant coefficient is rounded in twice that unit at
-/// worst (the centre of the panel may lie above 2 and theta below it), so are the sum of the even powers, and once more
-/// the sum with the odd ones, in its own unit; rotation adds half a unit for the turns: 3 units, and some tenths for what
-/// the panels leave out, the products and the time. The same for omega in units of max(1, its maximum).
+/// Error of theta, in units of the last place of max(1, |theta|): its constant coefficient is rounded in twice that
+/// unit at worst (the centre of the panel may lie above 2 and theta below it), so are the sum of the even powers, and
+/// once more the sum with the odd ones, in its own unit; rotation adds half a unit for the turns: 3 units, and some
+/// tenths for what the panels leave out, the products and the time. The same for omega in units of max(1, its maximum).
 template <std::size_t count, fixed_scalar T>
 [[gnu::always_inline]] inline void sample_block(const sampling_tables<T>& tables, const T* times, T* theta, T* omega) {
     std::array<T, count> passage;

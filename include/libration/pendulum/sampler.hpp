@@ -1,5 +1,5 @@
-// theta and omega at many times: what depends on the motion alone is done once, and then a time costs a reduction modulo the
-// period, a look-up and some products, a few nanoseconds in double.
+// theta and omega at many times: what depends on the motion alone is done once, and then a time costs a reduction
+// modulo the period, a look-up and some products, a few nanoseconds in double.
 #pragma once
 
 #include <algorithm>
@@ -27,15 +27,15 @@ namespace libration {
 ///   omega   at most 4, x = the largest |omega| of the motion; no relative digits where omega is next to 0
 /// (sample_block.hpp says why; the tests compare with proved values).
 ///
-/// Cost in double: 15 to 50 microseconds once; then about 5 ns a time with AVX2 and 8 ns without, 25 ns where it is asked
-/// alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a time. Nothing changes
-/// after construction: any number of threads may ask one sampler. The last digit depends on whether the processor fuses
-/// products and sums.
+/// Cost in double: 15 to 50 microseconds once; then about 5 ns a time with AVX2 and 8 ns without, 25 ns where it is
+/// asked alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a time. Nothing
+/// changes after construction: any number of threads may ask one sampler. The last digit depends on whether the
+/// processor fuses products and sums.
 template <fixed_scalar T>
 class sampler {
 public:
-    /// Throws std::range_error where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double), and where T
-    /// cannot hold the square of the time to the top (E above 10^307).
+    /// Throws std::range_error where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double), and where
+    /// T cannot hold the square of the time to the top (E above 10^307).
     explicit sampler(const motion& m) : sampler(m, precision_scope(working_precision())) {}
 
     const motion& of() const { return motion_; }

@@ -24,8 +24,8 @@ public:
         const orbit<T> o = orbit_of<T>(m);
         effective_period_ = effective_period(o);
         rate_ = pi<T>() / (singularity_height(o) * 2);
-        // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves out
-        // is enclosed whatever it is.
+        // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves
+        // out is enclosed whatever it is.
         using W = wide_t<T>;
         const W decay = widen(T(rate_ * effective_period_ * 2));
         pairs_ = 3 + static_cast<long>(nearest_integer(W(W((digits<T>() + 8) * 7) / 10 / decay)));
@@ -36,8 +36,8 @@ public:
     /// At an exact time.
     jet<T> operator()(const exact& time) const { return at(timeline_.at(time)); }
 
-    /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the pairs left
-    /// out sum to at most the last one kept over cosh d - 1, for theta and for omega.
+    /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the pairs
+    /// left out sum to at most the last one kept over cosh d - 1, for theta and for omega.
     jet<T> at(const phase<T>& p) const {
         born_.require();
         // The nearest passage through the bottom is an even quarter: this one, or the one on our side of the top.

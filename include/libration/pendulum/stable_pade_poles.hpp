@@ -35,7 +35,8 @@ complex_number<T> without_noise(const complex_number<T>& z, const T& negligible)
 }
 
 /// The poles with `digits` correct digits: computed again with more working digits until nothing changes. What is
-/// below 10^-(half of the working digits) of its scale, a pivot or a part of a complex number, counts as 0. Throws std::runtime_error when 20000 working digits do not do.
+/// below 10^-(half of the working digits) of its scale, a pivot or a part of a complex number, counts as 0. Throws
+/// std::runtime_error when 20000 working digits do not do.
 inline pade_poles<mpfr> stable_pade_poles(const motion& m, int order, long digits) {
     std::optional<pade_poles<mpfr>> before;
     for (long working = digits + 40 + 2L * order; working <= 20'000; working += working / 2) {

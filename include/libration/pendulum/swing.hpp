@@ -9,7 +9,8 @@
 namespace libration {
 
 /// theta and omega since a passage through the bottom with theta = 0 rising, whatever the start, the turns and the
-/// direction of the motion [paper (subcritical), (supercritical), (critical)]. An equilibrium stays at 0. Dimensionless.
+/// direction of the motion [paper (subcritical), (supercritical), (critical)]. An equilibrium stays at 0.
+/// Dimensionless.
 template <rounding_scalar T>
 class swing {
 public:

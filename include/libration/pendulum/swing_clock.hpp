@@ -21,10 +21,11 @@ struct split_number {
 /// Passages come every 2 T*: a time t, s after the start's passage, belongs to passage j = the integer nearest to
 /// (t + s)/(2 T*), and lies y = t + s - 2 T* j after it, |y| <= T* up to rounding.
 ///
-/// The reduction is Cody and Waite's [CodyWaite1980]: 2 T* in three parts, the first two with as many bits fewer than T as
-/// j may have, so that t + s - j first - j second is exact but for the rounding of t + s, which is kept; the third brings
-/// 2 T* to about twice the digits. So y is right to 2^(32 - 2 digits) T* and half an epsilon of itself times an epsilon, for
-/// |j| <= 2^31 and t taken as exact. Needs rounding to nearest, and neither -ffast-math nor doubles in wider registers.
+/// The reduction is Cody and Waite's [CodyWaite1980]: 2 T* in three parts, the first two with as many bits fewer
+/// than T as j may have, so that t + s - j first - j second is exact but for the rounding of t + s, which is kept;
+/// the third brings 2 T* to about twice the digits. So y is right to 2^(32 - 2 digits) T* and half an epsilon of
+/// itself times an epsilon, for |j| <= 2^31 and t taken as exact. Needs rounding to nearest, and neither -ffast-math
+/// nor doubles in wider registers.
 template <fixed_scalar T>
 class swing_clock {
 public:

@@ -1,4 +1,5 @@
-// One panel of a motion between the bottom and the top: theta and omega as short polynomials, and which panel a time is in.
+// One panel of a motion between the bottom and the top: theta and omega as short polynomials, and which
+// panel a time is in.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,8 @@ inline constexpr std::size_t panel_terms = std::same_as<T, double>              
                                            : std::same_as<T, long double>&& LDBL_MANT_DIG == 64 ? 16
                                                                                                 : 26;
 
-/// How many of them are kept in T: the powers from the 14th on are below 2^-66 of the value, and where 26 are kept, double
-/// has digits enough for those and is forty times faster.
+/// How many of them are kept in T: the powers from the 14th on are below 2^-66 of the value, and where 26 are kept,
+/// double has digits enough for those and is forty times faster.
 template <fixed_scalar T>
 inline constexpr std::size_t panel_head = panel_terms<T> == 26 ? 14 : panel_terms<T>;
 

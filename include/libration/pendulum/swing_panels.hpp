@@ -1,9 +1,10 @@
-// theta and omega between the bottom and the top as short polynomials on panels: a value costs a look-up and some products.
+// theta and omega between the bottom and the top as short polynomials on panels: a value costs a look-up and some
+// products.
 //
 // With x the time since the bottom in a unit u, a power of two, and z = 1 + x, the panels are the sixteenths of the
 // octaves [1,2), [2,4), ... of z, so that the leading bits of z are the number of its panel. From the centre of a panel
-// the nearest singularity is at R >= sqrt(x^2 + K~'^2/u^2) and u <= (2/pi) min(K~', T*), so the half width of a panel is
-// below R/26 (largest at z = 4), and a power of theta in x brings 4.7 bits.
+// the nearest singularity is at R >= sqrt(x^2 + K~'^2/u^2) and u <= (2/pi) min(K~', T*), so the half width of a panel
+// is below R/26 (largest at z = 4), and a power of theta in x brings 4.7 bits.
 #pragma once
 
 #include <cfloat>
@@ -44,8 +45,8 @@ T rounded_to(const F& x) {
     }
 }
 
-/// The panels of one motion from the bottom to the top. Where the way takes longer than all digits of T can tell the state
-/// from rest on top, they end there. Not more than 110 panels.
+/// The panels of one motion from the bottom to the top. Where the way takes longer than all digits of T can tell the
+/// state from rest on top, they end there. Not more than 110 panels.
 template <fixed_scalar T>
 class swing_panels {
 public:
@@ -94,8 +95,8 @@ private:
         return binary_exponent(finer(largest + largest / 1024)) - 1;
     }
 
-    // T* and 2^-20 of it, for times that round into the other side; but no more than the time after which the distance to
-    // the top, 4 e^-t, is below an eighth of an epsilon.
+    // T* and 2^-20 of it, for times that round into the other side; but no more than the time after which the distance
+    // to the top, 4 e^-t, is below an eighth of an epsilon.
     static finer last_time(const swing<finer>& way) {
         const finer settled = finer((digits<T>() + 6) * 7) / 10;
         const finer way_up = way.effective_period() + way.effective_period() / (1 << 20);

@@ -5,8 +5,8 @@
 
 namespace libration {
 
-/// theta of the motion from that of the swing, g(y), after passage j: (-1)^j g in the libration, 2 pi (turns + d j) + d g
-/// in the rotation, d its direction.
+/// theta of the motion from that of the swing, g(y), after passage j: (-1)^j g in the libration, 2 pi (turns + d j) + d
+/// g in the rotation, d its direction.
 template <fixed_scalar T>
 class swing_turns {
 public:

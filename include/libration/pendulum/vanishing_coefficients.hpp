@@ -3,9 +3,9 @@
 // At a point with rational E and cos theta_0, let s = sin theta_0 and v = omega_0, whose squares are rational:
 // s^2 = 1 - cos^2 theta_0, v^2 = 2(E - 1 + cos theta_0). D = cos theta - cos theta_0 and w = omega satisfy
 //     D'' = A + B D - 3 D^2,   w'' = -(cos theta_0 + D) w,   D_1 = -s v,  w_0 = v,  w_1 = -s,  n a_n = w_{n-1},
-// with rational A = s^2 - v^2 cos theta_0 and B = 2(1-E) - 6 cos theta_0. By induction D_n is a fraction for even n and s v
-// times one for odd n; w_n is v times a fraction for even n and s times one for odd n, because (s v)(s v) = s^2 v^2,
-// (s v) s = s^2 v and (s v) v = v^2 s. So a_n = 0 exactly where its unit (v or s) or its fraction is 0.
+// with rational A = s^2 - v^2 cos theta_0 and B = 2(1-E) - 6 cos theta_0. By induction D_n is a fraction for even n and
+// s v times one for odd n; w_n is v times a fraction for even n and s times one for odd n, because (s v)(s v) = s^2
+// v^2, (s v) s = s^2 v and (s v) v = v^2 s. So a_n = 0 exactly where its unit (v or s) or its fraction is 0.
 #pragma once
 
 #include <optional>
@@ -49,8 +49,8 @@ inline std::vector<bool> vanishing_coefficients(const rational& energy, const ra
     return vanishes;
 }
 
-/// cos theta at the symmetric point `quarter` of a motion of rational energy: 1 at the bottom, -1 at the top of rotation,
-/// 1 - E at that of libration.
+/// cos theta at the symmetric point `quarter` of a motion of rational energy: 1 at the bottom, -1 at the top of
+/// rotation, 1 - E at that of libration.
 inline std::optional<rational> rational_cosine_at(const motion& m, const integer& quarter) {
     if (!m.energy() || m.regime() == regime::unstable_equilibrium) {
         return std::nullopt;

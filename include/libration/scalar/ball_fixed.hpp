@@ -1,9 +1,9 @@
-// Balls of fixed point: midpoints >= 0 with n limbs behind the point and one before it, which up to 1200 bits or so cost
-// several times less than the floating balls of Arb; between them and Arb's functions they are converted.
+// Balls of fixed point: midpoints >= 0 with n limbs behind the point and one before it, which up to 1200 bits or so
+// cost several times less than the floating balls of Arb; between them and Arb's functions they are converted.
 //
 // A fixed_ball stands for a real X with |X - x| <= r u, x = m u, u = 2^(-64 n), m an integer of up to n+1 limbs. Every
-// operation takes its exact result on the midpoints down to a multiple of u, which costs less than 1 unit, and adds what
-// the radii r of x and s of y do:
+// operation takes its exact result on the midpoints down to a multiple of u, which costs less than 1 unit, and adds
+// what the radii r of x and s of y do:
 //   x +- y      r + s, and nothing is rounded;
 //   x y         |XY - xy| <= x s u + y r u + r s u^2: x s + y r + r s u units;
 //   x/y         |X/Y - x/y| = |(X-x) - (x/y)(Y-y)|/Y <= (r + (x/y) s) u/(y - s u);
@@ -11,8 +11,8 @@
 //               2^-10 sqrt w, sqrt W >= (1 - 2^-10) sqrt w, so D <= d/((2 - 2^-10) sqrt w) < d (513/1024)/sqrt w.
 // Radii are doubles, all >= 0. Each is computed in fewer than 16 operations that round by a relative 2^-53, from bounds
 // of the midpoints; the factor `slack` = 1 + 2^-20 makes them upper bounds again. Divisors and roots are at least 2^-30
-// and known to a relative 2^-24, so y - s u >= y (1 - 2^-24), and what is known of y itself, its first limb, is below it by
-// a relative 2^-33 at most: slack covers both. What does not fit throws precision_exhausted; nothing wraps.
+// and known to a relative 2^-24, so y - s u >= y (1 - 2^-24), and what is known of y itself, its first limb, is below
+// it by a relative 2^-33 at most: slack covers both. What does not fit throws precision_exhausted; nothing wraps.
 #pragma once
 
 #include <gmp.h>
@@ -26,8 +26,9 @@
 
 namespace libration {
 
-/// The arithmetic above. Operands have the same n. Cost: one call of GMP's mpn layer and a few flops an operation. Throws
-/// precision_exhausted for results below 0 or beyond 2^64, and for divisors and roots that are too small or too wide.
+/// The arithmetic above. Operands have the same n. Cost: one call of GMP's mpn layer and a few flops an
+/// operation. Throws precision_exhausted for results below 0 or beyond 2^64, and for divisors and roots that are
+/// too small or too wide.
 class fixed_ball {
 public:
     static constexpr int most_limbs = 20;

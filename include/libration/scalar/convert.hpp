@@ -23,8 +23,8 @@ struct wide_scalar<T> {
 template <class T>
 using wide_t = typename wide_scalar<T>::type;
 
-/// x in the wide arithmetic of its type, exactly, and in no less than the working precision: Boost computes `widen(x) - y`
-/// in the precision of the temporary.
+/// x in the wide arithmetic of its type, exactly, and in no less than the working precision: Boost computes
+/// `widen(x) - y` in the precision of the temporary.
 template <rounding_scalar T>
 mpfr widen(const T& x) {
     if constexpr (std::same_as<T, mpfr>) {
@@ -118,8 +118,8 @@ inline integer nearest_integer(const mpfr& x) {
 /// The sign of a wide value that decides a branch: -1, 0 or 1. A rounding scalar takes its value at its word.
 inline int decided_sign(const mpfr& x) { return mpfr_sgn(handle(x)); }
 
-/// A number next to x that is exact: x itself for a rounding scalar, the midpoint of a ball. For a choice that is free (a
-/// scale, a point), so that what follows has one uncertainty less.
+/// A number next to x that is exact: x itself for a rounding scalar, the midpoint of a ball. For a choice that is free
+/// (a scale, a point), so that what follows has one uncertainty less.
 template <rounding_scalar T>
 T midpoint(const T& x) {
     return x;

@@ -1,7 +1,7 @@
 // A scalar that counts the operations done with it: what an algorithm costs whatever the arithmetic.
 //
-// Include it before every other header of the library: a concept sees the functions digits<T>(), pi<T>() and so on of a type
-// only where they are declared before the concept.
+// Include it before every other header of the library: a concept sees the functions digits<T>(), pi<T>() and so on of a
+// type only where they are declared before the concept.
 #pragma once
 
 #include <cmath>

@@ -47,8 +47,8 @@ inline std::optional<long> tenths_of_digits(const ball& error, const ball& truth
     return digits > 0 ? static_cast<long>(mpfr_get_si(handle(digits), MPFR_RNDD)) : 0L;
 }
 
-/// Judges a value; nothing where the working precision decides too little. In a last attempt an error that may be 0 is given
-/// by its upper bound. The reference is printed down to 10^-places.
+/// Judges a value; nothing where the working precision decides too little. In a last attempt an error that may be 0 is
+/// given by its upper bound. The reference is printed down to 10^-places.
 inline std::optional<judgement> judge(const rational& value, const ball& truth, const ball& tolerance, long places,
                                       bool last_attempt) {
     if (!is_finite(truth)) {

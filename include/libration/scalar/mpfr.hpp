@@ -1,10 +1,10 @@
 // The scalar `mpfr`: MPFR numbers of run-time precision through Boost.Multiprecision [MPFR, Boost.Multiprecision].
 //
 // Precision rules, as Boost has them: a new value takes the thread's working precision, a copy keeps the precision of
-// its source, and an operation works at the largest of the working precision and the precisions of its operands; but one
-// with a temporary operand computes into that temporary, in its precision. So a value computed in a narrow scope and kept
-// is never more precise than that scope, and nothing here caches a constant; and a function that returns an mpfr returns
-// it in at least the working precision of its caller, as widen() and narrow() do.
+// its source, and an operation works at the largest of the working precision and the precisions of its operands; but
+// one with a temporary operand computes into that temporary, in its precision. So a value computed in a narrow scope
+// and kept is never more precise than that scope, and nothing here caches a constant; and a function that returns an
+// mpfr returns it in at least the working precision of its caller, as widen() and narrow() do.
 #pragma once
 
 #include <mpfr.h>

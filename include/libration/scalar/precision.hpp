@@ -78,8 +78,8 @@ private:
     int digits_ = digits<T>();
 };
 
-/// Whether a number with this binary exponent (2^(e-1) <= |x| < 2^e) is neither below the normal range of T nor above it.
-/// The exponents of mpfr and ball never end in practice.
+/// Whether a number with this binary exponent (2^(e-1) <= |x| < 2^e) is neither below the normal range of T nor above
+/// it. The exponents of mpfr and ball never end in practice.
 template <class T>
 requires rounding_scalar<T> || proved_scalar<T>
 bool holds_exponent(long exponent) {

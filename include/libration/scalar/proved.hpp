@@ -1,5 +1,5 @@
-// The proved scalar `ball` by name alone: what scalar/ball.hpp defines is declared here, where templates and the concept
-// see it, so that no other header needs FLINT and the order of includes does not matter.
+// The proved scalar `ball` by name alone: what scalar/ball.hpp defines is declared here, where templates and the
+// concept see it, so that no other header needs FLINT and the order of includes does not matter.
 #pragma once
 
 #include <concepts>

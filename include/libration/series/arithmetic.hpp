@@ -92,8 +92,8 @@ T evaluate_value(const power_series<T>& a, const T& x) {
     return value;
 }
 
-/// The polynomial about another point: b with sum_j b_j y^j = sum_n a_n (c + y)^n, by repeated division by x - c (Horner).
-/// O(N^2).
+/// The polynomial about another point: b with sum_j b_j y^j = sum_n a_n (c + y)^n, by repeated division by
+/// x - c (Horner). O(N^2).
 template <scalar T>
 power_series<T> about(power_series<T> a, const T& c) {
     for (int j = 0; j < a.order(); ++j) {

@@ -11,9 +11,9 @@
 
 namespace libration {
 
-/// The solution of a square system A x = b by Gaussian elimination; rows are scaled by their largest entry to choose the
-/// pivot. O(n^3). Throws std::domain_error where no pivot is above `negligible` times the largest entry of its row: the
-/// system is singular as far as can be told.
+/// The solution of a square system A x = b by Gaussian elimination; rows are scaled by their largest entry to choose
+/// the pivot. O(n^3). Throws std::domain_error where no pivot is above `negligible` times the largest entry of its row:
+/// the system is singular as far as can be told.
 template <rounding_scalar T>
 std::vector<T> solve_linear(std::vector<std::vector<T>> a, std::vector<T> b, const T& negligible) {
     using std::abs;

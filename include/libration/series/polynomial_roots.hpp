@@ -1,11 +1,12 @@
 // All complex roots of a real polynomial at once, by the Aberth-Ehrlich iteration.
 //
-// Newton's step z - p/p' taken in p divided by the current guesses of the other roots [Aberth1973]: with n_i = p/p' at z_i,
+// Newton's step z - p/p' taken in p divided by the current guesses of the other roots [Aberth1973]: with
+// n_i = p/p' at z_i,
 //     z_i <- z_i - n_i / (1 - n_i sum_{j != i} 1/(z_i - z_j)),
-// cubic at simple roots, linear at multiple ones. It starts from circles whose radii are the slopes of the Newton polygon of
-// the coefficients, the upper hull of (i, log2 |a_i|) [Bini1996]: within a factor of the moduli of the roots however
-// far those spread. Working precision bounds what a root can mean: |p(z)| is known to about eps sum |a_i| |z|^i, and
-// a root of multiplicity m to eps^(1/m); the error bounds that come with the roots say so.
+// cubic at simple roots, linear at multiple ones. It starts from circles whose radii are the slopes of the Newton
+// polygon of the coefficients, the upper hull of (i, log2 |a_i|) [Bini1996]: within a factor of the moduli of the roots
+// however far those spread. Working precision bounds what a root can mean: |p(z)| is known to about eps sum |a_i|
+// |z|^i, and a root of multiplicity m to eps^(1/m); the error bounds that come with the roots say so.
 #pragma once
 
 #include <cstddef>
@@ -124,9 +125,9 @@ void improve_root(const power_series<T>& p, std::vector<polynomial_root<T>>& roo
     root.at = root.at - step;
 }
 
-/// The n roots of a_0 + ... + a_n z^n with multiplicity; roots 0 are exact. At most `steps` rounds of O(n^2) operations;
-/// without it 100 and four for each bit, which double roots need. Powers |a_i| |z|^i have to be in range of a fixed
-/// scalar. Throws std::domain_error when a_n = 0.
+/// The n roots of a_0 + ... + a_n z^n with multiplicity; roots 0 are exact. At most `steps` rounds of O(n^2)
+/// operations; without it 100 and four for each bit, which double roots need. Powers |a_i| |z|^i have to be in range of
+/// a fixed scalar. Throws std::domain_error when a_n = 0.
 template <rounding_scalar T>
 polynomial_roots<T> roots_of(const power_series<T>& polynomial, int steps = 100 + 4 * digits<T>()) {
     if (polynomial[polynomial.order()] == 0) {

@@ -6,7 +6,8 @@
 namespace libration {
 
 /// r = sqrt f, with r_0 given (of either sign, r_0^2 = f_0; f_0 itself is not read): 2 r_0 r_n = f_n - sum_{k=1}^{n-1}
-/// r_k r_{n-k}, each pair of equal products formed once. O(N^2), half of a product of series; an even f, a quarter of that.
+/// r_k r_{n-k}, each pair of equal products formed once. O(N^2), half of a product of series; an even f, a quarter of
+/// that.
 template <scalar T>
 power_series<T> square_root(const power_series<T>& f, const T& root_of_constant, parity of_f = parity::any) {
     auto r = power_series<T>::zero(f.order());
