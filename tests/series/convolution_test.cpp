@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "proved.hpp"
 #include "scalars.hpp"
 #include "series/random_series.hpp"
 
@@ -66,6 +67,23 @@ TEMPLATE_LIST_TEST_CASE("parity counts terms and does not look at values", "[ser
     CHECK(product_coefficient(ones, ones, 6, parity::even) == 4);
     CHECK(product_coefficient(ones, ones, 6, parity::odd) == 3);
     CHECK(square_coefficient(ones, 6, parity::odd) == 3);
+}
+
+TEST_CASE("on balls whole products and quotients are those of their coefficients", "[series][convolution][ball]") {
+    const precision_scope scope(40);
+    tests::random_series random;
+    for (const int order : {0, 3, 150}) {
+        const auto a = random.of_order<ball>(order, 2);
+        const auto b = random.of_order<ball>(order + 5, 1);
+        const auto c = product(a, b);
+        const auto back = quotient(c, b);
+        REQUIRE(c.order() == order);
+        for (int n = 0; n <= order; ++n) {
+            INFO(n << " of " << order);
+            CHECK(contains(c[n], product_coefficient(a, b, n)));
+            CHECK(contains(back[n], a[n]));  // integers, exact
+        }
+    }
 }
 
 TEST_CASE("mpfr adds a product with one rounding", "[series][convolution]") {

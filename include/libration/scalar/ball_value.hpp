@@ -1,5 +1,5 @@
-// The class `ball`: a midpoint and a radius of FLINT/Arb [Arb], closed under arithmetic. The one header that
-// includes FLINT.
+// The class `ball`: a midpoint and a radius of FLINT/Arb [Arb], closed under arithmetic. FLINT is included here and,
+// for whole sequences, in ball_polynomial.hpp.
 #pragma once
 
 #include <gmp.h>

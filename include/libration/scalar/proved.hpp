@@ -5,6 +5,7 @@
 #include <concepts>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "libration/scalar/mpfr.hpp"
 
@@ -44,6 +45,11 @@ T midpoint(const T& x);
 /// sum_i x[i x_step] y[i y_step], i < count, with one rounding at the end: what a convolution is made of.
 template <proved_scalar T>
 T sum_of_products(const T* x, int x_step, const T* y, int y_step, int count);
+/// The product and the quotient of two whole sequences, as series of the shorter length.
+template <proved_scalar T>
+std::vector<T> whole_product(const std::vector<T>& a, const std::vector<T>& b);
+template <proved_scalar T>
+std::vector<T> whole_quotient(const std::vector<T>& a, const std::vector<T>& b);
 template <proved_scalar T>
 bool certainly_less(const T& a, const T& b);
 template <proved_scalar T>

@@ -30,24 +30,16 @@ power_series<T> operator-(const power_series<T>& a, const power_series<T>& b) {
     return difference;
 }
 
-/// Cauchy product, (ab)_n = sum_k a_k b_{n-k}. O(N^2).
+/// Cauchy product, (ab)_n = sum_k a_k b_{n-k}: product() of convolution.hpp.
 template <scalar T>
 power_series<T> operator*(const power_series<T>& a, const power_series<T>& b) {
-    auto product = power_series<T>::zero(std::min(a.order(), b.order()));
-    for (int n = 0; n <= product.order(); ++n) {
-        product[n] = product_coefficient(a, b, n);
-    }
-    return product;
+    return product(a, b);
 }
 
-/// q = a / b from b q = a: q_n = (a_n - sum_{k=1}^{n} b_k q_{n-k}) / b_0. b_0 must not be 0. O(N^2).
+/// q = a / b with b q = a: quotient() of convolution.hpp. b_0 must not be 0.
 template <scalar T>
 power_series<T> operator/(const power_series<T>& a, const power_series<T>& b) {
-    auto quotient = power_series<T>::zero(std::min(a.order(), b.order()));
-    for (int n = 0; n <= quotient.order(); ++n) {
-        quotient[n] = (a[n] - convolution(b, quotient, n, 1, n)) / b[0];
-    }
-    return quotient;
+    return quotient(a, b);
 }
 
 /// a': order N - 1 (of a constant: the zero series of order 0). O(N).

@@ -1,6 +1,7 @@
 // The one place where two coefficient sequences are convolved; every product in this library goes through it.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 
 #include "libration/series/power_series.hpp"
@@ -62,6 +63,36 @@ T square_coefficient(const power_series<T>& a, int n, parity of_a = parity::any)
         add_product(sum, a[n / 2], a[n / 2]);
     }
     return sum;
+}
+
+/// a b, of the smaller order. O(N^2) products; on balls one product of whole sequences (scalar/ball_polynomial.hpp),
+/// about O(N) products, whose radii are those of the larger coefficients.
+template <scalar T>
+power_series<T> product(const power_series<T>& a, const power_series<T>& b) {
+    if constexpr (proved_scalar<T>) {
+        return power_series<T>(whole_product(a.coefficients(), b.coefficients()));
+    } else {
+        auto result = power_series<T>::zero(std::min(a.order(), b.order()));
+        for (int n = 0; n <= result.order(); ++n) {
+            result[n] = product_coefficient(a, b, n);
+        }
+        return result;
+    }
+}
+
+/// q = a / b, of the smaller order, from b q = a: q_n = (a_n - sum_{k=1}^{n} b_k q_{n-k}) / b_0. b_0 must not be 0.
+/// O(N^2) products; on balls one quotient of whole sequences, the cost of a few such products.
+template <scalar T>
+power_series<T> quotient(const power_series<T>& a, const power_series<T>& b) {
+    if constexpr (proved_scalar<T>) {
+        return power_series<T>(whole_quotient(a.coefficients(), b.coefficients()));
+    } else {
+        auto result = power_series<T>::zero(std::min(a.order(), b.order()));
+        for (int n = 0; n <= result.order(); ++n) {
+            result[n] = (a[n] - convolution(b, result, n, 1, n)) / b[0];
+        }
+        return result;
+    }
 }
 
 }  // namespace libration
