@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libration/pendulum/lattice_coefficients.hpp"
+#include "libration/pendulum/theta_series.hpp"
 
 namespace libration {
 
@@ -37,10 +38,35 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
-/// a_n scale^n, n = first .. last, about a point: by the recurrence of symmetric squares up to the power from which
-/// sums over the singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and need none
-/// before them. What a_n is does not depend on first and last, up to rounding. Throws std::invalid_argument for first
-/// < 0, last < first and last > largest_power.
+/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, on balls alone, by the quotient
+/// of thetas, whose radii are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the quotient 2.
+template <scalar T>
+power_series<T> head_coefficients(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
+                                  int order, head_by head) {
+    if constexpr (proved_scalar<T>) {
+        if (head == head_by::thetas) {
+            return taylor_by_thetas(solution, point, order, scale);
+        }
+    }
+    return taylor_coefficients(start_at(solution, phase_of(point, solution)), order, scale);
+}
+
+/// Where the sums over the singularities begin, and what makes the powers before.
+template <scalar T>
+std::pair<long, head_by> way_of(const singularity_view<T>& view, long first, long last) {
+    const long begin = lattice_begins(view, first, last);
+    if constexpr (proved_scalar<T>) {
+        if (first < begin && thetas_cost_less<T>(view.symmetric(), std::min(begin - 1, last))) {
+            return {lattice_begins(view, first, last, head_by::thetas), head_by::thetas};
+        }
+    }
+    return {begin, head_by::recurrence};
+}
+
+/// a_n scale^n, n = first .. last, about a point: by head_coefficients() up to the power from which sums over the
+/// singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and need none before them. What
+/// a_n is does not depend on first and last, up to rounding. Throws std::invalid_argument for first < 0, last < first
+/// and last > largest_power.
 template <scalar T>
 std::vector<T> coefficients_about(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
                                   long first, long last) {
@@ -48,12 +74,12 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
     const motion& m = solution.of();
     const phase<T> at = phase_of(point, solution);
     const auto view = view_from(m, at);
-    const long begin = view ? lattice_begins(*view, first, last) : 1;
+    const auto [begin, head] = view ? way_of(*view, first, last) : std::pair(1L, head_by::recurrence);
     std::vector<T> part;
     if (first < begin) {
         const auto order = static_cast<int>(std::min(begin - 1, last));
-        const auto head = taylor_coefficients(start_at(solution, at), order, scale);
-        part.assign(head.coefficients().begin() + first, head.coefficients().end());
+        const auto all = head_coefficients(solution, point, scale, order, head);
+        part.assign(all.coefficients().begin() + first, all.coefficients().end());
         // What symmetry makes 0 is 0, on balls too, where the recurrence only contains it at E = 1.
         for (long n = std::max(first, 1L); view && n <= order; ++n) {
             if (!view->powers().has(n)) {

@@ -1,5 +1,5 @@
-// How far a sum over singularities has to reach for a coefficient, and from which coefficient on it costs less than the
-// recurrence.
+// How far a sum over singularities has to reach for a coefficient, from which coefficient on it costs less than what
+// makes the ones before, and which of two ways these are made by.
 #pragma once
 
 #include <algorithm>
@@ -35,15 +35,29 @@ private:
     long bits_;
 };
 
+/// What makes the powers before those of the lattice.
+enum class head_by { recurrence, thetas };
+
+/// Whether the quotient of thetas (theta_series.hpp) is cheaper on balls than the recurrence for the powers up to n: at
+/// 200 digits from n = 800 on, at 1000 from 160, at 3000 from 130, and from half of that on without symmetry. Measured
+/// at E = 1.71 about the top, recurrence and quotient in ms: 3.1 and 3.7 at 200 digits for n = 400; 13 and 11 at 1000
+/// for 200, 120 and 38 for 800; 734 and 129 at 3000 for 800. At 50 digits it gains nothing up to n = 1600.
+template <proved_scalar T>
+bool thetas_cost_less(bool symmetric, long n) {
+    const long weighed = symmetric ? n : 2 * n;
+    return weighed >= 128 && weighed * digits<T>() >= 1L << 19;
+}
+
 /// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner:
 /// about 2 powers a digit at 50 digits, 0.8 at 1000, and never below 512 for the built-in floating types, whose
 /// products cost nothing beside those of the tables; `first`, where the powers from there on alone cost less than the
 /// recurrence up to it. A step of the recurrence costs 3n/8 products a power (with symmetry, for half of the poles;
 /// without it twice as many of both), a coefficient 2 products a pole, and the tables of a pole 180; the poles within
-/// reach are about those of half an ellipse in the lattice. An estimate of costs, which no result depends on beyond
-/// rounding.
+/// reach are about those of half an ellipse in the lattice. A coefficient by the quotient of thetas costs about 120
+/// products at any n: sums over more than 60 poles are left to it. An estimate of costs, which no result depends on
+/// beyond rounding.
 template <scalar T>
-long lattice_begins(const singularity_view<T>& view, long first, long last) {
+long lattice_begins(const singularity_view<T>& view, long first, long last, head_by head = head_by::recurrence) {
     constexpr bool built_in = fixed_scalar<T> && !std::same_as<T, quad>;
     const long least = built_in ? 512 : 16;
     const long precision = digits<T>();
@@ -58,7 +72,8 @@ long lattice_begins(const singularity_view<T>& view, long first, long last) {
         return midpoint(T((factor * wide + 1) * (factor * tall + 1)));
     };
     const auto cheap = [&](long n) {
-        return certainly_less(poles(n), T(n)) && certainly_less(T(poles(n) * 300), T(T(n) * T(n)));
+        const long most = head == head_by::thetas ? std::min(n, 300L) : n;
+        return certainly_less(poles(n), T(most)) && certainly_less(T(poles(n) * 300), T(T(n) * T(n)));
     };
     long below = std::max(least, reach.bits() / 8) - 1;  // reach.factor() stays below 2^8 or so
     if (first > below && certainly_less(T(poles(first) * T(last - first + 180)), T(T(first) * T(first)))) {
