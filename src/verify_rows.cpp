@@ -159,7 +159,7 @@ judged_row row_judge::malformed(const csv_record& record, const std::vector<std:
     }
     text += ",,,,malformed,";
     text += columns_.omega ? ",,," : "";
-    return {record.line, verdict::malformed, text, reason, "", 0, "", mpfr(0)};
+    return {record.line, row_verdict::malformed, text, reason, "", 0, "", mpfr(0)};
 }
 
 asked_row row_judge::read(const std::vector<std::string>& cells) const {
@@ -290,7 +290,7 @@ judged_row row_judge::judged(const csv_record& record, const std::vector<std::st
     }
     const bool omega_worse = at.omega && at.omega->of_tolerance > at.theta.of_tolerance;
     return {record.line,
-            theta_ok && omega_ok ? verdict::ok : verdict::miss,
+            theta_ok && omega_ok ? row_verdict::ok : row_verdict::miss,
             std::move(text),
             std::move(reason),
             omega_worse ? at.omega->error : at.theta.error,

@@ -46,12 +46,12 @@ struct verify_rules {
     rational stiffness = 1;
 };
 
-enum class verdict { ok, miss, malformed };
+enum class row_verdict { ok, miss, malformed };
 
 /// A row as it is written, and what the summary needs of it.
 struct judged_row {
     long line;
-    libration::verdict verdict;
+    row_verdict verdict;
     std::string text;
     std::string reason;  ///< of what is malformed, or which value misses
     std::string error;

@@ -23,12 +23,12 @@ void print_more(long count, const char* what) {
 
 void verify_summary::add(const judged_row& row) {
     ++rows_;
-    if (row.verdict == verdict::malformed) {
+    if (row.verdict == row_verdict::malformed) {
         name(row, ++malformed_, malformed_named_);
         return;
     }
     ++digits_[row.tenths_of_digits ? *row.tenths_of_digits / 10 : exact_digits];
-    if (row.verdict == verdict::miss) {
+    if (row.verdict == row_verdict::miss) {
         name(row, ++misses_, misses_named_);
     }
     if (!worst_ || row.of_tolerance > worst_->of_tolerance) {
