@@ -60,6 +60,9 @@ private:
     std::optional<std::string> energy_, gap_, theta0_, omega0_, direction_, length_, gravity_;
 };
 
+/// Digits of the columns of errors.
+inline constexpr long error_digits = 6;
+
 /// The arithmetic of a command and the digits it prints.
 struct arithmetic {
     scalar_spec scalar;

@@ -86,8 +86,6 @@ std::vector<mpfr> period_values(const period_request& request) {
     return agreed_values(scalar.digits, compute);
 }
 
-constexpr long error_digits = 6;
-
 struct period_texts {
     std::string period = "inf";
     std::string tstar = "inf";

@@ -15,8 +15,6 @@ namespace libration {
 
 namespace {
 
-constexpr long error_digits = 6;
-
 // What the latest of the times needs.
 long digits_before_point(const trajectory_request& request) {
     long most = 0;

@@ -71,8 +71,6 @@ trajectory_request choose(const trajectory_options& options) {
     return {std::move(chosen), numbers, method, order, step, times_of(options.times, r)};
 }
 
-constexpr long error_digits = 6;
-
 // |theta as printed - truth|.
 std::string error_of(const std::string& theta, const mpfr& truth) {
     const precision_scope scope(decimal_digits(mpfr_get_prec(handle(truth))));
