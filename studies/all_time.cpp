@@ -10,6 +10,7 @@
 
 namespace libration::studies {
 
+namespace all_time_study {
 namespace {
 
 constexpr int points_in_period = 128;
@@ -121,8 +122,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace all_time_study
 
 const study& all_time() {
+    using namespace all_time_study;
     static const study result{
         .name = "all_time",
         .title = "The accuracy of the period at late times",

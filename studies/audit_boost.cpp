@@ -5,6 +5,7 @@
 
 namespace libration::studies {
 
+namespace audit_boost_study {
 namespace {
 
 std::vector<double> by_boost(const std::vector<audited_input>& inputs) {
@@ -17,8 +18,10 @@ std::vector<double> by_boost(const std::vector<audited_input>& inputs) {
 }
 
 }  // namespace
+}  // namespace audit_boost_study
 
 const study& audit_boost() {
+    using namespace audit_boost_study;
     static const study result{
         .name = "audit_boost",
         .title = "Boost.Math, judged",

@@ -9,6 +9,7 @@
 
 namespace libration::studies {
 
+namespace audit_gsl_study {
 namespace {
 
 // GSL is under the GPL, so it is asked in a process of its own. Throws input_error where that program was not built.
@@ -41,8 +42,10 @@ std::vector<double> by_gsl(const std::vector<audited_input>& inputs) {
 }
 
 }  // namespace
+}  // namespace audit_gsl_study
 
 const study& audit_gsl() {
+    using namespace audit_gsl_study;
     static const study result{
         .name = "audit_gsl",
         .title = "The GNU Scientific Library, judged",

@@ -18,6 +18,7 @@
 
 namespace libration::studies {
 
+namespace cost_study {
 namespace {
 
 constexpr long guard_digits = 15;
@@ -300,8 +301,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace cost_study
 
 const study& cost() {
+    using namespace cost_study;
     static const study result{
         .name = "cost",
         .title = "What the coefficients cost",

@@ -8,6 +8,7 @@
 
 namespace libration::studies {
 
+namespace divergence_study {
 namespace {
 
 const std::vector<column>& columns() {
@@ -93,8 +94,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace divergence_study
 
 const study& divergence() {
+    using namespace divergence_study;
     static const study result{
         .name = "divergence",
         .title = "Divergence of the series about the bottom",

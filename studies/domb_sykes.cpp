@@ -13,6 +13,7 @@
 
 namespace libration::studies {
 
+namespace domb_sykes_study {
 namespace {
 
 using rows = std::vector<std::vector<std::string>>;
@@ -211,8 +212,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace domb_sykes_study
 
 const study& domb_sykes() {
+    using namespace domb_sykes_study;
     static const study result{
         .name = "domb_sykes",
         .title = "The Domb-Sykes plot",

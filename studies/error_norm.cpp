@@ -13,6 +13,7 @@
 
 namespace libration::studies {
 
+namespace error_norm_study {
 namespace {
 
 constexpr long guard_digits = 15;
@@ -294,8 +295,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace error_norm_study
 
 const study& error_norm() {
+    using namespace error_norm_study;
     static const study result{
         .name = "error_norm",
         .title = "Error of the series and of its resummation",

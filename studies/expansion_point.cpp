@@ -10,6 +10,7 @@
 
 namespace libration::studies {
 
+namespace expansion_point_study {
 namespace {
 
 using rows = std::vector<std::vector<std::string>>;
@@ -115,8 +116,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace expansion_point_study
 
 const study& expansion_point() {
+    using namespace expansion_point_study;
     static const study result{
         .name = "expansion_point",
         .title = "Where to expand",

@@ -6,6 +6,7 @@
 
 namespace libration::studies {
 
+namespace period_effect_study {
 namespace {
 
 const std::vector<column>& columns() {
@@ -76,8 +77,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace period_effect_study
 
 const study& period_effect() {
+    using namespace period_effect_study;
     static const study result{
         .name = "period_effect",
         .title = "What an inexact period does to the solution",

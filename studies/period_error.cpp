@@ -8,6 +8,7 @@
 
 namespace libration::studies {
 
+namespace period_error_study {
 namespace {
 
 constexpr long guard_digits = 15;
@@ -74,8 +75,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace period_error_study
 
 const study& period_error() {
+    using namespace period_error_study;
     static const study result{
         .name = "period_error",
         .title = "Error of the period",

@@ -8,6 +8,7 @@
 
 namespace libration::studies {
 
+namespace precision_floor_study {
 namespace {
 
 constexpr long printed_digits = 12;
@@ -101,8 +102,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace precision_floor_study
 
 const study& precision_floor() {
+    using namespace precision_floor_study;
     static const study result{
         .name = "precision_floor",
         .title = "Where rounding takes over",

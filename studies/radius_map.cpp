@@ -10,6 +10,7 @@
 
 namespace libration::studies {
 
+namespace radius_map_study {
 namespace {
 
 using rows = std::vector<std::vector<std::string>>;
@@ -169,8 +170,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace radius_map_study
 
 const study& radius_map() {
+    using namespace radius_map_study;
     static const study result{
         .name = "radius_map",
         .title = "The optimal expansion point from coefficients",

@@ -14,6 +14,7 @@
 
 namespace libration::studies {
 
+namespace radius_tournament_study {
 namespace {
 
 using row = std::vector<std::string>;
@@ -292,8 +293,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace radius_tournament_study
 
 const study& radius_tournament() {
+    using namespace radius_tournament_study;
     static const study result{
         .name = "radius_tournament",
         .title = "A tournament of radius tests",

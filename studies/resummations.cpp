@@ -9,6 +9,7 @@
 
 namespace libration::studies {
 
+namespace resummations_study {
 namespace {
 
 constexpr long printed_digits = 12;
@@ -121,8 +122,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace resummations_study
 
 const study& resummations() {
+    using namespace resummations_study;
     static const study result{
         .name = "resummations",
         .title = "Resummations at the same number of coefficients",

@@ -11,6 +11,7 @@
 
 namespace libration::studies {
 
+namespace root_test_study {
 namespace {
 
 using rows = std::vector<std::vector<std::string>>;
@@ -96,8 +97,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace root_test_study
 
 const study& root_test() {
+    using namespace root_test_study;
     static const study result{
         .name = "root_test",
         .title = "The root test",

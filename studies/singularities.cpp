@@ -14,6 +14,7 @@
 
 namespace libration::studies {
 
+namespace singularities_study {
 namespace {
 
 using rows = std::vector<std::vector<std::string>>;
@@ -168,8 +169,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace singularities_study
 
 const study& singularities() {
+    using namespace singularities_study;
     static const study result{
         .name = "singularities",
         .title = "Singularities in the complex time plane",

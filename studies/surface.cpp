@@ -11,6 +11,7 @@
 
 namespace libration::studies {
 
+namespace surface_study {
 namespace {
 
 const std::vector<column>& columns() {
@@ -108,8 +109,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace surface_study
 
 const study& surface() {
+    using namespace surface_study;
     static const study result{
         .name = "surface",
         .title = "All motions of the pendulum",

@@ -10,6 +10,7 @@
 
 namespace libration::studies {
 
+namespace terms_study {
 namespace {
 
 constexpr long printed_digits = 12;
@@ -90,8 +91,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace terms_study
 
 const study& terms() {
+    using namespace terms_study;
     static const study result{
         .name = "terms",
         .title = "Terms for a number of digits",

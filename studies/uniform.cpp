@@ -9,6 +9,7 @@
 
 namespace libration::studies {
 
+namespace uniform_study {
 namespace {
 
 constexpr long printed_digits = 12;
@@ -112,8 +113,10 @@ std::vector<study_table> run(const study_request& request) {
 }
 
 }  // namespace
+}  // namespace uniform_study
 
 const study& uniform() {
+    using namespace uniform_study;
     static const study result{
         .name = "uniform",
         .title = "One resummation for every energy",

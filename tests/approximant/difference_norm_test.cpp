@@ -6,6 +6,8 @@
 
 #include "scalars.hpp"
 
+namespace approximant_difference_norm_test {
+
 using namespace libration;
 using libration::tests::near;
 
@@ -168,3 +170,5 @@ TEST_CASE("a turn far below the largest value is not sought, one that may exceed
     CHECK_FALSE(may_exceed(3.0, rising, falling, 0.1));
     CHECK(may_exceed(0.45, jet<double>{-0.5, -1e-9}, jet<double>{-0.5, 1e-9}, 0.1));
 }
+
+}  // namespace approximant_difference_norm_test

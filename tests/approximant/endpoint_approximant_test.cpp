@@ -5,6 +5,8 @@
 #include "scalars.hpp"
 #include "series/random_series.hpp"
 
+namespace approximant_endpoint_approximant_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -248,3 +250,5 @@ TEST_CASE("the value alone has the bits of the jet's", "[approximant][endpoint]"
         }
     }
 }
+
+}  // namespace approximant_endpoint_approximant_test

@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace approximant_pade_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -108,3 +110,5 @@ TEST_CASE("what has no approximant is refused", "[approximant][pade]") {
     CHECK_THROWS_AS(pade(geometric, 3, 2), std::invalid_argument);
     CHECK_THROWS_AS(pade(geometric, -1, 2), std::invalid_argument);
 }
+
+}  // namespace approximant_pade_test

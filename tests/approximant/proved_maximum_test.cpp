@@ -2,6 +2,8 @@
 
 #include "proved.hpp"
 
+namespace approximant_proved_maximum_test {
+
 using namespace libration;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("what cannot be parted is refused", "[proved_maximum]") {
     CHECK_THROWS_AS(largest_magnitude({exact_panel({0})}), precision_exhausted);
     CHECK_THROWS_AS(enclosed_panel(series_of({1}), ball(1), ball(1), -1, 1), precision_exhausted);
 }
+
+}  // namespace approximant_proved_maximum_test

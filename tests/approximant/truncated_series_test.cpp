@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace approximant_truncated_series_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -54,3 +56,5 @@ TEST_CASE("the value alone of a partial sum has the bits of the jet's", "[approx
         CHECK(sum.value(t) == sum(t).value);
     }
 }
+
+}  // namespace approximant_truncated_series_test

@@ -9,6 +9,8 @@
 
 #include "command/child_process.hpp"
 
+namespace command_bad_input_test {
+
 using namespace libration::tests;
 
 namespace {
@@ -303,3 +305,5 @@ TEST_CASE("reproduce refuses its parameters before it says what it runs", "[comm
     const temporary_folder folder;
     check_refused({"reproduce", "--jobs", "0", "--out", (folder.path() / "out").string()}, {"--jobs '0'"}, folder);
 }
+
+}  // namespace command_bad_input_test

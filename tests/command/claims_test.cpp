@@ -8,6 +8,8 @@
 #include "command/printed.hpp"
 #include "sweep/study_order.hpp"
 
+namespace command_claims_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -83,3 +85,5 @@ TEST_CASE("cite prints BibTeX for the program and the paper", "[command]") {
     CHECK(text.find("@unpublished{pendulum_series,\n") != std::string::npos);
     CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
 }
+
+}  // namespace command_claims_test

@@ -6,6 +6,8 @@
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
 
+namespace command_coefficients_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -201,3 +203,5 @@ TEST_CASE("the rows from --from on are those of the whole list", "[command][coef
         }
     }
 }
+
+}  // namespace command_coefficients_test

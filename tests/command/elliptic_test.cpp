@@ -5,6 +5,8 @@
 
 #include "command/printed.hpp"
 
+namespace command_elliptic_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -169,3 +171,5 @@ TEST_CASE("what is no elliptic function, modulus or argument is refused", "[comm
         }
     }
 }
+
+}  // namespace command_elliptic_test

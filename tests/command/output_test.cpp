@@ -10,6 +10,8 @@
 
 #include "command/printed.hpp"
 
+namespace command_output_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -340,3 +342,5 @@ TEST_CASE("option --out writes through a link and into a device", "[command][out
     CHECK(run_libration({"period", "--energy", "1", "--out", "/dev/null"}, folder.path()).exit_code == 0);
     CHECK(std::filesystem::is_character_file("/dev/null"));
 }
+
+}  // namespace command_output_test

@@ -6,6 +6,8 @@
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
 
+namespace command_period_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -146,3 +148,5 @@ TEST_CASE("each fixed scalar gives the period to a few of its own units and says
         }
     }
 }
+
+}  // namespace command_period_test

@@ -6,6 +6,8 @@
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
 
+namespace command_proved_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -85,3 +87,5 @@ TEST_CASE("coefficients that vanish are printed as 0, and only they", "[command]
         CHECK((top[n].at("coefficient") == "0") == (n % 2 == 0 || n == 5));
     }
 }
+
+}  // namespace command_proved_test

@@ -5,6 +5,8 @@
 
 #include "command/printed.hpp"
 
+namespace command_proved_trajectory_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -82,3 +84,5 @@ TEST_CASE("on the separatrix and at rest trajectories are proved too", "[command
     CHECK(top[0].at("theta") == "3.1415926535897932385");
     CHECK(top[0].at("omega") == "0");
 }
+
+}  // namespace command_proved_trajectory_test

@@ -9,6 +9,8 @@
 #include "command/printed.hpp"
 #include "libration/pendulum/singularities.hpp"
 
+namespace command_radius_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -270,3 +272,5 @@ TEST_CASE("radius refuses what is no motion, no order and no point", "[command][
     check_refused({"radius", "--coefficients", "exp.csv", "--scalar", "double"}, {"range", "use --scalar mpfr:"},
                   folder);
 }
+
+}  // namespace command_radius_test

@@ -8,6 +8,8 @@
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
 
+namespace command_reference_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -168,3 +170,5 @@ TEST_CASE("what a reference cannot answer is refused with the reason", "[command
     check_failed({"reference", "--energy", "2", "--time", "1e30"}, 2, "--times '1e30'");
     check_failed({"reference", "--theta0", "1", "--omega0", "pi", "--time", "1"}, 2, "--omega0 'pi'");
 }
+
+}  // namespace command_reference_test

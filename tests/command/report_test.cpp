@@ -8,6 +8,8 @@
 #include "command/printed.hpp"
 #include "sweep/table.hpp"
 
+namespace command_report_test {
+
 using namespace libration::tests;
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("a damaged results folder is said to be one", "[command][report]") {
     CHECK(done.exit_code == 1);
     CHECK(done.err.find("libration: failed: report: out/period_error: ") != std::string::npos);
 }
+
+}  // namespace command_report_test

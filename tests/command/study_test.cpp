@@ -8,6 +8,8 @@
 
 #include "command/printed.hpp"
 
+namespace command_study_test {
+
 using namespace libration::tests;
 
 namespace {}  // namespace
@@ -98,3 +100,5 @@ TEST_CASE("studies are listed with question, parameters and cost", "[command][st
         CHECK(list.find(part) != std::string::npos);
     }
 }
+
+}  // namespace command_study_test

@@ -13,6 +13,8 @@
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
 
+namespace command_table_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -360,3 +362,5 @@ TEST_CASE("the published reference values are computed again byte for byte", "[c
         CHECK(output_of(line) == text_of_file(folder / (each.at("name").get<std::string>() + ".csv")));
     }
 }
+
+}  // namespace command_table_test

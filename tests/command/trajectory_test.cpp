@@ -9,6 +9,8 @@
 #include "libration/pendulum/separatrix_sum.hpp"
 #include "libration/pendulum/uniform_resummation.hpp"
 
+namespace command_trajectory_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -208,3 +210,5 @@ TEST_CASE("in double the exact motion is right to a few units, after a million p
               last_place(rows[i].at("error")) + last_place(rows[i].at("theta")));
     }
 }
+
+}  // namespace command_trajectory_test

@@ -5,6 +5,8 @@
 
 #include "command/printed.hpp"
 
+namespace command_verify_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -247,3 +249,5 @@ TEST_CASE("verify writes the same bytes with any number of threads", "[command][
     CHECK(piped.out.empty());
     CHECK(text_of_file(folder.path() / "o.csv") == verify(csv).out);
 }
+
+}  // namespace command_verify_test

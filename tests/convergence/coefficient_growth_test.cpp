@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace convergence_coefficient_growth_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -70,3 +72,5 @@ TEST_CASE("too few coefficients tell no growth", "[convergence][coefficient_grow
     CHECK(growth_of(strided_series<double>(power_series<double>({1, 2, 3, 4, 5, 6}), 0, 1)).kind == growth::unknown);
     CHECK(growth_of(strided_series<double>(power_series<double>::zero(80), 0, 1)).kind == growth::unknown);
 }
+
+}  // namespace convergence_coefficient_growth_test

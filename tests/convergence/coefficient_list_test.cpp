@@ -5,6 +5,8 @@
 #include "libration/convergence/coefficient_noise.hpp"
 #include "scalars.hpp"
 
+namespace convergence_coefficient_list_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -95,3 +97,5 @@ TEMPLATE_LIST_TEST_CASE("the noise of a list is a unit of its decimals, or a rou
     CHECK(noise_in("0.1\n0.01\n0.001\n") == T(1) / 4096);
     CHECK(noise_in("0.5\n1." + std::string(200, '3') + "\n") == epsilon<T>());
 }
+
+}  // namespace convergence_coefficient_list_test

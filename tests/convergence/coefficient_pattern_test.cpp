@@ -5,6 +5,8 @@
 
 #include "scalars.hpp"
 
+namespace convergence_coefficient_pattern_test {
+
 using namespace libration;
 
 namespace {
@@ -88,3 +90,5 @@ TEST_CASE("a polynomial, nothing at all, and too little", "[convergence][coeffic
     CHECK(of(power_series<double>({1, 2})).stride == 1);
     CHECK(of(power_series<double>({0, 2})).stride == 1);
 }
+
+}  // namespace convergence_coefficient_pattern_test

@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace convergence_coefficient_unit_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -93,3 +95,5 @@ TEST_CASE("what a scalar cannot hold in the unit of its list is refused", "[conv
     const auto tall = list_of(60, [](int n) { return mpfr(n == 0 ? mpfr("1e400") : mpfr(1)); });
     CHECK_THROWS_AS(in_unit_of<double>(tall, unit_of(tall)), std::range_error);
 }
+
+}  // namespace convergence_coefficient_unit_test

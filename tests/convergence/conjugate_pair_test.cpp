@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_conjugate_pair_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -22,3 +24,5 @@ TEMPLATE_LIST_TEST_CASE("a quadratic of a pair has its roots", "[convergence][co
     CHECK_FALSE((pair_quadratic<T>{T(T(1) / 2), T(T(-1) / 2)}.conjugate(100)));
     CHECK((pair_quadratic<T>{T(1), T(T(1) / 2)}.conjugate(12)));
 }
+
+}  // namespace convergence_conjugate_pair_test

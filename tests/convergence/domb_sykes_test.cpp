@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_domb_sykes_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -65,3 +67,5 @@ TEMPLATE_LIST_TEST_CASE("the Domb-Sykes plot gives a finite answer or a reason o
         CHECK(well_formed(domb_sykes(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_domb_sykes_test

@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_extrapolation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -45,3 +47,5 @@ TEMPLATE_LIST_TEST_CASE("fits see through what oscillates about a power law", "[
     CHECK_THROWS_AS(neville_limit(std::vector<sequence_entry<T>>{{1, T(1)}}), std::invalid_argument);
     CHECK_THROWS_AS(fitted_limit(std::vector<sequence_entry<T>>{{1, T(1)}}), std::invalid_argument);
 }
+
+}  // namespace convergence_extrapolation_test

@@ -5,6 +5,8 @@
 
 #include "scalars.hpp"
 
+namespace convergence_followed_root_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -77,3 +79,5 @@ TEST_CASE("starts are found where long double parts the roots, and beyond", "[co
         CHECK(polished->im == 0);
     }
 }
+
+}  // namespace convergence_followed_root_test

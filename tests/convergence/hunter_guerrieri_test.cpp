@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_hunter_guerrieri_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -42,3 +44,5 @@ TEMPLATE_LIST_TEST_CASE("the method of Hunter and Guerrieri gives a finite answe
         CHECK(well_formed(hunter_guerrieri(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_hunter_guerrieri_test

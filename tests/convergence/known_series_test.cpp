@@ -14,6 +14,8 @@
 #include "reference_table.hpp"
 #include "scalars.hpp"
 
+namespace convergence_known_series_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -317,3 +319,5 @@ TEMPLATE_LIST_TEST_CASE("recurrences of special functions run in every scalar", 
         }
     }
 }
+
+}  // namespace convergence_known_series_test

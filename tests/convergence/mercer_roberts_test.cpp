@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_mercer_roberts_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -53,3 +55,5 @@ TEMPLATE_LIST_TEST_CASE("Mercer and Roberts' plot gives a finite answer or a rea
         CHECK(well_formed(mercer_roberts(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_mercer_roberts_test

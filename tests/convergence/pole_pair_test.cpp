@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_pole_pair_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -30,3 +32,5 @@ TEMPLATE_LIST_TEST_CASE("two coefficients give the radius of a single logarithm"
     CHECK_THAT(single_pole_radius(a, 10, 2), near<T>(T(sqrt(T(2))), 10));
     CHECK_THROWS_AS(single_pole_radius(a, 19, 2), std::invalid_argument);
 }
+
+}  // namespace convergence_pole_pair_test

@@ -6,6 +6,8 @@
 #include "libration/convergence/differential_approximants.hpp"
 #include "scalars.hpp"
 
+namespace convergence_pole_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -108,3 +110,5 @@ TEST_CASE("too few coefficients are told", "[convergence][pole_test]") {
     CHECK(differential_approximants(c).note == "needs 8 non-zero coefficients, there are 5");
     CHECK(second_order_approximants(c).note == "needs 10 non-zero coefficients, there are 5");
 }
+
+}  // namespace convergence_pole_test_test

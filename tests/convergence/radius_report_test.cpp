@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_radius_report_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -134,3 +136,5 @@ TEST_CASE("exponents are told as simple fractions within their uncertainty", "[c
     CHECK(kind_of(with(0.3333, 0.00001)) == singularity_kind::algebraic);
     CHECK(kind_of(with(0.3333, 0.5)) == singularity_kind::unknown);
 }
+
+}  // namespace convergence_radius_report_test

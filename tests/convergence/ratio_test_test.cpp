@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_ratio_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -60,3 +62,5 @@ TEMPLATE_LIST_TEST_CASE("the ratio test in a power gives a finite answer or a re
         CHECK(well_formed(ratio_test_in_power(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_ratio_test_test

@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_recurrence_fit_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -39,3 +41,5 @@ TEST_CASE("a recurrence counts its unknowns and the coefficients it takes", "[co
     CHECK(coefficients_needed({0, 0}, 1) == 6);
     CHECK(coefficients_needed({0, 1}, 1) == 8);
 }
+
+}  // namespace convergence_recurrence_fit_test

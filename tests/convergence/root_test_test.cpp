@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_root_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -67,3 +69,5 @@ TEMPLATE_LIST_TEST_CASE("the corrected root test gives a finite answer or a reas
         CHECK(well_formed(corrected_root_test(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_root_test_test

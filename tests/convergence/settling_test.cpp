@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_settling_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -32,3 +34,5 @@ TEMPLATE_LIST_TEST_CASE("a settled sequence tells its range and how its error go
     CHECK(settled_range(std::vector<T>{T(1), T(-1)}).scatters());
     CHECK(settled_range(std::vector<T>{T(2), T(1)}).range() == "1.00 and 2.00");
 }
+
+}  // namespace convergence_settling_test

@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_six_term_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -64,3 +66,5 @@ TEMPLATE_LIST_TEST_CASE("the six-term test gives a finite answer or a reason on 
         CHECK(well_formed(six_term_test(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_six_term_test_test

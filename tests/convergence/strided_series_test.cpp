@@ -5,6 +5,8 @@
 #include "libration/convergence/coefficient_ratios.hpp"
 #include "scalars.hpp"
 
+namespace convergence_strided_series_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -62,3 +64,5 @@ TEMPLATE_LIST_TEST_CASE("an answer in the power is one in the variable", "[conve
     CHECK(answer.position->im == 2);
     CHECK(answer.count == 2);
 }
+
+}  // namespace convergence_strided_series_test

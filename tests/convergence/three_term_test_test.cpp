@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_three_term_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -41,3 +43,5 @@ TEMPLATE_LIST_TEST_CASE("the three-term test gives a finite answer or a reason o
         CHECK(well_formed(three_term_test(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_three_term_test_test

@@ -5,6 +5,8 @@
 #include "convergence/singular_series.hpp"
 #include "scalars.hpp"
 
+namespace convergence_top_line_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -41,3 +43,5 @@ TEMPLATE_LIST_TEST_CASE("the top line gives a finite answer or a reason on any l
         CHECK(well_formed(top_line_test(every_coefficient(a))));
     }
 }
+
+}  // namespace convergence_top_line_test_test

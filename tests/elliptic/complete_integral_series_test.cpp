@@ -7,6 +7,8 @@
 #include "libration/elliptic/complete_integral.hpp"
 #include "scalars.hpp"
 
+namespace elliptic_complete_integral_series_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -175,3 +177,5 @@ TEST_CASE("a partial sum of negative order is refused with its value", "[ellipti
     CHECK_THROWS_AS(complete_integral_series(m, -1), std::invalid_argument);
     CHECK_THROWS_WITH(complete_integral_resummed(m, -7), Catch::Matchers::Contains("-7"));
 }
+
+}  // namespace elliptic_complete_integral_series_test

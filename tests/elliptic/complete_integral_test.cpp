@@ -6,6 +6,8 @@
 #include "elliptic/table_input.hpp"
 #include "reference_table.hpp"
 
+namespace elliptic_complete_integral_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -118,3 +120,5 @@ TEMPLATE_LIST_TEST_CASE("K is infinite at k = 1, and K' at k = 0", "[elliptic][c
     CHECK_THROWS_AS(complete_at(T(0)), std::domain_error);
     CHECK_THROWS_AS(complete_integral(modulus<T>::from_modulus(T(0)).swapped()), std::domain_error);
 }
+
+}  // namespace elliptic_complete_integral_test

@@ -8,6 +8,8 @@
 #include "libration/elliptic/jacobi.hpp"
 #include "reference_table.hpp"
 
+namespace elliptic_incomplete_integral_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -149,3 +151,5 @@ TEMPLATE_LIST_TEST_CASE("F has no value at k = 1", "[elliptic][incomplete_integr
     const typename TestType::precision precision;
     CHECK_THROWS_AS(incomplete_integral(T(1), modulus<T>::from_complement(T(0))), std::domain_error);
 }
+
+}  // namespace elliptic_incomplete_integral_test

@@ -8,6 +8,8 @@
 #include "elliptic/table_input.hpp"
 #include "reference_table.hpp"
 
+namespace elliptic_jacobi_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -236,3 +238,5 @@ TEMPLATE_LIST_TEST_CASE("there is no reduction by an infinite period", "[ellipti
     CHECK_THROWS_AS(jacobi(T(1), modulus<T>::from_complement(T(0))), std::domain_error);
     CHECK_THROWS_AS(amplitude(T(1), modulus<T>::from_modulus(T(1))), std::domain_error);
 }
+
+}  // namespace elliptic_jacobi_test

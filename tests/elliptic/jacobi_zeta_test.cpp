@@ -7,6 +7,8 @@
 
 #include "scalars.hpp"
 
+namespace elliptic_jacobi_zeta_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -64,3 +66,5 @@ TEMPLATE_LIST_TEST_CASE("the zeta function agrees with mpmath", "[elliptic][jaco
         CHECK_THAT(T(zeta.mean_of_cn_squared() + number(at.complement)), near<T>(decimal(at.mean), 16, T(1)));
     }
 }
+
+}  // namespace elliptic_jacobi_zeta_test

@@ -4,6 +4,8 @@
 
 #include "elliptic/table_input.hpp"
 
+namespace elliptic_landen_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -86,3 +88,5 @@ TEMPLATE_LIST_TEST_CASE("the chain has no end at k = 1", "[elliptic][landen]", a
     CHECK_THROWS_AS(chain_of(T(0)), std::domain_error);
     CHECK_THROWS_WITH(landen_chain<T>(modulus<T>::from_modulus(T(1))), Catch::Matchers::Contains("K(1)"));
 }
+
+}  // namespace elliptic_landen_test

@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace elliptic_modulus_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -89,3 +91,5 @@ TEMPLATE_LIST_TEST_CASE("both moduli may be given where both are known", "[ellip
     CHECK(widen(m.swapped()).complement == widen(tiny));
     CHECK(widen(modulus<T>::from_both(T(1), tiny)).complement == widen(tiny));
 }
+
+}  // namespace elliptic_modulus_test

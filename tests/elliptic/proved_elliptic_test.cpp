@@ -8,6 +8,8 @@
 #include "proved.hpp"
 #include "reference_table.hpp"
 
+namespace elliptic_proved_elliptic_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -102,3 +104,5 @@ TEST_CASE("an argument that may lie beyond K is refused by the quarter formula",
     CHECK_THROWS_AS(jacobi_at(ball(quarter * 3 / 2), chain), precision_exhausted);
     CHECK_THROWS_AS(jacobi_at(enclose(ball(1), ball(10)), chain), precision_exhausted);
 }
+
+}  // namespace elliptic_proved_elliptic_test

@@ -6,6 +6,8 @@
 
 #include "proved.hpp"
 
+namespace elliptic_proved_functions_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -58,3 +60,5 @@ TEST_CASE("infinities and the ends of the parameter are decided exactly", "[elli
     CHECK(exact_parameter::from_modulus(rational(3, 5)).complement() == rational(16, 25));
     CHECK(exact_parameter::from_complement(rational(1, 3)).m() == rational(2, 3));
 }
+
+}  // namespace elliptic_proved_functions_test

@@ -9,6 +9,8 @@
 #include "proved.hpp"
 #include "scalars.hpp"
 
+namespace elliptic_theta_taylor_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -110,3 +112,5 @@ TEST_CASE("a nome that is not below 1 is refused", "[theta_taylor]") {
     CHECK_THROWS_AS(theta_taylor<mpfr>(third_theta, at_zero(mpfr(1))), std::domain_error);
     CHECK_THROWS_AS(theta_taylor<ball>(third_theta, at_zero(ball(2))), std::domain_error);
 }
+
+}  // namespace elliptic_theta_taylor_test

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace house_include_direction_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -315,3 +317,5 @@ TEST_CASE("a double is noticed in code, and in code only", "[house]") {
     CHECK(doubles({{"include/libration/scalar/x.hpp", "//\n\nx = 0.1;"}}) ==
           complaints{"include/libration/scalar/x.hpp:3: 0.1"});
 }
+
+}  // namespace house_include_direction_test

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace house_test_names_test {
+
 namespace {
 
 std::vector<std::string> names_of_tests() {
@@ -39,3 +41,5 @@ TEST_CASE("names of tests hold no bracket and no semicolon, and begin without a 
         CHECK_FALSE(name.starts_with("-"));
     }
 }
+
+}  // namespace house_test_names_test

@@ -10,6 +10,8 @@
 
 #include "claims/claim.hpp"
 
+namespace paper_all_claims_test {
+
 using namespace libration;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("a measurement that throws is named", "[paper][claims]") {
                        []() -> finding { throw std::domain_error("no number"); }};
     CHECK_THROWS_WITH(judge({broken}, 1), Catch::Contains("claim broken") && Catch::Contains("no number"));
 }
+
+}  // namespace paper_all_claims_test

@@ -12,6 +12,8 @@
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
+namespace paper_background_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -202,3 +204,5 @@ TEST_CASE("claim shifts_reach_all_states: corrected, rotation never turns round"
         CHECK(state_of<mpfr>(with_energy("4"), time).omega > 1);
     }
 }
+
+}  // namespace paper_background_test

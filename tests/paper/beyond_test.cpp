@@ -11,6 +11,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_beyond_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -64,3 +66,5 @@ TEST_CASE("claim resummation_keeps_the_rate: holds, the gain is a power of N", "
 TEST_CASE("claim two_point_diverges: holds, below 7.74e-5", "[paper][claims]") {
     check_claim("two_point_diverges", verdict::holds, "10", "1e9");
 }
+
+}  // namespace paper_beyond_test

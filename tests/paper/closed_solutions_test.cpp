@@ -7,6 +7,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_closed_solutions_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -81,3 +83,5 @@ TEST_CASE("arccos(1 - E) loses the angle of the top at small energies, the pair 
     CHECK_THAT(angle, near<double>(expected_value{expected, mpfr(0)}, 3));
     CHECK(std::abs(std::acos(1 - 1e-16) / angle - 1) > 0.04);
 }
+
+}  // namespace paper_closed_solutions_test

@@ -9,6 +9,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_conclusions_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -117,3 +119,5 @@ TEST_CASE("claim expansion_point_deduced: holds, radii from coefficients alone a
     CHECK(abs(pole_pair_radius(top.scaled, 93, 2) - 1) < mpfr(1) / 1'000'000);
     CHECK(bottom.scale < top.scale);
 }
+
+}  // namespace paper_conclusions_test

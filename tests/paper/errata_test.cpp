@@ -11,6 +11,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_errata_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -69,3 +71,5 @@ TEST_CASE("errata: the table of bounds over errors is right to its last digit", 
     }
     CHECK(rows == 10);
 }
+
+}  // namespace paper_errata_test

@@ -7,6 +7,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_expansion_point_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -78,3 +80,5 @@ TEST_CASE("an expansion half way covers the descent at a better rate a power tha
         CHECK(half_rate < top_rate);
     }
 }
+
+}  // namespace paper_expansion_point_test

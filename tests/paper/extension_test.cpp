@@ -8,6 +8,8 @@
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
+namespace paper_extension_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -128,3 +130,5 @@ TEST_CASE("claim figure_near_separatrix_orders: corrected, libration from the to
     const precision_scope precision(50);
     CHECK(series_norm("1.9998", 5) == series_norm("1.9998", 4));
 }
+
+}  // namespace paper_extension_test

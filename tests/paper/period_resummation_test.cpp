@@ -6,6 +6,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_period_resummation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -48,3 +50,5 @@ TEST_CASE("(Knew) is better than (Kold) at every order and energy", "[paper]") {
         }
     }
 }
+
+}  // namespace paper_period_resummation_test

@@ -7,6 +7,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_period_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -162,3 +164,5 @@ TEST_CASE("claim period_analyticity: holds with correction, because a truncation
     const mpfr jump = (speed(1) - middle) / step - (middle - speed(-1)) / step;
     CHECK(to_decimal(mpfr(abs(jump)), 3) == "0.0809");
 }
+
+}  // namespace paper_period_test

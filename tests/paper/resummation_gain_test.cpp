@@ -10,6 +10,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_resummation_gain_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -129,3 +131,5 @@ TEST_CASE("the error is not monotone in the energy", "[paper]") {
     CHECK(rises > 0);
     CHECK(falls > 0);
 }
+
+}  // namespace paper_resummation_gain_test

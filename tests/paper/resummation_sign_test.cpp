@@ -10,6 +10,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_resummation_sign_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -85,3 +87,5 @@ TEST_CASE("T*^(-N-1) and a_n leave the range of double before N = 1000, the scal
         CHECK(std::abs(resummed(x).value - solution.from_top(x).theta) < 1e-10);
     }
 }
+
+}  // namespace paper_resummation_sign_test

@@ -14,6 +14,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace paper_resummation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -392,3 +394,5 @@ TEST_CASE("claim appendix_range: holds with correction, because T*^(N+1) leaves 
     CHECK(std::abs(resummation_from_top(d, 1000)(0.5).value - state_of<double>(with_gap("1e-10"), "T/8").theta) <
           1e-12);
 }
+
+}  // namespace paper_resummation_test

@@ -8,6 +8,8 @@
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
+namespace paper_series_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -93,3 +95,5 @@ TEST_CASE("claim figure_series_orders: corrected, there are no even powers at th
     CHECK(e.scaled[100] == 0);
     CHECK(e.scaled[99] != 0);
 }
+
+}  // namespace paper_series_test

@@ -7,6 +7,8 @@
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
+namespace paper_singularities_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -159,3 +161,5 @@ TEST_CASE("claim rotation_radius: holds, from four coefficients", "[paper][claim
     const precision_scope precision(50);
     CHECK_THAT(radius_at("2.02", "top"), near<mpfr>(decimal("1.08677394515"), 0));
 }
+
+}  // namespace paper_singularities_test

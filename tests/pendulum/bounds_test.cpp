@@ -12,6 +12,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_bounds_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -162,3 +164,5 @@ TEMPLATE_LIST_TEST_CASE("below their domain the theorems say nothing", "[bounds]
     CHECK_NOTHROW(swing.resummation_norm(1));
     CHECK_THROWS_AS(top_bounds<T>::of(orbit_of<T>(with_energy("0"))), std::domain_error);
 }
+
+}  // namespace pendulum_bounds_test

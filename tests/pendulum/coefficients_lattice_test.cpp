@@ -11,6 +11,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_coefficients_lattice_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -154,3 +156,5 @@ TEST_CASE("in double the coefficients to order 1000 stay below 2e-13 of 8/(n R^n
         CHECK(worst > 1e-15);  // it is not nothing
     }
 }
+
+}  // namespace pendulum_coefficients_lattice_test

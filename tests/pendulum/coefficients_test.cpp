@@ -11,6 +11,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_coefficients_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -164,3 +166,5 @@ TEMPLATE_LIST_TEST_CASE("coefficients agree with the table", "[coefficients][ref
         }
     }
 }
+
+}  // namespace pendulum_coefficients_test

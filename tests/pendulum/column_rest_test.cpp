@@ -11,6 +11,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_column_rest_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -167,3 +169,5 @@ TEMPLATE_LIST_TEST_CASE("where there are no columns, or the theorem says nothing
     CHECK_THROWS_AS((uniform_bounds<T>{1, 1}.norm(0)), std::domain_error);  // the first omitted power is 1
     CHECK_NOTHROW(uniform_bounds<T>{0, 1}.norm(0));
 }
+
+}  // namespace pendulum_column_rest_test

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace pendulum_condition_test {
+
 using namespace libration;
 
 namespace {
@@ -85,3 +87,5 @@ TEST_CASE("the condition on the separatrix and at rest is that of the linear pen
     resting.theta0 = read_exact("pi");
     CHECK_FALSE(condition_of(resting, "1").has_value());
 }
+
+}  // namespace pendulum_condition_test

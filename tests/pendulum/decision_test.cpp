@@ -5,6 +5,8 @@
 
 #include "typed.hpp"
 
+namespace pendulum_decision_test {
+
 using namespace libration;
 using libration::tests::fraction;
 
@@ -128,3 +130,5 @@ TEST_CASE("forty digits of pi are told from pi", "[decision]") {
     CHECK(above.turns == 1);
     CHECK(above.rest.sign == -1);
 }
+
+}  // namespace pendulum_decision_test

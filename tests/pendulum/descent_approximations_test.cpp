@@ -8,6 +8,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_descent_approximations_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -81,3 +83,5 @@ TEST_CASE("rates a coefficient are those of the headers", "[descent_approximatio
     CHECK_FALSE(better("17.1"));
     CHECK(better("17.2"));
 }
+
+}  // namespace pendulum_descent_approximations_test

@@ -9,6 +9,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_descent_pade_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -59,3 +61,5 @@ TEST_CASE("no coefficient makes no approximant", "[descent_pade]") {
     const precision_scope precision(30);
     CHECK_THROWS_AS(pade_from_top(descent_of<mpfr>(with_energy("1")), 0), std::invalid_argument);
 }
+
+}  // namespace pendulum_descent_pade_test

@@ -8,6 +8,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_descent_tails_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -53,3 +55,5 @@ TEST_CASE("points outside of the way down are refused", "[descent_tails]") {
     CHECK_THROWS_AS(descent_tails<double>({1, 2}, {0}), std::invalid_argument);
     CHECK_THROWS_AS(descent_tails<double>({1, 2}, {1.5}), std::invalid_argument);
 }
+
+}  // namespace pendulum_descent_tails_test

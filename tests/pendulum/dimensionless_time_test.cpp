@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_dimensionless_time_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -33,3 +35,5 @@ TEMPLATE_LIST_TEST_CASE("times are numbers, and multiples of T are multiples of 
     }
     CHECK_THROWS_AS(dimensionless_time<T>(with_energy("2"), read_exact("T")), std::domain_error);
 }
+
+}  // namespace pendulum_dimensionless_time_test

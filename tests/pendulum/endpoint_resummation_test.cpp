@@ -11,6 +11,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_endpoint_resummation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -101,3 +103,5 @@ TEST_CASE("the two-point expansion falls or grows at its rate", "[endpoint_resum
     CHECK(rate_at("-7.75e-5") < 1);
     CHECK(rate_at("-7.74e-5") > 1);
 }
+
+}  // namespace pendulum_endpoint_resummation_test

@@ -9,6 +9,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_energy_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -142,3 +144,5 @@ TEMPLATE_LIST_TEST_CASE("the unit of time is sqrt(length/gravity)", "[energy]", 
     const T unit = time_unit<T>(with_energy("1").with_stiffness(rational(981, 25)));
     CHECK_THAT(T(unit * unit * 981), near<T>(T(25), 3));  // quotient, root, square
 }
+
+}  // namespace pendulum_energy_test

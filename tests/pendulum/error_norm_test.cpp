@@ -2,6 +2,8 @@
 
 #include "scalars.hpp"
 
+namespace pendulum_error_norm_test {
+
 using namespace libration;
 using libration::tests::near;
 
@@ -78,3 +80,5 @@ TEST_CASE("the norms carry the digits that the order takes away", "[error_norm]"
     CHECK(digits_below(m, 80) > 23);
     CHECK(digits_below(m, 80) < 60);
 }
+
+}  // namespace pendulum_error_norm_test

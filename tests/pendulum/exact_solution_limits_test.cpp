@@ -9,6 +9,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_exact_solution_limits_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -163,3 +165,5 @@ TEST_CASE("a solution made in few digits refuses to be evaluated in more", "[exa
     const precision_scope thirty(30);
     CHECK(relative_error((*wide_made)(read_exact("1")).theta) < mpfr("1e-29"));
 }
+
+}  // namespace pendulum_exact_solution_limits_test

@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_exact_solution_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -186,3 +188,5 @@ TEMPLATE_LIST_TEST_CASE("states agree with the table", "[exact_solution][referen
         }
     }
 }
+
+}  // namespace pendulum_exact_solution_test

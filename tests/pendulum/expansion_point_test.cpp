@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_expansion_point_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -65,3 +67,5 @@ TEST_CASE("points are read by name, and the separatrix has no top", "[expansion_
     CHECK_THROWS_AS(read_expansion_point("30deg"), std::invalid_argument);
     CHECK_THROWS_AS(phase_of<double>(read_expansion_point("top"), with_energy("2")), std::domain_error);
 }
+
+}  // namespace pendulum_expansion_point_test

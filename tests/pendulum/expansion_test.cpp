@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_expansion_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -119,3 +121,5 @@ TEMPLATE_LIST_TEST_CASE("a motion of E = 2 has no top", "[expansion]", all_scala
     CHECK_THROWS_AS(expanded<T>(with_energy("2"), "T/4", 5), std::domain_error);
     CHECK_THROWS_AS(expanded<T>(with_energy("1"), "top", -1), std::invalid_argument);
 }
+
+}  // namespace pendulum_expansion_test

@@ -5,6 +5,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace pendulum_flow_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -44,3 +46,5 @@ TEST_CASE("in imaginary time the flow climbs as the dual motion does", "[pendulu
     CHECK_THAT(state.theta.re, near<mpfr>(decimal("1.156539760549013787669993129"), 0));
     CHECK(abs(state.theta.im) < mpfr("1e-38"));
 }
+
+}  // namespace pendulum_flow_test

@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_folding_error_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -51,3 +53,5 @@ TEMPLATE_LIST_TEST_CASE("an exact T* folds without error, another one with its e
     }
     CHECK_THROWS_AS(folding_error<T>(2, by, 1, 4), std::domain_error);
 }
+
+}  // namespace pendulum_folding_error_test

@@ -5,6 +5,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace pendulum_known_descent_series_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -29,3 +31,5 @@ TEST_CASE("the pendulum's series is told with its radius, position and number of
     CHECK_THAT(a[3], near<mpfr>(mpfr(-a[1] / 6), 16));
     CHECK_THROWS_AS(known_descent_series("separatrix", motion::of_energy(2), 1).expand(3), std::domain_error);
 }
+
+}  // namespace pendulum_known_descent_series_test

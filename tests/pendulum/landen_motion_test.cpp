@@ -10,6 +10,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_landen_motion_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -176,3 +178,5 @@ TEST_CASE("the Landen motion refuses what has no period", "[landen_motion]") {
     const landen_motion rotation(rational(3), rational(-1));
     CHECK_THROWS_AS(rotation.state_at(rotation.phase_at(fraction("1e60"))), precision_exhausted);
 }
+
+}  // namespace pendulum_landen_motion_test

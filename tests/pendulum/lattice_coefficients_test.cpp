@@ -14,6 +14,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_lattice_coefficients_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -183,3 +185,5 @@ TEST_CASE("powers that are none are refused", "[lattice_coefficients]") {
     CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("1"), {}, 1., 10).between(4, 10), std::invalid_argument);
     CHECK_THROWS_AS(lattice_coefficients<double>(with_energy("1"), {}, 1., 10).between(5, 11), std::invalid_argument);
 }
+
+}  // namespace pendulum_lattice_coefficients_test

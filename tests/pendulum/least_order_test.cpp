@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_least_order_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -55,3 +57,5 @@ TEST_CASE("more digits than long double holds are refused", "[least_order]") {
     CHECK_THROWS_AS(descent_orders(with_energy("1"), 4001), std::domain_error);
     CHECK_THROWS_AS(descent_orders(with_energy("2"), 10), std::domain_error);
 }
+
+}  // namespace pendulum_least_order_test

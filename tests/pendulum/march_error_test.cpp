@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
+namespace pendulum_march_error_test {
+
 using namespace libration;
 
 TEST_CASE("the march on the separatrix misses by its truncation where the step is large", "[march_error]") {
@@ -26,3 +28,5 @@ TEST_CASE("a march has at least one step and not too many", "[march_error]") {
     CHECK_THROWS_AS(march_steps(rational(100), 10), std::domain_error);
     CHECK_THROWS_AS(march_steps(rational(1, integer("1000000000000")), 10), std::domain_error);
 }
+
+}  // namespace pendulum_march_error_test

@@ -6,6 +6,8 @@
 
 #include "typed.hpp"
 
+namespace pendulum_motion_test {
+
 using namespace libration;
 using libration::tests::fraction;
 using libration::tests::with_energy;
@@ -152,3 +154,5 @@ TEST_CASE("units change the clock alone", "[motion]") {
     const motion fast = motion::of_state(read_exact("2.5"), read_exact("-0.6"), 4);
     CHECK(fast.omega0_squared() == plain.omega0_squared());
 }
+
+}  // namespace pendulum_motion_test

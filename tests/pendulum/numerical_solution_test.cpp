@@ -6,6 +6,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_numerical_solution_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -43,3 +45,5 @@ TEMPLATE_LIST_TEST_CASE("the numerical solution is the exact one to the fourth p
     CHECK_THAT(states[0].value, near<T>(expected("2"), 0));
     CHECK_THAT(states[1].value, near<T>(expected("-1"), 0));
 }
+
+}  // namespace pendulum_numerical_solution_test

@@ -7,6 +7,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace pendulum_other_recurrences_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -97,3 +99,5 @@ TEST_CASE("at the top of rotation the arcsine has its branch point", "[pendulum]
     CHECK_THROWS_AS(taylor_by_arcsine(from.start, -1, from.radius), std::invalid_argument);
     CHECK_THROWS_AS(taylor_by_speed(from.start, -1, from.radius), std::invalid_argument);
 }
+
+}  // namespace pendulum_other_recurrences_test

@@ -5,6 +5,8 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
+namespace pendulum_pade_poles_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -58,3 +60,5 @@ TEST_CASE("the lattice is listed as far as the rectangle reaches", "[pendulum][l
     CHECK(nearest.im == 3);
     CHECK(nearest_singularity(lattice, complex_number<double>{0, 100}).im == 99);
 }
+
+}  // namespace pendulum_pade_poles_test

@@ -6,6 +6,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_period_error_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -32,3 +34,5 @@ TEST_CASE("the mean leaves nothing out", "[period_error]") {
     const auto o = orbit_of<double>(with_energy("1"));
     CHECK(effective_period_bound(period_rule{}, o) == 0);
 }
+
+}  // namespace pendulum_period_error_test

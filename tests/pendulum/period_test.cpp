@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_period_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -135,3 +137,5 @@ TEMPLATE_LIST_TEST_CASE("partial sums of both series of K are the sums of fracti
     CHECK_THROWS_AS(effective_period_series(orbit_of<T>(with_energy("1")), -1), std::invalid_argument);
     CHECK_THROWS_AS(effective_period_resummed(orbit_of<T>(with_energy("1")), -1), std::invalid_argument);
 }
+
+}  // namespace pendulum_period_test

@@ -10,6 +10,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_periodic_extension_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -195,3 +197,5 @@ TEMPLATE_LIST_TEST_CASE("E = 2 has nothing to extend", "[periodic_extension]", a
     using extension = periodic_extension<T, decltype(f)>;
     CHECK_THROWS_AS(extension(with_energy("2"), f), std::domain_error);
 }
+
+}  // namespace pendulum_periodic_extension_test

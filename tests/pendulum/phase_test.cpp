@@ -8,6 +8,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_phase_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -130,3 +132,5 @@ TEMPLATE_LIST_TEST_CASE("seconds are sqrt(gravity/length) units of time", "[phas
     CHECK(fraction_of_period.quarter == phase_at<T>(m, "5T/16").quarter);
     CHECK(fraction_of_period.offset == phase_at<T>(m, "5T/16").offset);
 }
+
+}  // namespace pendulum_phase_test

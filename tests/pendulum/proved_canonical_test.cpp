@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+namespace pendulum_proved_canonical_test {
+
 using namespace libration;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("a canonical motion refuses energies without a period", "[pendulum][pr
     CHECK_THROWS_AS(proved_canonical(1, rational(1, 2)), std::invalid_argument);
     CHECK_THROWS_AS(proved_canonical(rational(1, 2), rational(4, 3)), std::invalid_argument);
 }
+
+}  // namespace pendulum_proved_canonical_test

@@ -6,6 +6,8 @@
 
 #include "proved.hpp"
 
+namespace pendulum_proved_motion_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -72,3 +74,5 @@ TEST_CASE("period and radius have their closed forms in balls", "[pendulum][prov
     CHECK_THROWS_AS(proved_motion(by_energy("2")).at(read_exact("T/4")), std::domain_error);
     CHECK_THROWS_AS(proved_motion(by_energy("0")).radius(), std::domain_error);
 }
+
+}  // namespace pendulum_proved_motion_test

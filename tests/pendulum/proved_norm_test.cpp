@@ -2,6 +2,8 @@
 
 #include "proved.hpp"
 
+namespace pendulum_proved_norm_test {
+
 using namespace libration;
 
 namespace {
@@ -69,3 +71,5 @@ TEST_CASE("equilibria have no norm", "[proved_norm]") {
     CHECK_THROWS_AS(proved_descent_errors(rational(2)), std::domain_error);
     CHECK_THROWS_AS(proved_descent_errors(rational(1)).norm(descent_method::series, -1), std::invalid_argument);
 }
+
+}  // namespace pendulum_proved_norm_test

@@ -10,6 +10,8 @@
 #include "proved.hpp"
 #include "typed.hpp"
 
+namespace pendulum_proved_pendulum_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -159,3 +161,5 @@ TEST_CASE("the fractions agree with balls about a point without symmetry", "[pen
     }
     CHECK_FALSE(rational_cosine_at_start(with_state("1", "0.5")));
 }
+
+}  // namespace pendulum_proved_pendulum_test

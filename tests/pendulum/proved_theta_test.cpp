@@ -6,6 +6,8 @@
 #include "libration/pendulum/exact_solution.hpp"
 #include "libration/pendulum/proved_theta.hpp"
 
+namespace pendulum_proved_theta_test {
+
 using namespace libration;
 
 TEST_CASE("proved theta is the exact solution of mpfr, to all of its places", "[pendulum][proved_theta]") {
@@ -69,3 +71,5 @@ TEST_CASE("motions without a period are refused by proved theta", "[pendulum][pr
     CHECK_THROWS_AS(proved_theta(2, 0, 1, 20), std::domain_error);
     CHECK_THROWS_AS(proved_theta(1, rational(1, 2), 1, 20), std::invalid_argument);
 }
+
+}  // namespace pendulum_proved_theta_test

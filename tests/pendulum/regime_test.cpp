@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace pendulum_regime_test {
+
 using namespace libration;
 
 TEST_CASE("regimes have the names of the command", "[regime]") {
@@ -19,3 +21,5 @@ TEST_CASE("the separatrix and the unstable equilibrium are at E = 2, nothing els
     CHECK_FALSE(at_critical_energy(regime::rotation));
     CHECK_FALSE(at_critical_energy(regime::stable_equilibrium));
 }
+
+}  // namespace pendulum_regime_test

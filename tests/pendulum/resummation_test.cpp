@@ -9,6 +9,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_resummation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -173,3 +175,5 @@ TEMPLATE_LIST_TEST_CASE("series and resummation converge to the exact solution",
         }
     }
 }
+
+}  // namespace pendulum_resummation_test

@@ -7,6 +7,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_rounded_clock_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -62,3 +64,5 @@ TEST_CASE("phases lose whole periods, and angles of rotation whole turns", "[rou
     CHECK_THAT(angle_between(mpfr(turn * 3 + 1), mpfr(-1), regime::rotation), near<mpfr>(mpfr(2), 30));
     CHECK(angle_between(mpfr(3), mpfr(-3), regime::libration) == 6);
 }
+
+}  // namespace pendulum_rounded_clock_test

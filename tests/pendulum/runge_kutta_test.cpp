@@ -8,6 +8,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_runge_kutta_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -120,3 +122,5 @@ TEMPLATE_LIST_TEST_CASE("more steps than anyone waits for are refused", "[runge_
     CHECK_THROWS_AS(march.advance_to(T(1)), std::domain_error);
     CHECK_THROWS_AS(march.advance_to(T(-1)), std::domain_error);
 }
+
+}  // namespace pendulum_runge_kutta_test

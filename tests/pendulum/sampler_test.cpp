@@ -16,6 +16,8 @@
 #include "proved.hpp"
 #include "typed.hpp"
 
+namespace pendulum_sampler_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -252,3 +254,5 @@ TEST_CASE("a motion has fewer than 110 panels", "[pendulum][sampler]") {
         CHECK(swing_panels<double>(with_energy(energy)).size() <= 40);
     }
 }
+
+}  // namespace pendulum_sampler_test

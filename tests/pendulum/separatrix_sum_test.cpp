@@ -8,6 +8,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_separatrix_sum_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -51,3 +53,5 @@ TEMPLATE_LIST_TEST_CASE("at E = 0 and E = 2 there is no sum", "[separatrix_sum]"
     CHECK_THROWS_AS(separatrix_sum<T>(with_energy("2")), std::domain_error);
     CHECK_THROWS_AS(separatrix_sum<T>(with_state("pi", "0")), std::domain_error);
 }
+
+}  // namespace pendulum_separatrix_sum_test

@@ -7,6 +7,8 @@
 #include "libration/convergence/coefficient_ratios.hpp"
 #include "scalars.hpp"
 
+namespace pendulum_series_on_descent_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -101,3 +103,5 @@ TEST_CASE("there is no list at rest, on the separatrix, or of a negative order",
     CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(2), 1, 4), std::domain_error);
     CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(1), 1, -1), std::invalid_argument);
 }
+
+}  // namespace pendulum_series_on_descent_test

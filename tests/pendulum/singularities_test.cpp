@@ -6,6 +6,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_singularities_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -124,3 +126,5 @@ TEMPLATE_LIST_TEST_CASE("radii about the top agree with the table", "[singularit
         CHECK_THAT(radius, near<T>(decimal(row.at("radius")), radius_ulps));
     }
 }
+
+}  // namespace pendulum_singularities_test

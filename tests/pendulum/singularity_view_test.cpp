@@ -9,6 +9,8 @@
 #include "proved.hpp"
 #include "typed.hpp"
 
+namespace pendulum_singularity_view_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -84,3 +86,5 @@ TEST_CASE("what is left out of the sum for a coefficient is below theorem A1", "
         }
     }
 }
+
+}  // namespace pendulum_singularity_view_test

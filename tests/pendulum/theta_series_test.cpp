@@ -13,6 +13,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_theta_series_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -140,3 +142,5 @@ TEST_CASE("a quotient of thetas has no negative order", "[theta_series]") {
     CHECK_THROWS_AS(taylor_by_thetas(solution, {}, -1, mpfr(1)), std::invalid_argument);
     CHECK(taylor_by_thetas(solution, {}, 0, mpfr(1)).order() == 0);
 }
+
+}  // namespace pendulum_theta_series_test

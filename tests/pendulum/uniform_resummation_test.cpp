@@ -15,6 +15,8 @@
 #include "scalars.hpp"
 #include "typed.hpp"
 
+namespace pendulum_uniform_resummation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -202,3 +204,5 @@ TEMPLATE_LIST_TEST_CASE("E = 0, E = 2 and impossible orders are refused", "[unif
     CHECK(uniform_from_top<T>(with_energy("3"), 0).order() == 0);
     CHECK(uniform_from_top<T>(with_energy("3"), 8).order() == 8);
 }
+
+}  // namespace pendulum_uniform_resummation_test

@@ -8,6 +8,8 @@
 #include "libration/pendulum/exact_solution.hpp"
 #include "scalars.hpp"
 
+namespace pendulum_variation_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -125,3 +127,5 @@ TEST_CASE("motions at rest have no variation of this form", "[pendulum][variatio
     CHECK_THROWS_AS(variation<double>(motion::of_energy(0)), std::domain_error);
     CHECK_THROWS_AS(variation<double>(motion::of_state(typed("pi"), typed("0"))), std::domain_error);
 }
+
+}  // namespace pendulum_variation_test

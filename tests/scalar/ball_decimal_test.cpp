@@ -6,6 +6,8 @@
 
 #include "proved.hpp"
 
+namespace scalar_ball_decimal_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -72,3 +74,5 @@ TEST_CASE("what is printed, with its uncertainty, contains the number", "[scalar
         CHECK(error < read_exact(unit).coefficient);
     }
 }
+
+}  // namespace scalar_ball_decimal_test

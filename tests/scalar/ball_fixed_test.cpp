@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+namespace scalar_ball_fixed_test {
+
 using namespace libration;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("fixed point refuses what it cannot hold", "[scalar][ball_fixed]") {
     CHECK((one - one).is_zero());
     CHECK(overlaps((two / one).to_ball(), ball(2)));
 }
+
+}  // namespace scalar_ball_fixed_test

@@ -7,6 +7,8 @@
 #include "libration/scalar/ball.hpp"
 #include "proved.hpp"
 
+namespace scalar_ball_polynomial_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -84,3 +86,5 @@ TEST_CASE("a quotient by what may begin with 0 contains everything", "[ball_poly
         CHECK_FALSE(is_finite(q));
     }
 }
+
+}  // namespace scalar_ball_polynomial_test

@@ -12,6 +12,8 @@
 
 #include "proved.hpp"
 
+namespace scalar_ball_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -287,3 +289,5 @@ TEST_CASE("each thread has its own precision, and its balls outlive it", "[scala
         }
     }
 }
+
+}  // namespace scalar_ball_test

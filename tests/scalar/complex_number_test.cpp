@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_complex_number_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -64,3 +66,5 @@ TEMPLATE_LIST_TEST_CASE("sums, products and quotients by a real are those of 3 +
     CHECK((z - z * T(2) + z).im == 0);
     CHECK((-z / T(2)).re == T(-3) / 2);
 }
+
+}  // namespace scalar_complex_number_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+namespace scalar_concept_test {
+
 using namespace libration;
 
 TEST_CASE("the four scalars are scalars, and what only looks like one is not", "[scalar][concept]") {
@@ -16,3 +18,5 @@ TEST_CASE("the four scalars are scalars, and what only looks like one is not", "
     STATIC_REQUIRE_FALSE(scalar<std::string>);
     STATIC_REQUIRE_FALSE(scalar<void>);
 }
+
+}  // namespace scalar_concept_test

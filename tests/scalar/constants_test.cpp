@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_constants_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -39,3 +41,5 @@ TEST_CASE("pi is made anew at every precision", "[scalar][constants]") {
     CHECK_THAT(pi<mpfr>(), tests::near<mpfr>(known_pi, 1));
     CHECK_THAT(short_pi, !tests::near<mpfr>(known_pi, 1));
 }
+
+}  // namespace scalar_constants_test

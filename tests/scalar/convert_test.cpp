@@ -5,6 +5,8 @@
 #include "scalar/random_value.hpp"
 #include "scalars.hpp"
 
+namespace scalar_convert_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -148,3 +150,5 @@ TEST_CASE("the nearest integer, ties to even, of numbers of any size", "[scalar]
     const integer huge("1234567890123456789012345678901234567890");
     CHECK(nearest(rational(huge) + rational(1) / 4) == huge);
 }
+
+}  // namespace scalar_convert_test

@@ -5,6 +5,8 @@
 #include "libration/pendulum/other_recurrences.hpp"
 #include "libration/pendulum/resummation.hpp"
 
+namespace scalar_counted_test {
+
 using namespace libration;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("products in units of N^2 are what the sums are in the limit", "[scala
     CHECK(in_squares([&] { taylor_by_arcsine(start(parity::any), n, one); }) == Approx(3. / 2).margin(0.02));
     CHECK(in_squares([&] { taylor_by_arcsine(start(parity::even), n, one); }) == Approx(3. / 8).margin(0.02));
 }
+
+}  // namespace scalar_counted_test

@@ -5,6 +5,8 @@
 #include "scalar/random_value.hpp"
 #include "scalars.hpp"
 
+namespace scalar_decimal_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -105,3 +107,5 @@ TEST_CASE("the logarithm of a number of any size is text that a drawing can hold
     CHECK(log10_text(mpfr(0)) == "-inf");
     CHECK(log10_text(100.0) == "2.00000000000");
 }
+
+}  // namespace scalar_decimal_test

@@ -6,6 +6,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_dispatch_test {
+
 using namespace libration;
 using Catch::Matchers::Contains;
 
@@ -85,3 +87,5 @@ TEST_CASE("digits are a whole number from 1 to the most that a run may ask for",
     CHECK_THROWS_WITH(read_digits("100001"), Contains("more than 100000"));
     CHECK_THROWS_WITH(read_digits("99999999999999999999999"), Contains("more than 100000"));
 }
+
+}  // namespace scalar_dispatch_test

@@ -5,6 +5,8 @@
 #include "scalar/random_value.hpp"
 #include "scalars.hpp"
 
+namespace scalar_enclose_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -46,3 +48,5 @@ TEST_CASE("doublings reach their number and no earlier count does", "[scalar][en
         REQUIRE((1L << (steps - 1)) < n);
     }
 }
+
+}  // namespace scalar_enclose_test

@@ -5,6 +5,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_exact_test {
+
 using namespace libration;
 using Catch::Matchers::Contains;
 using libration::tests::all_scalars;
@@ -137,3 +139,5 @@ TEST_CASE("a multiple of the period is no number without a motion", "[scalar][ex
     CHECK_THROWS_AS(from_exact<double>(read_exact("T/4")), std::domain_error);
     CHECK_THROWS_WITH(from_exact<mpfr>(read_exact("-3T/4")), Contains("-3T/4"));
 }
+
+}  // namespace scalar_exact_test

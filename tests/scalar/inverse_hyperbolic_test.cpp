@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_inverse_hyperbolic_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -35,3 +37,5 @@ TEMPLATE_LIST_TEST_CASE("arsinh has its closed forms and is odd", "[scalar][inve
     const T huge = from_exact<T>(read_exact("1e200"));
     CHECK_THAT(arsinh(huge), near<T>(T(log(huge * 2)), few));
 }
+
+}  // namespace scalar_inverse_hyperbolic_test

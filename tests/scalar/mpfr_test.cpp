@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_mpfr_test {
+
 using namespace libration;
 
 namespace {
@@ -58,3 +60,5 @@ TEST_CASE("integers and fractions are exact", "[scalar][mpfr]") {
     CHECK((integer(1) << 200) - 1 ==
           integer(std::string("1606938044258990275541962092341162602522202993782792835301375")));
 }
+
+}  // namespace scalar_mpfr_test

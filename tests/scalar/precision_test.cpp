@@ -7,6 +7,8 @@
 
 #include "scalars.hpp"
 
+namespace scalar_precision_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -141,3 +143,5 @@ TEST_CASE("fixed scalars have the bits of their formats", "[scalar][precision]")
     CHECK(digits<quad>() == 113);
     CHECK(epsilon<double>() == std::numeric_limits<double>::epsilon());
 }
+
+}  // namespace scalar_precision_test

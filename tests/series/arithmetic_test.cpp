@@ -5,6 +5,8 @@
 #include "scalars.hpp"
 #include "series/random_series.hpp"
 
+namespace series_arithmetic_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -118,3 +120,5 @@ TEMPLATE_LIST_TEST_CASE("evaluation gives value and derivative of the polynomial
     CHECK(evaluate(power_series<T>(std::vector<T>{T(5)}), T(3)).value == 5);
     CHECK(evaluate(power_series<T>(std::vector<T>{T(5)}), T(3)).slope == 0);
 }
+
+}  // namespace series_arithmetic_test

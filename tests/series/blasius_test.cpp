@@ -8,6 +8,8 @@
 #include "libration/series/arithmetic.hpp"
 #include "scalars.hpp"
 
+namespace series_blasius_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -104,3 +106,5 @@ TEMPLATE_LIST_TEST_CASE("Blasius' layer ends at speed 1 with its known displacem
     const T balance = at.f * at.slope - momentum + (at.curvature - wall) * 2;
     CHECK_THAT(balance, tests::near<T>(tests::exactly(T(0)), walked, T(32)));
 }
+
+}  // namespace series_blasius_test

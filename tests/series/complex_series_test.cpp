@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace series_complex_series_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -38,3 +40,5 @@ TEMPLATE_LIST_TEST_CASE("a series known to be real has the same products", "[ser
         CHECK(modulus_of(product_coefficient(real, real, n) - product_coefficient(any, any, n)) == 0);
     }
 }
+
+}  // namespace series_complex_series_test

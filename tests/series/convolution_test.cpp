@@ -6,6 +6,8 @@
 #include "scalars.hpp"
 #include "series/random_series.hpp"
 
+namespace series_convolution_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -94,3 +96,5 @@ TEST_CASE("mpfr adds a product with one rounding", "[series][convolution]") {
     add_product(sum, mpfr(1 + e), mpfr(1 - e));
     CHECK(sum == -e * e);
 }
+
+}  // namespace series_convolution_test

@@ -5,6 +5,8 @@
 #include "scalars.hpp"
 #include "series/random_series.hpp"
 
+namespace series_exponential_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -177,3 +179,5 @@ TEMPLATE_LIST_TEST_CASE("one more coefficient does not change the earlier ones",
     CHECK(one_at_a_time.next(f[1]) == exponential(f)[1]);
     CHECK(one_at_a_time.value().order() == 1);
 }
+
+}  // namespace series_exponential_test

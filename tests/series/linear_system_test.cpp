@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace series_linear_system_test {
+
 using namespace libration;
 
 TEST_CASE("linear systems need their pivots", "[series][linear_system]") {
@@ -14,3 +16,5 @@ TEST_CASE("linear systems need their pivots", "[series][linear_system]") {
     CHECK_THROWS_AS(solve_linear<double>({{0, 0}, {2, 4}}, {1, 2}, 1e-14), std::domain_error);
     CHECK(solve_linear<double>({}, {}, 1e-14).empty());
 }
+
+}  // namespace series_linear_system_test

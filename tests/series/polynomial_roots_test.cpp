@@ -7,6 +7,8 @@
 #include "libration/series/arithmetic.hpp"
 #include "scalars.hpp"
 
+namespace series_polynomial_roots_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 
@@ -178,3 +180,5 @@ TEST_CASE("roots 0 are exact, constants have none, and the steps end", "[series]
     CHECK(cut.steps == 1);
     CHECK_THROWS_AS(roots_of(power_series<double>({1, 0})), std::domain_error);
 }
+
+}  // namespace series_polynomial_roots_test

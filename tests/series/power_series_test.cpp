@@ -4,6 +4,8 @@
 
 #include "scalars.hpp"
 
+namespace series_power_series_test {
+
 using namespace libration;
 using Catch::Matchers::Contains;
 using libration::tests::all_scalars;
@@ -41,3 +43,5 @@ TEST_CASE("an order that no series has is refused with its value", "[series][pow
     CHECK_THROWS_WITH(series::zero(4).truncated(5), Contains("5") && Contains("4"));
     CHECK_THROWS_WITH(series::zero(4).truncated(-1), Contains("-1"));
 }
+
+}  // namespace series_power_series_test

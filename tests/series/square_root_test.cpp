@@ -5,6 +5,8 @@
 #include "libration/series/exponential.hpp"
 #include "scalars.hpp"
 
+namespace series_square_root_test {
+
 using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
@@ -41,3 +43,5 @@ TEMPLATE_LIST_TEST_CASE("a square root is the power 1/2, and parity changes noth
         CHECK_THAT(root[n], near(power_half[n], 100, T(1)));  // sums of 18 terms below 1
     }
 }
+
+}  // namespace series_square_root_test

@@ -10,6 +10,8 @@
 
 #include "sweep/study_order.hpp"
 
+namespace studies_all_studies_test {
+
 using namespace libration;
 
 namespace {
@@ -122,3 +124,5 @@ TEST_CASE("the bytes of a study do not depend on the number of jobs", "[studies]
         }
     }
 }
+
+}  // namespace studies_all_studies_test

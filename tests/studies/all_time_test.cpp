@@ -6,6 +6,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_all_time_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -85,3 +87,5 @@ TEST_CASE("late times have no meaning at E = 0 and E = 2", "[studies][all_time]"
     CHECK_THROWS_AS(rows_for({{"--energies", "0"}}), std::domain_error);
     CHECK_THROWS_AS(rows_for({{"--energies", "1,2"}}), std::domain_error);
 }
+
+}  // namespace studies_all_time_test

@@ -6,6 +6,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_audit_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -89,3 +91,5 @@ TEST_CASE("an audit refuses energies that have no modulus below 1", "[studies][a
     CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--energies", "2"}}), std::domain_error);
     CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--energies", "0"}}), std::domain_error);
 }
+
+}  // namespace studies_audit_test

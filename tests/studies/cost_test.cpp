@@ -8,6 +8,8 @@
 #include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
 
+namespace studies_cost_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -95,3 +97,5 @@ TEST_CASE("energies and orders without a series are refused", "[studies][cost]")
     CHECK_THROWS_AS(run({{"--energies", "1e-400"}, {"--orders", "4"}, {"--scalar", "double"}}), std::range_error);
     CHECK_THROWS_AS(run({{"--orders", "1,20"}}), input_error);
 }
+
+}  // namespace studies_cost_test

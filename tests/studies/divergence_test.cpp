@@ -6,6 +6,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_divergence_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -129,3 +131,5 @@ TEST_CASE("the bottom itself has no error, and E = 0 and 2 no period", "[studies
     CHECK_THROWS_WITH(tables_for({{"--energies", "2"}}), Catch::Contains("energy 2"));
     CHECK_THROWS_WITH(tables_for({{"--energies", "0"}}), Catch::Contains("energy 0"));
 }
+
+}  // namespace studies_divergence_test

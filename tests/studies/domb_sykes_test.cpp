@@ -9,6 +9,8 @@
 #include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
 
+namespace studies_domb_sykes_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -110,3 +112,5 @@ TEST_CASE("what has no ratios is refused", "[studies][domb_sykes]") {
     CHECK_THROWS_AS(rows_under("", {{"--energies", "1,2"}}), std::domain_error);
     CHECK_THROWS_AS(rows_under("", {{"--orders", "3"}}), input_error);
 }
+
+}  // namespace studies_domb_sykes_test

@@ -8,6 +8,8 @@
 #include "command/reference_motion.hpp"
 #include "studies/study_rows.hpp"
 
+namespace studies_error_norm_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -365,3 +367,5 @@ TEST_CASE("the baseline is the march from (0, 2) against the closed solution", "
     request.step = read_exact("20");
     CHECK_THROWS_WITH(run(request), Catch::Contains("0 Runge-Kutta steps"));
 }
+
+}  // namespace studies_error_norm_test

@@ -7,6 +7,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_expansion_point_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -163,3 +165,5 @@ TEST_CASE("energies without a way from the top to the bottom are refused", "[stu
     CHECK_THROWS_AS(expansion_point({{"--energies", "0"}}), std::domain_error);
     CHECK_THROWS_AS(expansion_point({{"--energies", "1,2"}}), std::domain_error);
 }
+
+}  // namespace studies_expansion_point_test

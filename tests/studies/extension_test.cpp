@@ -8,6 +8,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_extension_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -136,3 +138,5 @@ TEST_CASE("E = 0 and E = 2 are refused before any work", "[studies][extension]")
         }
     }
 }
+
+}  // namespace studies_extension_test

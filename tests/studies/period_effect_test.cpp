@@ -6,6 +6,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_period_effect_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -89,3 +91,5 @@ TEST_CASE("the effect of the period has no meaning at E = 0 and E = 2", "[studie
         CHECK_THROWS_AS(rows_for({{"--energies", energy}}), std::domain_error);
     }
 }
+
+}  // namespace studies_period_effect_test

@@ -5,6 +5,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_period_error_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -110,3 +112,5 @@ TEST_CASE("E = 0 and E = 2 have no error of T*", "[studies][period_error]") {
     CHECK_THROWS_WITH(rows_for({{"--energies", "1,0"}}), Catch::Contains("has the energy 0"));
     CHECK_THROWS_WITH(rows_for({{"--gaps", "0"}}), Catch::Contains("has the energy 2"));
 }
+
+}  // namespace studies_period_error_test

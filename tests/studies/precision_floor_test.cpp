@@ -6,6 +6,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_precision_floor_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -68,3 +70,5 @@ TEST_CASE("E = 0 and E = 2 have no floor", "[studies][precision_floor]") {
     CHECK_THROWS_WITH(rows_for({{"--energies", "2"}}), Catch::Contains("energy 2"));
     CHECK_THROWS_AS(rows_for({{"--energies", "0"}}), std::domain_error);
 }
+
+}  // namespace studies_precision_floor_test

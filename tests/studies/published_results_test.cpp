@@ -9,6 +9,8 @@
 #include "claims/claim.hpp"
 #include "sweep/study_order.hpp"
 
+namespace studies_published_results_test {
+
 using namespace libration;
 
 namespace {
@@ -55,3 +57,5 @@ TEST_CASE("every study is published, with its figure", "[studies][results]") {
         }
     }
 }
+
+}  // namespace studies_published_results_test

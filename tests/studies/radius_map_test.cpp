@@ -8,6 +8,8 @@
 #include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
 
+namespace studies_radius_map_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -77,3 +79,5 @@ TEST_CASE("energies without a way from the top to the bottom have no map", "[stu
     CHECK_THROWS_AS(radius_map({{"--energies", "1,2"}}), std::domain_error);
     CHECK_THROWS_AS(radius_map({{"--orders", "3"}}), input_error);
 }
+
+}  // namespace studies_radius_map_test

@@ -9,6 +9,8 @@
 #include "libration/scalar/exact.hpp"
 #include "studies/study_rows.hpp"
 
+namespace studies_radius_tournament_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -107,3 +109,5 @@ TEST_CASE("radius_tournament refuses what has no radius", "[studies][radius_tour
     CHECK_THROWS_WITH(tables_of_study("radius_tournament", {{"--energies", "2"}, {"--orders", "20"}}),
                       Catch::Contains("energy 2"));
 }
+
+}  // namespace studies_radius_tournament_test

@@ -5,6 +5,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_resummations_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -80,3 +82,5 @@ TEST_CASE("E = 0, E = 2 and no coefficient are refused by the study resummations
     CHECK_THROWS_WITH(rows_of_study("resummations", {{"--energies", "0"}}), Catch::Contains("energy 0"));
     CHECK_THROWS_WITH(rows_of_study("resummations", {{"--energies", "1"}, {"--orders", "0"}}), Catch::Contains("0"));
 }
+
+}  // namespace studies_resummations_test

@@ -8,6 +8,8 @@
 #include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
 
+namespace studies_root_test_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -90,3 +92,5 @@ TEST_CASE("what has no root test is refused", "[studies][root_test]") {
     CHECK_THROWS_AS(roots({{"--energies", "1,2"}}), std::domain_error);
     CHECK_THROWS_AS(roots({{"--orders", "3"}}), input_error);
 }
+
+}  // namespace studies_root_test_test

@@ -9,6 +9,8 @@
 #include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
 
+namespace studies_singularities_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -143,3 +145,5 @@ TEST_CASE("what has no lattice or no pole is refused", "[studies][singularities]
     CHECK_THROWS_AS(run({{"--energies", "1,2"}}), std::domain_error);
     CHECK_THROWS_AS(run({{"--orders", "3,20"}}), input_error);
 }
+
+}  // namespace studies_singularities_test

@@ -7,6 +7,8 @@
 #include "studies/study_rows.hpp"
 #include "sweep/input_error.hpp"
 
+namespace studies_surface_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -68,3 +70,5 @@ TEST_CASE("the surface refuses rest, and multiples of an infinite period", "[stu
     CHECK_THROWS_AS(surface().run(request({{"--energies", "1,2"}, {"--times", "0:T:3"}})), input_error);
     CHECK_NOTHROW(surface().run(request({{"--energies", "1"}, {"--times", "0:T:3"}, {"--orders", "3"}})));
 }
+
+}  // namespace studies_surface_test

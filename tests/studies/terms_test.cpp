@@ -6,6 +6,8 @@
 
 #include "studies/study_rows.hpp"
 
+namespace studies_terms_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -78,3 +80,5 @@ TEST_CASE("E = 0, E = 2 and too many digits are refused", "[studies][terms]") {
     CHECK_THROWS_WITH(rows_for({{"--energies", "0"}}), Catch::Contains("energy 0"));
     CHECK_THROWS_WITH(rows_for({{"--energies", "1"}, {"--digits", "5000"}}), Catch::Contains("5000"));
 }
+
+}  // namespace studies_terms_test

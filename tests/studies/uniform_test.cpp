@@ -9,6 +9,8 @@
 #include "pendulum/typed.hpp"
 #include "studies/study_rows.hpp"
 
+namespace studies_uniform_test {
+
 using namespace libration;
 using namespace libration::tests;
 
@@ -59,3 +61,5 @@ TEST_CASE("E = 0, E = 2 and no coefficient are refused by the study uniform", "[
     CHECK_THROWS_WITH(rows_of_study("uniform", {{"--energies", "0"}}), Catch::Contains("energy 0"));
     CHECK_THROWS_WITH(rows_of_study("uniform", {{"--energies", "1"}, {"--orders", "0"}}), Catch::Contains("0"));
 }
+
+}  // namespace studies_uniform_test

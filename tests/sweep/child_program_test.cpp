@@ -5,6 +5,8 @@
 
 #include "sweep/child_program.hpp"
 
+namespace sweep_child_program_test {
+
 using namespace libration;
 
 TEST_CASE("a child program gets its input and its output comes back, also a megabyte", "[sweep][child_program]") {
@@ -17,3 +19,5 @@ TEST_CASE("a child program that is not there or fails is an error", "[sweep][chi
     CHECK_THROWS_AS(output_of_program("/no/such/program", ""), std::runtime_error);
     CHECK_THROWS_AS(output_of_program("/bin/false", ""), std::runtime_error);
 }
+
+}  // namespace sweep_child_program_test

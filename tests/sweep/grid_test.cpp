@@ -7,6 +7,8 @@
 
 #include "libration/scalar/decimal.hpp"
 
+namespace sweep_grid_test {
+
 using namespace libration;
 
 namespace {
@@ -205,3 +207,5 @@ TEST_CASE("counts are a list that names the wrong item", "[sweep][grid]") {
     CHECK(about("5,101") == "has the item '101', which is not between 0 and 100");
     CHECK(about("-3") == "is not between 0 and 100");
 }
+
+}  // namespace sweep_grid_test

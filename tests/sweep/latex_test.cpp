@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+namespace sweep_latex_test {
+
 using namespace libration;
 
 TEST_CASE("a number becomes mathematics, rounded from its text", "[sweep][latex]") {
@@ -46,3 +48,5 @@ TEST_CASE("a short table keeps every digit, and an empty first cell its place", 
           "\\begin{tabular}{ll}\n\\toprule\na & b \\\\\n\\midrule\n & $1.2345678901234567890$ \\\\\n\\bottomrule\n"
           "\\end{tabular}\n");
 }
+
+}  // namespace sweep_latex_test

@@ -13,6 +13,8 @@
 #include "libration/scalar/convert.hpp"
 #include "libration/scalar/decimal.hpp"
 
+namespace sweep_parallel_test {
+
 using namespace libration;
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("each step has the precision of its own scope, and the caller keeps it
     }
     CHECK(digits<mpfr>() == bits);
 }
+
+}  // namespace sweep_parallel_test

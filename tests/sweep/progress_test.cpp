@@ -11,6 +11,8 @@
 
 #include "command/temporary_folder.hpp"
 
+namespace sweep_progress_test {
+
 using namespace libration;
 using libration::tests::temporary_folder;
 using libration::tests::text_of_file;
@@ -88,3 +90,5 @@ TEST_CASE("on a terminal progress says how far it is and takes its line away", "
     ::close(own_side);
     ::close(terminal);
 }
+
+}  // namespace sweep_progress_test

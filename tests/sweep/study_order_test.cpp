@@ -6,6 +6,8 @@
 
 #include "sweep/input_error.hpp"
 
+namespace sweep_study_order_test {
+
 using namespace libration;
 using Catch::Contains;
 
@@ -119,3 +121,5 @@ TEST_CASE("words that mean nothing are refused with option, value and remedy", "
     refused("--step", "T/4");
     refused("--scalar", "float");
 }
+
+}  // namespace sweep_study_order_test

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace sweep_study_test {
+
 using namespace libration;
 
 TEST_CASE("an energy of a sweep keeps its text and derives the gap exactly", "[sweep][study]") {
@@ -40,3 +42,5 @@ TEST_CASE("what is no energy is refused", "[sweep][study]") {
         CHECK_THROWS_WITH(energy_from(read_exact(text)), Catch::Contains("'" + text + "'"));
     }
 }
+
+}  // namespace sweep_study_test

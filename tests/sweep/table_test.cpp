@@ -13,6 +13,8 @@
 
 #include "command/temporary_folder.hpp"
 
+namespace sweep_table_test {
+
 using namespace libration;
 using libration::tests::temporary_folder;
 using libration::tests::text_of_file;
@@ -158,3 +160,5 @@ TEST_CASE("a CSV with a short row, or cut off, is refused by its line", "[sweep]
     CHECK_THROWS_WITH(from_csv("a,b\n1,2"), Catch::Contains("line 2") && Catch::Contains("does not end"));
     CHECK_THROWS_WITH(from_csv("a,b\n\"1,2\n"), Catch::Contains("does not end"));
 }
+
+}  // namespace sweep_table_test
