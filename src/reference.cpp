@@ -51,7 +51,7 @@ constexpr std::size_t theta_at = 6;
 constexpr std::size_t omega_at = 7;
 
 // The motion first, a line a column, and then every time.
-std::string text_of(const table& data) {
+std::string lines_of(const table& data) {
     std::string text;
     const auto line = [&](std::size_t i, const std::vector<std::string>& row) {
         if (!row[i].empty()) {
@@ -103,7 +103,7 @@ int run_reference(const reference_options& options) {
         row[omega_at] = state.omega;
         data.rows.push_back(row);
     }
-    options.output.write(data, text_of(data));
+    options.output.write(data, lines_of(data));
     return 0;
 }
 
