@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/approximant/enclosed_panel.hpp"
+#include "libration/approximant/proved_panel.hpp"
 
 namespace libration {
 
