@@ -62,6 +62,9 @@ if(TARGET libration-gsl-theta)
         COMPILE_DEFINITIONS LIBRATION_GSL_THETA="$<TARGET_FILE:libration-gsl-theta>")
 endif()
 
+# It has to come before every other header of the library.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/cost.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
 target_link_libraries(libration-command PRIVATE libration-studies CLI11::CLI11 libration-warnings)

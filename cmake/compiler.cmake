@@ -22,6 +22,14 @@ if(LIBRATION_SANITIZE)
     endif()
 endif()
 
+# Six sevenths of the code that sources compile by themselves are the same template instances as in other sources. The
+# presets that build from nothing set CMAKE_UNITY_BUILD, which compiles so many sources as one; `dev` does not, so that
+# a change there compiles one source. Sources may therefore share no name but those of headers: each test has a
+# namespace of its own, each study one for what is inside it.
+if(NOT CMAKE_UNITY_BUILD_BATCH_SIZE)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
+endif()
+
 # Compiling Boost.Multiprecision is the cost of a build. ccache caches sources with a precompiled header only when it
 # may ignore that header's time stamps and macros.
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

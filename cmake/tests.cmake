@@ -28,6 +28,8 @@ if(LIBRATION_BUILD_COMMAND)
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/table_test.cpp PROPERTIES
         COMPILE_DEFINITIONS LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
 endif()
+# It includes what has to come before every other header of the library.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/scalar/counted_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
 # Every public header compiles alone, twice in a row, without a warning, with the flags of the tests.

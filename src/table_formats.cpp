@@ -56,7 +56,7 @@ std::string joined(std::size_t count, const Cell& cell) {
     return text;
 }
 
-bool is_infinite(const std::string& cell) { return cell == "inf" || cell == "-inf"; }
+bool holds_infinity(const std::string& cell) { return cell == "inf" || cell == "-inf"; }
 
 // A floating literal once a suffix is joined to it.
 std::string floating(const std::string& cell) {
@@ -99,7 +99,7 @@ std::string to_ipp(const table& data, const table_origin& origin) {
                        data.columns.size(), data.rows.size(), origin.name);
     for (std::size_t at = 0; at < data.rows.size(); ++at) {
         const auto& row = data.rows[at];
-        const auto infinite = std::find_if(row.begin(), row.end(), is_infinite);
+        const auto infinite = std::find_if(row.begin(), row.end(), holds_infinity);
         if (infinite != row.end()) {
             const auto place = static_cast<std::size_t>(infinite - row.begin());
             throw input_error("--format", "ipp",

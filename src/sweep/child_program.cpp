@@ -12,11 +12,11 @@ namespace libration {
 
 namespace {
 
-using file = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+using open_file = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 // A file without a name. Unlike a pipe it holds any amount before the other side reads.
-file nameless_file() {
-    file made(std::tmpfile(), &std::fclose);
+open_file nameless_file() {
+    open_file made(std::tmpfile(), &std::fclose);
     if (!made) {
         throw std::runtime_error("cannot make a temporary file");
     }
@@ -37,8 +37,8 @@ std::string content_of(std::FILE* from) {
 }  // namespace
 
 std::string output_of_program(const std::string& path, const std::string& input) {
-    const file in = nameless_file();
-    const file out = nameless_file();
+    const open_file in = nameless_file();
+    const open_file out = nameless_file();
     if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0) {
         throw std::runtime_error("cannot write a temporary file");
     }
