@@ -23,6 +23,7 @@
 
 #include "libration/elliptic/theta_values.hpp"
 #include "libration/pendulum/proved_state.hpp"
+#include "libration/scalar/ball_arctangent.hpp"
 #include "libration/scalar/ball_fraction.hpp"
 
 namespace libration {
@@ -75,14 +76,14 @@ public:
         ball denominator = values.third * nome_.scale();
         if (binary_exponent(cosine) < -8 || contains_zero(cosine)) {
             const fraction at = risen({values.second, denominator, ball()}, false);
-            return atan(at.x * cut_ / at.d / 2) * 4;
+            return quarter_angle(at.x * cut_, at.d) * 4;
         }
         // V = 1/X: V_n = V_{n+1} + (c_n^2/4)/V_{n+1}.
         ball inverse = denominator / values.second;
         for (int n = nome_.levels() - 1; n >= 1; --n) {
             inverse += landen_nome::quotient(nome_.step(n), inverse, nome_.bits());
         }
-        return atan(cut_ / inverse / 2) * 4;
+        return quarter_angle(cut_, inverse) * 4;
     }
 
     /// theta and omega.
@@ -99,9 +100,9 @@ public:
         const ball add = nome_.step(0) * (at.x * at.x);
         const ball sum = square + add;
         if (!rotates_) {
-            return {atan(at.x * cut_ / at.d / 2) * 4, at.w * cut_ * 2 / sum};
+            return {quarter_angle(at.x * cut_, at.d) * 4, at.w * cut_ * 2 / sum};
         }
-        const ball psi = atan2(-at.w, at.x * at.d * widest_);
+        const ball psi = angle_of_point(-at.w, at.x * at.d * widest_, nome_.bits());
         return {psi * 2 + pi<ball>() * from_rational<ball>(rational(turns * 2 + 1)),
                 (square - add) / sum * widest_ * 2};
     }
@@ -118,6 +119,11 @@ private:
     static const rational& checked(const rational& energy, const rational& gap) {
         require_energies(energy, gap);
         return energy;
+    }
+
+    // theta/4 from twice its tangent.
+    ball quarter_angle(const ball& y, const ball& x) const {
+        return arctangent_of_quotient(y, ldexp(x, 1), nome_.bits());
     }
 
     // z - turns pi, proved inside (-pi, pi).
