@@ -121,9 +121,11 @@ private:
     static constexpr double slack() { return 1 + 1 / static_cast<double>(1UL << 20U); }
     // A radius with the unit that taking down costs.
     static double and_cut(double radius) { return (radius * slack() + 1) * slack(); }
+    // Apart, so that the compiler writes the question out wherever it is asked.
+    [[noreturn]] static void refuse() { throw precision_exhausted("a number in fixed point"); }
     static void require(bool holds) {
         if (!holds) {
-            throw precision_exhausted("a number in fixed point");
+            refuse();
         }
     }
     mp_limb_t at(int i) const { return i < size_ ? limbs_[static_cast<std::size_t>(i)] : 0; }
