@@ -162,7 +162,7 @@ complaints doubles(const house& all) {
 // The headers that a program can only compile with FLINT; every other one has to leave them alone.
 bool needs_flint(const std::string& path) {
     static const std::regex of_balls(
-        "include/libration/(scalar/(ball(_[a-z]+)?|judgement)|approximant/proved_[a-z]+|"
+        "include/libration/(scalar/(ball(_[a-z]+)*|judgement)|approximant/proved_[a-z]+|"
         "elliptic/(landen_nome|theta_values|proved_functions|function_condition)|"
         "pendulum/(landen_motion|proved_[a-z]+|condition))\\.hpp");
     return std::regex_match(path, of_balls);

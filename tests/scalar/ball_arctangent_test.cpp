@@ -187,7 +187,7 @@ TEST_CASE("threads with precisions of their own take angles by Gaussian primes",
     threads.reserve(right.size());
     for (std::size_t i = 0; i < right.size(); ++i) {
         threads.emplace_back([i, &right] {
-            const slong bits = 1300 + 2000 * static_cast<slong>(i);
+            const slong bits = 1500 + 2000 * static_cast<slong>(i);
             const precision_scope scope(decimal_digits(bits));
             random_balls next(bits);
             for (int n = 0; n < 20; ++n) {
