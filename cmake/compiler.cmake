@@ -27,7 +27,7 @@ endif()
 # a change there compiles one source. Sources may therefore share no name but those of headers: each test has a
 # namespace of its own, each study one for what is inside it.
 if(NOT CMAKE_UNITY_BUILD_BATCH_SIZE)
-    set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 25)
 endif()
 
 # Compiling Boost.Multiprecision is the cost of a build. ccache caches sources with a precompiled header only when it
