@@ -320,7 +320,7 @@ const study& error_norm() {
                        {"--step", "1e-5", "dt of the Runge-Kutta march at E = 2, dimensionless time"},
                        {"--scalar", "ball:50, and double, long-double, quad for their floors", "arithmetic"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6", ""}, {"--step", "1e-3", ""}},
-        .seconds = 5,
+        .seconds = 13,
         .run = run,
         .offers = arithmetics::proved_too};
     return result;

@@ -140,7 +140,7 @@ const study& uniform() {
                        {"--gaps", "1e-1:1e-100:34log,-1e-1:-1e-100:34log,-0.5,-1,-2", "energies as 2 - E"},
                        {"--orders", "8,16,32", "numbers of coefficients that are not 0"}},
         .quick = {{"--energies", "1.71,1e-20", ""}, {"--gaps", "1e-12,-1e-30", ""}, {"--orders", "4,16", ""}},
-        .seconds = 5,
+        .seconds = 10,
         .run = run};
     return result;
 }
