@@ -42,7 +42,10 @@ constexpr auto keywords =
 std::string comment_of(const std::vector<std::string>& lines, const std::string& mark) {
     std::string text;
     for (const std::string& line : lines) {
-        text += mark + (line.empty() ? "" : " ") + line + "\n";
+        text += mark;
+        text += line.empty() ? "" : " ";
+        text += line;
+        text += '\n';
     }
     return text;
 }
