@@ -39,10 +39,6 @@ std::vector<named_motion> motions() {
 const std::vector<std::string> points{"top", "bottom", "start", "T/8"};
 
 // At E = 2: about the bottom, and before and behind it.
-std::vector<named_motion> critical_motions() {
-    return {{"E = 2", with_energy("2")}, {"E = 2, clockwise", with_energy("2", -1)}};
-}
-
 const std::vector<std::string> critical_points{"bottom", "-0.7", "3"};
 
 void compare_on_balls(const named_motion& from, const std::string& at, int order) {

@@ -35,10 +35,6 @@ std::vector<named_motion> motions() {
 // On both sides of both symmetric points, in each of the four quarters.
 const std::vector<std::string> points{"top", "bottom", "T/8", "-T/7", "3T/8", "5T/9", "7T/8", "1.3"};
 
-std::vector<named_motion> critical_motions() {
-    return {{"E = 2", with_energy("2")}, {"E = 2, clockwise", with_energy("2", -1)}};
-}
-
 const std::vector<std::string> critical_points{"bottom", "0.3", "-0.7", "-20", "1000"};
 
 void compare_on_balls(const named_motion& from, const std::string& at, int order) {

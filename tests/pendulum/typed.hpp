@@ -78,4 +78,9 @@ inline std::vector<named_motion> canonical_motions() {
     return all;
 }
 
+/// The separatrix, both ways.
+inline std::vector<named_motion> critical_motions() {
+    return {{"E = 2", with_energy("2")}, {"E = 2, clockwise", with_energy("2", -1)}};
+}
+
 }  // namespace libration::tests

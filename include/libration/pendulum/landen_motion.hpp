@@ -1,9 +1,9 @@
 // theta and omega of the canonical motion, proved, at the least cost known to us: the mean and a few Landen steps on
 // balls, the theta series at the small nome that is left, and back through the levels by products.
 //
-// Below 2: a_0 = 1, b_0 = k' = sqrt((2-E)/2), c_0 = k = sqrt(E/2), from theta(0) = arccos(1-E). Above 2:
-// a_0 = sqrt(E/2), b_0 = sqrt((E-2)/2), c_0 = 1, from theta(0) = pi, counterclockwise. In both z = M t, M = agm(a_0,
-// b_0).
+// Below 2: a_0 = 1, b_0 = k' = sqrt((2-E)/2), c_0 = k = sqrt(E/2), from theta(0) = arccos(1-E).
+// Above 2: a_0 = sqrt(E/2), b_0 = sqrt((E-2)/2), c_0 = 1, from theta(0) = pi, counterclockwise.
+// In both z = M t, M = agm(a_0, b_0).
 //
 // The quotient X_n = cd(a_n t, k_n)/a_n has X_r = theta_2(z)/(theta_3(z) scale) at nome P [DLMF 22.2.6, 22.2.8], and
 //     X_n = X_{n+1}/(1 + c_n^2/4 X_{n+1}^2)
@@ -13,8 +13,7 @@
 // at the start w = -b_r scale theta_1(z) theta_4(z): cd' = -k'^2 sn/dn^2 and [DLMF 22.2.4 - 22.2.6]. At level 1
 //   libration: tan(theta/4) = c_0 X_1/2, that is sin(theta/2) = c_0 X_0 = k cd,    omega = 2 c_0 w/(d^2 + c_0^2/4 x^2);
 //   rotation: theta = pi + 2 psi, (cos psi, sin psi) = (a_0 x d, -w)/(d^2 + c_0^2/4 x^2) = (sn, -cn) at the time from
-//   the
-//   bottom,   omega = 2 a_0 (d^2 - c_0^2/4 x^2)/(d^2 + c_0^2/4 x^2) = 2 a_0 dn there.
+//   the bottom,   omega = 2 a_0 (d^2 - c_0^2/4 x^2)/(d^2 + c_0^2/4 x^2) = 2 a_0 dn there.
 // No branch of the libration is to be chosen, |theta/4| < pi/4. In the rotation z is reduced by n pi, any n that brings
 // it into (-pi, pi) for certain, where psi = atan2 is continuous; theta gains 2 pi n.
 #pragma once

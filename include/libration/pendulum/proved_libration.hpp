@@ -8,11 +8,11 @@
 //   w_n = w_{n+1} V_{n+1} (V_{n+1} - (c_n^2/4)/V_{n+1})/V_n^2,
 //   omega = -2 c_0 w_1/(1 + s^2),
 // w = V'/V^2, theta_1 and theta_2 without the factor 2 P^(1/4). The radius of every operation is counted
-// (ball_fixed.hpp); what the series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, 4 l >= 64
-// n + 4, so l >= 17:
+// (ball_fixed.hpp); what the series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, 4 l >= 64 n + 4,
+// so l >= 17:
 //   P = e (1 + 4 e^2) lacks at most e 4 k^4/(1 - k^2), k = 4e (landen_nome (1), two terms): below 2^(11 - 5l) <= u;
-//   P < 1.001 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l) <= u, the other two 10 P^6 < u (landen_nome
-//   (2)).
+//   P < 1.001 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l) <= u, the other two 10 P^6 < u
+//   (landen_nome (2)).
 #pragma once
 
 #include <array>
