@@ -1,13 +1,13 @@
 // The coefficients of E = 1.71 to order N: how many times faster than the recurrence that the paper prints,
 // (pendseries), in the same arithmetic to the same digits? About the top, where every second coefficient vanishes, and
-// about T*/2, where none does. All in one run on one thread, the repetitions interleaved at random; medians with their
-// spread.
+// about T*/2, where none does; in mpfr and on balls, and in double and quad. All in one run on one thread, the
+// repetitions interleaved at random; medians with their spread.
 //
 //   ./run bench coefficients
 //
 // The printed recurrence is the one of taylor_by_sine_cosine without parity: two full Cauchy products, in mpfr, its
-// sums fused, which favours it; its start is given to it, while ours begins with the typed energy. At 1000 digits it
-// is timed up to N = 1000 and scaled by N^2. Ends with 1 where the two sides disagree.
+// sums fused, which favours it; in mpfr its start is given to it, while ours begins with the typed energy; in double
+// and quad, where the start is a large part, both begin there. At 1000 digits it is timed up to N = 1000 and scaled by N^2. Ends with 1 where the two sides disagree.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -47,36 +47,52 @@ const std::vector<problem>& problems() {
     return all;
 }
 
+// In a fixed scalar the printed recurrence always runs to the end.
+struct fixed_problem {
+    std::string at;
+    int order;
+
+    std::string name(const char* route) const { return fmt::format("{} {} {}", route, at, order); }
+};
+
+const std::vector<fixed_problem>& fixed_problems() {
+    static const std::vector<fixed_problem> all{{"top", 100}, {"top", 400}, {"top", 4000},
+                                                {"T/8", 100}, {"T/8", 400}, {"T/8", 4000}};
+    return all;
+}
+
 motion of_energy() { return motion::of_energy(read_exact("1.71").coefficient); }
 
 template <class T>
-expansion<T> ours(const problem& asked) {
-    return expand(exact_solution<T>(of_energy()), read_expansion_point(asked.at), asked.order);
+expansion<T> ours(const std::string& at, int order) {
+    return expand(exact_solution<T>(of_energy()), read_expansion_point(at), order);
 }
 
+template <class T>
 struct printed_start {
-    explicit printed_start(const problem& asked) {
-        const exact_solution<mpfr> solution(of_energy());
-        const auto point = read_expansion_point(asked.at);
+    explicit printed_start(const std::string& at) {
+        const exact_solution<T> solution(of_energy());
+        const auto point = read_expansion_point(at);
         scale = *radius_about(solution, point);
         start = start_at(solution, phase_of(point, solution));
         start.of_theta = parity::any;
     }
 
-    taylor_start<mpfr> start;
-    mpfr scale;
+    taylor_start<T> start;
+    T scale;
 };
 
-power_series<mpfr> printed(const printed_start& from, int order) {
+template <class T>
+power_series<T> printed(const printed_start<T>& from, int order) {
     return taylor_by_sine_cosine(from.start, order, from.scale);
 }
 
 // Throws std::runtime_error where the sides differ by 10^-digits of 8/n, or where a ball does not contain ours to that.
 void compare(const problem& asked) {
     const precision_scope scope(asked.digits + guard);
-    const auto found = ours<mpfr>(asked);
-    const auto other = printed(printed_start(asked), asked.timed);
-    const auto proved = ours<ball>(asked);
+    const auto found = ours<mpfr>(asked.at, asked.order);
+    const auto other = printed(printed_start<mpfr>(asked.at), asked.timed);
+    const auto proved = ours<ball>(asked.at, asked.order);
     const mpfr allowed = pow(mpfr(10), static_cast<int>(-asked.digits)) * 8;
     const auto misses = [&](const mpfr& difference, int n) { return abs(difference) * std::max(n, 1) > allowed; };
     for (int n = 0; n <= asked.order; ++n) {
@@ -86,6 +102,20 @@ void compare(const problem& asked) {
             misses(midpoint_of(radius_of(proved.scaled[n])), n)) {
             throw std::runtime_error(fmt::format("the sides disagree about {} at order {}, {} digits, n = {}", asked.at,
                                                  asked.order, asked.digits, n));
+        }
+    }
+}
+
+// Throws std::runtime_error where the sides differ by 4 ulps of the start and one a power, of 8/n.
+template <fixed_scalar T>
+void compare(const fixed_problem& asked) {
+    using std::abs;
+    const auto found = ours<T>(asked.at, asked.order);
+    const auto other = printed(printed_start<T>(asked.at), asked.order);
+    for (int n = 0; n <= asked.order; ++n) {
+        if (!(abs(T(found.scaled[n] - other[n])) * std::max(n, 1) <= epsilon<T>() * 8 * (4 + n))) {
+            throw std::runtime_error(fmt::format("the sides disagree about {} at order {} in {} bits, n = {}", asked.at,
+                                                 asked.order, digits<T>(), n));
         }
     }
 }
@@ -108,13 +138,21 @@ void add(const std::string& name, long digits, int repetitions, const Prepare& p
 void add_all(const problem& asked) {
     const int repetitions = asked.digits > 100 ? 3 : 7;
     const auto itself = [asked] { return asked; };
-    add(asked.name("mpfr"), asked.digits, repetitions, itself, [](const problem& p) { return ours<mpfr>(p); });
-    add(asked.name("ball"), asked.digits, repetitions, itself, [](const problem& p) { return ours<ball>(p); });
+    add(asked.name("mpfr"), asked.digits, repetitions, itself, [](const problem& p) { return ours<mpfr>(p.at, p.order); });
+    add(asked.name("ball"), asked.digits, repetitions, itself, [](const problem& p) { return ours<ball>(p.at, p.order); });
     if (asked.timed == asked.order || asked.order == 4000) {
         add(
-            asked.name("printed"), asked.digits, 3, [asked] { return printed_start(asked); },
-            [order = asked.timed](const printed_start& from) { return printed(from, order); });
+            asked.name("printed"), asked.digits, 3, [asked] { return printed_start<mpfr>(asked.at); },
+            [order = asked.timed](const printed_start<mpfr>& from) { return printed(from, order); });
     }
+}
+
+template <fixed_scalar T>
+void add_both(const fixed_problem& asked, const char* ours_by, const char* printed_by) {
+    const auto itself = [asked] { return asked; };
+    add(asked.name(ours_by), 0, 7, itself, [](const fixed_problem& p) { return ours<T>(p.at, p.order); });
+    add(asked.name(printed_by), 0, 7, itself,
+        [](const fixed_problem& p) { return printed(printed_start<T>(p.at), p.order); });
 }
 
 constexpr long far = 1'000'000'000;
@@ -155,6 +193,21 @@ void print_table(const time_keeper& times) {
                shown(times.of("single"), milliseconds));
 }
 
+void print_fixed_table(const time_keeper& times) {
+    fmt::print("\nthe same in double and quad: CPU time in microseconds\n");
+    fmt::print("{:>4} {:>6} {:>18} {:>15} {:>6} {:>18} {:>15} {:>6}\n", "at", "order", "(pendseries)", "double",
+               "ratio", "(pendseries)", "quad", "ratio");
+    const auto sides = [&](const fixed_problem& of, const char* printed_by, const char* ours_by) {
+        const typical_time slow = times.of(of.name(printed_by));
+        const typical_time fast = times.of(of.name(ours_by));
+        return fmt::format("{:>18} {:>15} {:>6.1f}", shown(slow), shown(fast), slow.microseconds / fast.microseconds);
+    };
+    for (const fixed_problem& of : fixed_problems()) {
+        fmt::print("{:>4} {:>6} {} {}\n", of.at, of.order, sides(of, "printed double", "double"),
+                   sides(of, "printed quad", "quad"));
+    }
+}
+
 int run(const std::vector<char*>& words) {
     if (!initialized(words)) {
         return 2;
@@ -163,10 +216,17 @@ int run(const std::vector<char*>& words) {
         compare(each);
         add_all(each);
     }
+    for (const fixed_problem& each : fixed_problems()) {
+        compare<double>(each);
+        compare<quad>(each);
+        add_both<double>(each, "double", "printed double");
+        add_both<quad>(each, "quad", "printed quad");
+    }
     add_single();
     time_keeper times;
     benchmark::RunSpecifiedBenchmarks(&times);
     print_table(times);
+    print_fixed_table(times);
     return 0;
 }
 

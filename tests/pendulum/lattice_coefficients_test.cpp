@@ -81,7 +81,7 @@ TEMPLATE_LIST_TEST_CASE("an expansion is that of the recurrence on both sides of
                         "[lattice_coefficients]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    const int order = std::same_as<T, quad> || std::same_as<T, mpfr> ? 230 : 560;
+    const int order = std::same_as<T, quad> || std::same_as<T, mpfr> ? 230 : 1100;
     for (const std::string at : {"top", "T/8"}) {
         for (const auto& from : {named_motion{"E = 1.71", with_energy("1.71")}, {"E = 4", with_energy("4", -1)}}) {
             INFO(from.name << " about " << at);

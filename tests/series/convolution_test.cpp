@@ -1,6 +1,8 @@
 #include "libration/series/convolution.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstddef>
+#include <vector>
 
 #include "proved.hpp"
 #include "scalars.hpp"
@@ -30,6 +32,33 @@ TEMPLATE_LIST_TEST_CASE("a convolution is the double sum over index pairs", "[se
         CHECK(convolution(a, b, n, 2, std::min(n, 7)) == inner);
     }
     CHECK(convolution(a, b, 5, 4, 3) == 0);
+}
+
+TEMPLATE_LIST_TEST_CASE("an inner product has every term, whatever their number and the steps",
+                        "[series][convolution]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    constexpr int most = 21;
+    std::vector<T> x;
+    std::vector<T> y;
+    for (int i = 0; i <= 2 * most; ++i) {
+        x.push_back(T(i + 1));
+        y.push_back(T(i * i - 50));
+    }
+    for (int count = 0; count <= most; ++count) {
+        for (const int x_step : {1, 2}) {
+            for (const int y_step : {1, -1, 2, -2}) {
+                INFO(count << " terms, steps " << x_step << " and " << y_step);
+                const int from = y_step < 0 ? 2 * most : 0;
+                int whole = 0;
+                for (int i = 0; i < count; ++i) {
+                    const int at = from + i * y_step;
+                    whole += (i * x_step + 1) * (at * at - 50);
+                }
+                CHECK(inner_product(x.data(), x_step, &y[static_cast<std::size_t>(from)], y_step, count) == whole);
+            }
+        }
+    }
 }
 
 TEMPLATE_LIST_TEST_CASE("the coefficient of a square is that of a product", "[series][convolution]", all_scalars) {

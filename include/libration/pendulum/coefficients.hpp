@@ -70,8 +70,8 @@ power_series<T> taylor_by_sine_cosine(const taylor_start<T>& start, int order, c
 ///     D'' = A + B D - 3 D^2,  A = sin^2 theta_0 - cos theta_0 omega_0^2,  B = 2(1-E) - 6 cos theta_0,
 ///     w'' = -(cos theta_0 + D) w,   a_n = w_{n-1}/n.
 /// D'' follows from omega^2 = 2(E - 1 + cos theta); the shift by cos theta_0 keeps the digits that 1 - 2(E-1)C - 3C^2
-/// cancels near E = 0 and 2. About a symmetric point D is even and w has one parity: a quarter of the products of a
-/// Cauchy square for D^2 and half of one for D w. O(N^2) products.
+/// cancels near E = 0 and 2. About a symmetric point D is even and w has one parity: D and w, or w/t, are series in
+/// t^2, a quarter of the products of a Cauchy square for D^2 and half of one for D w. O(N^2) products.
 template <scalar T>
 power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start, int order, const T& scale) {
     require_taylor_order(order);
@@ -81,27 +81,28 @@ power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start, int or
     const T h = scale * scale;
     const T constant = (sine * sine - cosine * at.omega * at.omega) * h;
     const T linear = (start.pair.gap - start.pair.energy - cosine * 6) * h;
-    const bool symmetric = start.of_theta != parity::any;
-    const parity of_d = symmetric ? parity::even : parity::any;
+    const int step = start.of_theta == parity::any ? 1 : 2;    // coefficient j of D is that of t^(step j)
+    const int first = start.of_theta == parity::even ? 1 : 0;  // and j of w that of t^(first + step j)
+    const int second = 2 / step;                               // how far the second derivative is ahead
 
-    auto d = power_series<T>::zero(order + 1);
-    auto w = power_series<T>::zero(order + 1);
-    d[1] = symmetric ? T(0) : T(-sine * at.omega * scale);
-    w[0] = start.of_theta == parity::even ? T(0) : T(at.omega * scale);
-    w[1] = start.of_theta == parity::odd ? T(0) : T(-sine * h);
-    for (int n = 0; n + 2 <= order; ++n) {
-        if (!symmetric || n % 2 == 0) {
-            const T forcing = n == 0 ? constant : T(0);
-            d[n + 2] = (forcing + linear * d[n] - square_coefficient(d, n, of_d) * 3 * h) / (n + 1) / (n + 2);
-        }
-        if (!symmetric || (n % 2 == 0) == (start.of_theta == parity::odd)) {
-            w[n + 2] = -(cosine * w[n] + product_coefficient(d, w, n, of_d)) * h / (n + 1) / (n + 2);
-        }
+    auto d = power_series<T>::zero(order / step + second);
+    auto w = power_series<T>::zero(order / step + second);
+    w[0] = first == 1 ? T(-sine * h) : T(at.omega * scale);
+    if (step == 1) {
+        d[1] = -sine * at.omega * scale;
+        w[1] = -sine * h;
+    }
+    for (int j = 0, n = 0; n + 2 <= order; ++j, n += step) {
+        const T forcing = n == 0 ? constant : T(0);
+        d[j + second] = (forcing + linear * d[j] - square_coefficient(d, j) * 3 * h) / (n + 1) / (n + 2);
+    }
+    for (int j = 0, n = first; n + 2 <= order; ++j, n += step) {
+        w[j + second] = -(cosine * w[j] + product_coefficient(d, w, j)) * h / (n + 1) / (n + 2);
     }
     auto a = power_series<T>::zero(order);
     a[0] = at.theta;
-    for (int n = 1; n <= order; ++n) {
-        a[n] = w[n - 1] / n;
+    for (int j = 0, n = first + 1; n <= order; ++j, n += step) {
+        a[n] = w[j] / n;
     }
     return a;
 }
