@@ -7,7 +7,8 @@
 //
 // The printed recurrence is the one of taylor_by_sine_cosine without parity: two full Cauchy products, in mpfr, its
 // sums fused, which favours it; in mpfr its start is given to it, while ours begins with the typed energy; in double
-// and quad, where the start is a large part, both begin there. At 1000 digits it is timed up to N = 1000 and scaled by N^2. Ends with 1 where the two sides disagree.
+// and quad, where the start is a large part, both begin there. At 1000 digits it is timed up to N = 1000 and scaled by
+// N^2. Ends with 1 where the two sides disagree.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -138,8 +139,10 @@ void add(const std::string& name, long digits, int repetitions, const Prepare& p
 void add_all(const problem& asked) {
     const int repetitions = asked.digits > 100 ? 3 : 7;
     const auto itself = [asked] { return asked; };
-    add(asked.name("mpfr"), asked.digits, repetitions, itself, [](const problem& p) { return ours<mpfr>(p.at, p.order); });
-    add(asked.name("ball"), asked.digits, repetitions, itself, [](const problem& p) { return ours<ball>(p.at, p.order); });
+    add(asked.name("mpfr"), asked.digits, repetitions, itself,
+        [](const problem& p) { return ours<mpfr>(p.at, p.order); });
+    add(asked.name("ball"), asked.digits, repetitions, itself,
+        [](const problem& p) { return ours<ball>(p.at, p.order); });
     if (asked.timed == asked.order || asked.order == 4000) {
         add(
             asked.name("printed"), asked.digits, 3, [asked] { return printed_start<mpfr>(asked.at); },

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "libration/pendulum/expansion.hpp"
@@ -122,14 +123,49 @@ TEST_CASE("long expansions at many digits are made of thetas and narrower than b
     }
 }
 
-TEST_CASE("few digits and short series keep to the recurrence", "[theta_series][expansion][ball]") {
+TEST_CASE("long expansions of mpfr at many digits are made of thetas where FLINT is linked",
+          "[theta_series][expansion]") {
+    const precision_scope scope(300);
+    for (const auto& from : {named_motion{"E = 1", with_energy("1")}, {"E = 4, clockwise", with_energy("4", -1)}}) {
+        for (const std::string at : {"top", "T/8"}) {
+            INFO(from.name << " about " << at);
+            const int order = 400;
+            const exact_solution<mpfr> solution(from.m);
+            const auto point = read_expansion_point(at);
+            const auto view = view_from(from.m, phase_of(point, solution));
+            CHECK(way_of(*view, 0, order).second == head_by::thetas);
+            CHECK(way_of(*view, 0, order).first < order);
+            const auto found = expand(solution, point, order);
+            const mpfr ulp = epsilon<mpfr>();
+            const precision_scope finer(330);
+            const exact_solution<mpfr> fine(from.m);
+            const auto checked = taylor_coefficients(start_at(fine, phase_of(point, fine)), order, found.scale);
+            for (int n = 1; n <= order; ++n) {
+                INFO("n = " << n);
+                // One rounding of the quotient; two of the sums and an eighth for the poles left out.
+                CHECK(abs(mpfr(found.scaled[n] - checked[n])) * n <= ulp * 4 * 8);
+            }
+        }
+    }
+}
+
+TEST_CASE("few digits and short series keep to the recurrence, and mpfr without FLINT", "[theta_series][expansion]") {
     const precision_scope scope(50);
-    CHECK_FALSE(thetas_cost_less<ball>(true, 2'000));
+    CHECK_FALSE(thetas_cost_less<ball>(true, 1'000));
     CHECK_FALSE(thetas_cost_less<ball>(false, 500));
+    CHECK_FALSE(thetas_cost_less<mpfr>(true, 1'000));
     const precision_scope more(3000);
-    CHECK_FALSE(thetas_cost_less<ball>(true, 100));
+    CHECK_FALSE(thetas_cost_less<ball>(true, 150));
+    CHECK_FALSE(thetas_cost_less<mpfr>(true, 120));
     CHECK(thetas_cost_less<ball>(true, 200));
     CHECK(thetas_cost_less<ball>(false, 100));
+    CHECK(thetas_cost_less<mpfr>(true, 150));
+    const exact_solution<mpfr> solution(with_energy("1.71"));
+    const auto view = view_from(solution.of(), phase_of({}, solution));
+    CHECK(way_of(*view, 0, 400).second == head_by::thetas);
+    const auto flints = std::exchange(supplied_quotient, nullptr);
+    CHECK(way_of(*view, 0, 400).second == head_by::recurrence);
+    supplied_quotient = flints;
 }
 
 TEST_CASE("a quotient of thetas has no negative order", "[theta_series]") {

@@ -38,12 +38,13 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
-/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, on balls alone, by the quotient
-/// of thetas, whose radii are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the quotient 2.
+/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, where FLINT is linked, by the
+/// quotient of thetas, whose errors are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the quotient
+/// 2. Not by that in the fixed scalars.
 template <scalar T>
 power_series<T> head_coefficients(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
                                   int order, head_by head) {
-    if constexpr (proved_scalar<T>) {
+    if constexpr (!fixed_scalar<T>) {
         if (head == head_by::thetas) {
             return taylor_by_thetas(solution, point, order, scale);
         }
@@ -55,8 +56,9 @@ power_series<T> head_coefficients(const exact_solution<T>& solution, const expan
 template <scalar T>
 std::pair<long, head_by> way_of(const singularity_view<T>& view, long first, long last) {
     const long begin = lattice_begins(view, first, last);
-    if constexpr (proved_scalar<T>) {
-        if (first < begin && thetas_cost_less<T>(view.symmetric(), std::min(begin - 1, last))) {
+    if constexpr (!fixed_scalar<T>) {
+        if (first < begin && has_whole_quotients<T>() &&
+            thetas_cost_less<T>(view.symmetric(), std::min(begin - 1, last))) {
             return {lattice_begins(view, first, last, head_by::thetas), head_by::thetas};
         }
     }

@@ -38,14 +38,16 @@ private:
 /// What makes the powers before those of the lattice.
 enum class head_by { recurrence, thetas };
 
-/// Whether the quotient of thetas (theta_series.hpp) is cheaper on balls than the recurrence for the powers up to n: at
-/// 200 digits from n = 800 on, at 1000 from 160, at 3000 from 130, and from half of that on without symmetry. Measured
-/// at E = 1.71 about the top, recurrence and quotient in ms: 3.1 and 3.7 at 200 digits for n = 400; 13 and 11 at 1000
-/// for 200, 120 and 38 for 800; 734 and 129 at 3000 for 800. At 50 digits it gains nothing up to n = 1600.
-template <proved_scalar T>
+/// Whether the quotient of thetas (theta_series.hpp) is cheaper than the recurrence for the powers up to n, on balls or
+/// in mpfr with FLINT, whose recurrence costs half as much again. Measured at E = 1.71 about the top, recurrence and
+/// quotient in ms: at 50 digits for n = 800, balls 3.4 and 5.2, mpfr 6.8 and 5.1; at 200 for n = 400, 3.0 and 3.2, 3.9
+/// and 3.1; at 1000 for n = 200, 6.6 and 6.3, 10 and 6.9, and for n = 800, 96 and 35, 152 and 33; at 3000 for n = 400,
+/// 143 and 53, 194 and 62. Without symmetry the recurrence costs four times as much, the quotient twice.
+template <scalar T>
 bool thetas_cost_less(bool symmetric, long n) {
+    constexpr bool in_balls = proved_scalar<T>;
     const long weighed = symmetric ? n : 2 * n;
-    return weighed >= 128 && weighed * digits<T>() >= 1L << 19;
+    return weighed >= (in_balls ? 160 : 128) && weighed * digits<T>() >= (in_balls ? 4L : 3L) << 16;
 }
 
 /// The power before which the recurrence costs less in every case, a quarter sooner without symmetry. Measured at E =

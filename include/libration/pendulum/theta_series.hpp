@@ -17,7 +17,7 @@
 #include "libration/pendulum/coefficients.hpp"
 #include "libration/pendulum/expansion_point.hpp"
 #include "libration/pendulum/singularities.hpp"
-#include "libration/series/arithmetic.hpp"
+#include "libration/series/convolution.hpp"
 
 namespace libration {
 
@@ -64,7 +64,7 @@ public:
         const auto part = [&](const theta_kind& kind, int from) {
             return power_series<T>(theta_taylor<T>(kind, argument).coefficients(from, stride, count));
         };
-        const power_series<T> w = part(numerator, first) / part(denominator, 0);
+        const power_series<T> w = scaled_quotient(part(numerator, first), part(denominator, 0));
         for (int i = 0, n = first; i < count; ++i, n += stride) {
             result[n] = w[i] * (is_negated(n) ? T(-amplitude_) : amplitude_);
         }
@@ -108,8 +108,8 @@ private:
 };
 
 /// a_n scale^n, n = 0 .. N, of theta about a point: omega_{n-1}/n, made from the exact motion with 64 bits more than T
-/// has, which hold what the quotient loses: within a few epsilon of 8/n where the scale is at most the radius. On balls
-/// a quotient of whole series by FLINT, O(N^2) products elsewhere. Not for equilibria. Throws std::invalid_argument
+/// has, which hold what the quotient loses: within a few epsilon of 8/n where the scale is at most the radius. A quotient
+/// of whole series where FLINT is linked (scaled_quotient), O(N^2) products elsewhere. Not for equilibria. Throws std::invalid_argument
 /// when N < 0.
 template <scalar T>
 power_series<T> taylor_by_thetas(const exact_solution<T>& solution, const expansion_point& point, int order,

@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "libration/scalar/ball_functions.hpp"
-#include "libration/scalar/ball_polynomial.hpp"
 #include "libration/scalar/ball_predicates.hpp"
+#include "libration/scalar/ball_quotient.hpp"
 #include "libration/scalar/enclose.hpp"
 #include "libration/scalar/exact.hpp"
 

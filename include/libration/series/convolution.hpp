@@ -5,7 +5,9 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <utility>
 
+#include "libration/scalar/supplied_quotient.hpp"
 #include "libration/series/power_series.hpp"
 
 namespace libration {
@@ -120,6 +122,30 @@ power_series<T> quotient(const power_series<T>& a, const power_series<T>& b) {
         }
         return result;
     }
+}
+
+/// Whether quotients of whole sequences cost about O(N) products: on balls, and in mpfr where FLINT is linked.
+template <scalar T>
+bool has_whole_quotients() {
+    if constexpr (std::same_as<T, mpfr>) {
+        return supplied_quotient != nullptr;
+    } else {
+        return proved_scalar<T>;
+    }
+}
+
+/// quotient() for series that are scaled to their circle of convergence, where an error relative to the largest
+/// coefficient is small beside each of them: by whole sequences in mpfr too, within 2^48 epsilon of the largest.
+template <scalar T>
+power_series<T> scaled_quotient(const power_series<T>& a, const power_series<T>& b) {
+    if constexpr (std::same_as<T, mpfr>) {
+        if (supplied_quotient != nullptr) {
+            if (auto q = supplied_quotient(a.coefficients(), b.coefficients())) {
+                return power_series<T>(std::move(*q));
+            }
+        }
+    }
+    return quotient(a, b);
 }
 
 }  // namespace libration
