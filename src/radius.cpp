@@ -111,8 +111,7 @@ judged_list list_of_motion(const radius_options& options, const arithmetic& numb
     if (!options.motion.first_given()) {
         throw input_error(
             "no coefficients are given: add a motion (--energy E, --gap G, or --theta0 A with --omega0 W) and --order "
-            "N, "
-            "or --coefficients FILE");
+            "N, or --coefficients FILE");
     }
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
     if (!options.order) {

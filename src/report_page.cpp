@@ -27,8 +27,7 @@ std::string opening(const published& results) {
         "<header><div>\n<h1>The pendulum's power series, computed again and judged</h1>\n"
         "<p>A pendulum obeys &theta;&Prime; + sin &theta; = 0. The paper <cite>{}</cite> (Reinberger, Holland, Barlow, "
         "Weinstein) gives its motion as a power series in time about the highest point of the swing, a resummation of "
-        "that "
-        "series that converges faster, and a resummed series for the period. This page was written by the program "
+        "that series that converges faster, and a resummed series for the period. This page was written by the program "
         "<b>libration</b>, which computed every figure of the paper again from the formulae, in arithmetic of 40 "
         "digits and "
         "more, and measured every statement that can be true or false against something independent of it.</p>\n",
@@ -58,9 +57,8 @@ std::string verdict_part(const published& results) {
         "change "
         "that stands beside it; <em>fails</em> means that it is not so, with the smallest counterexample found.</p>\n"
         "<p>In short: the series about the top does reach the bottom at every energy, the resummation is exact and "
-        "nearly "
-        "always better, and the resummed period is far better near the separatrix. A program written from the page "
-        "needs "
+        "nearly always better, and the resummed period is far better near the separatrix. A program written from the "
+        "page needs "
         "these changes first: the sign of <a href=\"#claim-omegab_libration\">&omega;* of a libration</a>, the angle "
         "<a href=\"#claim-resummation_counterclockwise\">&theta;* = 2&pi;</a> that counterclockwise rotation arrives "
         "at "
@@ -163,8 +161,7 @@ std::string references_part(const published& results) {
     std::string text =
         "<h2 id=\"references\">Reference values</h2>\n"
         "<p>Values for papers and test suites: 50 digits, each proved to one unit in the last place, with the "
-        "condition "
-        "number beside them, which says how much of an error in the input appears in the value. "
+        "condition number beside them, which says how much of an error in the input appears in the value. "
         "<a href=\"reference/reference.json\">reference.json</a> says what made them and what the columns are.</p>\n"
         "<div class=\"scroll\"><table>\n";
     for (const published_reference& each : results.references) {

@@ -59,9 +59,8 @@ const std::vector<named_route>& routes() {
 const std::string& meaning_of_routes() {
     static const std::string text =
         "of a_n: direct (pendseries), direct_parity (the same without half of the zeros), symmetric_squares (of cos "
-        "theta and "
-        "omega), speed (omega alone), arcsine (Jacobi function under the arcsine), arcsine_parity; from a_n to the "
-        "resummation: convolution (approxcoeffs), running_sums, alpha_beta (efficient)";
+        "theta and omega), speed (omega alone), arcsine (Jacobi function under the arcsine), arcsine_parity; from a_n "
+        "to the resummation: convolution (approxcoeffs), running_sums, alpha_beta (efficient)";
     return text;
 }
 
@@ -315,20 +314,13 @@ const study& cost() {
         .reading =
             "Left: multiplications of two numbers for all coefficients up to N; thin lines are the theory, N^2 times a "
             "constant. Right: time relative to the recursion (pendseries) as printed. An arcsine of the Jacobi "
-            "function costs "
-            "1.5 times the direct recursion, as the paper says it costs more; but it does not exist at the top of "
-            "rotation, "
-            "and it is unstable: the second figure shows how its rounding errors grow by R/K~' a power. What the paper "
-            "does "
-            "not say: omega is a Jacobi function itself, and needs no arcsine and 5.3 times fewer products than the "
-            "direct "
-            "recursion, as does the recurrence of symmetric squares (4 of that is parity, which the direct one "
-            "multiplies out "
-            "as zeros). From a_n to the resummation the convolution is the second quadratic step of the paper, with "
-            "half as "
-            "many products as the first; its appendix (alpha, beta) needs three. Running sums give the resummed "
-            "coefficients "
-            "themselves without any product.",
+            "function costs 1.5 times the direct recursion, as the paper says it costs more; but it does not exist at "
+            "the top of rotation, and it is unstable: the second figure shows how its rounding errors grow by R/K~' a "
+            "power. What the paper does not say: omega is a Jacobi function itself, and needs no arcsine and 5.3 times "
+            "fewer products than the direct recursion, as does the recurrence of symmetric squares (4 of that is "
+            "parity, which the direct one multiplies out as zeros). From a_n to the resummation the convolution is the "
+            "second quadratic step of the paper, with half as many products as the first; its appendix (alpha, beta) "
+            "needs three. Running sums give the resummed coefficients themselves without any product.",
         .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "20,40,80,160,320,640",

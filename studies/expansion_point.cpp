@@ -129,11 +129,10 @@ const study& expansion_point() {
             "Left: the radius of convergence in units of T*. It is largest about the top, as the paper says, at every "
             "energy, and from there alone is it always above 1. Right: the factor by which one more power reduces the "
             "error on the whole way [0, T*]; lines are theory, max(x, 1-x) T*/R, and marks are measured from norms of "
-            "two "
-            "orders (the 1/N in the coefficients lowers them by two hundredths). A rate above 1 diverges: about the "
-            "bottom for 1 < E < 4, and not for every E < 2. The second figure shows the same rate over the expansion "
-            "point: the best is half way at every energy, so the top is optimal in its radius and not in what it costs "
-            "to cover the way; what speaks for the top is that half of its coefficients vanish.",
+            "two orders (the 1/N in the coefficients lowers them by two hundredths). A rate above 1 diverges: about "
+            "the bottom for 1 < E < 4, and not for every E < 2. The second figure shows the same rate over the "
+            "expansion point: the best is half way at every energy, so the top is optimal in its radius and not in "
+            "what it costs to cover the way; what speaks for the top is that half of its coefficients vanish.",
         .parameters = {{"--energies", "0.05:1.95:39,2.02,2.1:3:10,3.25:8:20", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1/4,1/2,3/4,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},

@@ -10,12 +10,11 @@ const study& near_separatrix_series() {
         .label = "fig:librationseries",
         .question = "How well does the series from the top follow a pendulum that almost stops upside down?",
         .reading =
-            "Dashed: the series about the top cut after the power N, on a quarter of a period T* and mirrored "
-            "from there; thin line: the exact solution; circles: the numerical solution by the Runge-Kutta method"
-            " in double. So near to the separatrix the pendulum spends most of its time close to the top, and T* "
-            "is 0.97 of the radius of convergence: the error at the bottom is 1.7 radians for N = 5 and still "
-            "0.13 for N = 20. The study near_separatrix_resummed shows what the resummation makes of the same "
-            "coefficients.",
+            "Dashed: the series about the top cut after the power N, on a quarter of a period T* and mirrored from "
+            "there; thin line: the exact solution; circles: the numerical solution by the Runge-Kutta method in "
+            "double. So near to the separatrix the pendulum spends most of its time close to the top, and T* is 0.97 "
+            "of the radius of convergence: the error at the bottom is 1.7 radians for N = 5 and still 0.13 for N = 20. "
+            "The study near_separatrix_resummed shows what the resummation makes of the same coefficients.",
         .parameters = extension_parameters("1.9998", "5,10,20", "N, last power of the series"),
         .quick = {{"--energies", "1.9998", ""},
                   {"--orders", "5", ""},

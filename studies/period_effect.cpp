@@ -87,15 +87,14 @@ const study& period_effect() {
         .label = "fig:period",
         .question = "What becomes of the extended resummation when T* is not exact?",
         .reading =
-            "Just below (left) and just above the separatrix, pushed from the bottom: the resummation extended "
-            "with T* from (Kold) with 100 powers (long dashes), from (Knew) with 1 (short dashes) and with 10 "
-            "(solid), and with the exact T* (thin grey); dots: the numerical solution. An inexact T* is wrong "
-            "everywhere: in the interval of the resummation, in the mirrors and in the modulo, so that the motion"
-            " gets out of step by the error of the period in every period. With (Kold) a third of the period is "
-            "missing and the curve is another motion. With (Knew) and 10 powers the curve looks right, but the "
-            "period is short by 2 thousandths of itself and the error after three periods is 0.27 radians below "
-            "and 0.14 above the separatrix, where the resummation with the exact T* is never off by more than "
-            "0.0015.",
+            "Just below (left) and just above the separatrix, pushed from the bottom: the resummation extended with T* "
+            "from (Kold) with 100 powers (long dashes), from (Knew) with 1 (short dashes) and with 10 (solid), and "
+            "with the exact T* (thin grey); dots: the numerical solution. An inexact T* is wrong everywhere: in the "
+            "interval of the resummation, in the mirrors and in the modulo, so that the motion gets out of step by the "
+            "error of the period in every period. With (Kold) a third of the period is missing and the curve is "
+            "another motion. With (Knew) and 10 powers the curve looks right, but the period is short by 2 thousandths "
+            "of itself and the error after three periods is 0.27 radians below and 0.14 above the separatrix, where "
+            "the resummation with the exact T* is never off by more than 0.0015.",
         .parameters = {{"--energies", "1.999800005,2.000200005",
                         "energies E, in m g l; the usual two are omega0 = 1.9999 and 2.0001 at the bottom"},
                        {"--gaps", "", "energies as 2 - E"},

@@ -86,12 +86,11 @@ const study& period_error() {
         .question = "How large is the error of T* by the series of K and by its resummation, at each energy and order?",
         .reading =
             "Dashed: T* from the series (Kold) cut after k^(2N); solid: from its resummation (Knew) with as many "
-            "terms; "
-            "crosses: the proved bounds of both, which are never more than 1.4 times the error and so lie on the "
-            "curves. Left over the energy, right towards the separatrix, where rotation (circles) falls on libration. "
-            "Both sums are too small at every order, and both lose their rate as E goes to 2: the error of the series "
-            "then grows like the period itself, and that of the resummation settles at 1/(8N + 7), the algebraic tail "
-            "of its brackets, which more terms reduce only in proportion.",
+            "terms; crosses: the proved bounds of both, which are never more than 1.4 times the error and so lie on "
+            "the curves. Left over the energy, right towards the separatrix, where rotation (circles) falls on "
+            "libration. Both sums are too small at every order, and both lose their rate as E goes to 2: the error of "
+            "the series then grows like the period itself, and that of the resummation settles at 1/(8N + 7), the "
+            "algebraic tail of its brackets, which more terms reduce only in proportion.",
         .parameters = {{"--energies", "1e-3,1e-2,0.05:1.95:39,1.99,2.01,2.02,2.05:2.95:19,3:8:26",
                         "energies E, in m g l"},
                        {"--gaps", "1e-2:1e-10:17log,-1e-2:-1e-10:17log", "energies as 2 - E"},

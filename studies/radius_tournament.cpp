@@ -309,8 +309,7 @@ const study& radius_tournament() {
             "answer counted as none; each further mark is twice the coefficients. The textbook tests of ratios and "
             "roots gain a digit for ten times the coefficients; fitted recurrences (poles, differential approximants) "
             "take what the arithmetic holds. Right: how often the error was within the uncertainty that came with it, "
-            "on "
-            "the half of the series by which nothing was calibrated, and how much larger than the error the "
+            "on the half of the series by which nothing was calibrated, and how much larger than the error the "
             "uncertainty was at the median. No test gave a radius to an entire or a divergent series. All of it is "
             "heuristic: coefficients prove no radius.",
         .parameters = {{"--energies", "0.01,0.5,1,1.5,1.71,1.9998,2.02,2.5,4,10",

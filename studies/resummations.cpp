@@ -134,16 +134,13 @@ const study& resummations() {
         .reading =
             "The error norm on [0, T*] against the number of coefficients that are not 0 and belong to powers of t (at "
             "the top, and at the bottom for those that take derivatives there), at an energy of each regime and next "
-            "to "
-            "E = 2; then, at one number of them, against the distance of E from 2. m = 2 is the paper's resummation, m "
-            "= 4 and 8 take more derivatives at the bottom, the two-point expansion equally many from both ends. "
-            "Dotted "
-            "are the proved bounds of the series (A), of the paper's resummation (A2) and of the uniform one (U). "
-            "Those with a "
-            "fixed m have the rate (T*/R)^2 a coefficient of the series and gain a power of their number; all of them, "
-            "and Pade, lose their rate towards E = 2, and the two-point expansion diverges where |2-E| < 7.7e-5. The "
-            "uniform one alone keeps a rate below 1/9 a coefficient. It is not the best everywhere: for E < 0.23 and E "
-            "> 17 the two-point expansion has the better rate.",
+            "to E = 2; then, at one number of them, against the distance of E from 2. m = 2 is the paper's "
+            "resummation, m = 4 and 8 take more derivatives at the bottom, the two-point expansion equally many from "
+            "both ends. Dotted are the proved bounds of the series (A), of the paper's resummation (A2) and of the "
+            "uniform one (U). Those with a fixed m have the rate (T*/R)^2 a coefficient of the series and gain a power "
+            "of their number; all of them, and Pade, lose their rate towards E = 2, and the two-point expansion "
+            "diverges where |2-E| < 7.7e-5. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the "
+            "best everywhere: for E < 0.23 and E > 17 the two-point expansion has the better rate.",
         .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},
                        {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of coefficients that are not 0"}},

@@ -182,19 +182,14 @@ const study& singularities() {
             "know where?",
         .reading =
             "Each panel is the complex time plane of one energy, to scale, with t = 0 at the top of the trajectory "
-            "(the "
-            "paper draws rotation from the bottom: shift by T*). Black dots are the exact singularities, odd multiples "
-            "of "
-            "T* to the sides and of K~' up and down. The solid circle is that of convergence of the series about the "
-            "top, "
-            "the dashed ones those about the bottoms at -T* and T*: the solid circle passes the bottom at every "
-            "energy, "
-            "the dashed ones reach back to the top only where K~' > T*. Open marks are poles of Pade approximants of "
-            "omega, made of nothing but the first N coefficients: the nearest settle on the lattice, far beyond the "
-            "circle that bounds the series itself. The second figure shows how fast: twice "
-            "the order gives more than twice the digits of the first singularity, while a root test of the same "
-            "coefficients "
-            "gains almost nothing.",
+            "(the paper draws rotation from the bottom: shift by T*). Black dots are the exact singularities, odd "
+            "multiples of T* to the sides and of K~' up and down. The solid circle is that of convergence of the "
+            "series about the top, the dashed ones those about the bottoms at -T* and T*: the solid circle passes the "
+            "bottom at every energy, the dashed ones reach back to the top only where K~' > T*. Open marks are poles "
+            "of Pade approximants of omega, made of nothing but the first N coefficients: the nearest settle on the "
+            "lattice, far beyond the circle that bounds the series itself. The second figure shows how fast: twice the "
+            "order gives more than twice the digits of the first singularity, while a root test of the same "
+            "coefficients gains almost nothing.",
         .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "20,40,80", "N, last power of the series whose Pade approximants are drawn"},

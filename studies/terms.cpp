@@ -23,8 +23,7 @@ const std::vector<column>& columns() {
         {"method", "series | resummed"},
         {"order",
          "least N whose norm, and that of every larger order, is at most 10^-D (heuristic: errors at sampled times, "
-         "true "
-         "norms where they are near 10^-D)"},
+         "true norms where they are near 10^-D)"},
         {"terms", "numbers that are not 0 in the polynomial: a_n up to N, and alpha and beta of the resummation"},
         {"predicted", "D ln 10/ln(R/T*)"},
         {"proved_order", "least N for which theorem A (series) or A2 (resummed) proves the same"},

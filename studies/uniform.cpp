@@ -126,16 +126,12 @@ const study& uniform() {
             "over |2-E| = 1e-100 to E = 1e4?",
         .reading =
             "The digits -log10 of the error norm on [0, T*], of theta minus its two nearest columns of singularities "
-            "in "
-            "closed form and a series for the rest, by the number of coefficients that are not 0. Solid in exact "
+            "in closed form and a series for the rest, by the number of coefficients that are not 0. Solid in exact "
             "arithmetic, dotted what theorem U proves at every energy, circles the same with 16 coefficients in "
-            "double, "
-            "whose rounding is all that is left of its error. The digits are absolute: at tiny energies theta itself "
-            "is "
-            "sqrt(2E), so that the digits of theta are fewer by as many as that has zeros, and in double the rounding "
-            "of "
-            "the columns, which are not small, is left. Towards E = 2 the two columns become the whole motion, and "
-            "the error falls with the gap itself.",
+            "double, whose rounding is all that is left of its error. The digits are absolute: at tiny energies theta "
+            "itself is sqrt(2E), so that the digits of theta are fewer by as many as that has zeros, and in double the "
+            "rounding of the columns, which are not small, is left. Towards E = 2 the two columns become the whole "
+            "motion, and the error falls with the gap itself.",
         .parameters = {{"--energies", "1e-20:1e-1:20log,0.5,1,1.5,10:1e4:7log", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-100:34log,-1e-1:-1e-100:34log,-0.5,-1,-2", "energies as 2 - E"},
                        {"--orders", "8,16,32", "numbers of coefficients that are not 0"}},

@@ -56,8 +56,7 @@ claim appendix_sigma() {
             .number = "norm of the error of theta_10 with alpha and beta from this sum, E = 1.71, omega* = -sqrt(2E)",
             .correction =
                 "sigma_N(t) = sum of a_n t^n (a misprint: N for n). With it the norm is below the bound A2. Printed "
-                "and meant sums are the same only at N = 0; at E = 1.71 and N = 1 they give at T* 5.68 "
-                "and 2.36.",
+                "and meant sums are the same only at N = 0; at E = 1.71 and N = 1 they give at T* 5.68 and 2.36.",
             .command = "./run claims appendix_sigma",
             .measure = [] {
                 const int order = 10;

@@ -202,8 +202,7 @@ claim period_formula() {
             "T",
             "T = 4 K(sqrt(E/2)) below E = 2 and 2 sqrt(2/E) K(sqrt(2/E)) above.",
             "largest relative difference from the time that the integrated equation takes from the top to the bottom, "
-            "times "
-            "4 or 2, E = 1e-6, 0.5, 1.71, 1.9998, 2.02, 8",
+            "times 4 or 2, E = 1e-6, 0.5, 1.71, 1.9998, 2.02, 8",
             "",
             "./run period --energy 1.71 --digits 30",
             [] {
@@ -252,8 +251,7 @@ claim period_substitutions() {
         "period_substitutions",
         "sec:background, footnote 3",
         "With sin(theta0/2) sin u = sin(theta/2) below E = 2, and u = theta/2 above, the time from the bottom to the "
-        "top "
-        "becomes K(sqrt(E/2)), and sqrt(2/E) K(sqrt(2/E)).",
+        "top becomes K(sqrt(E/2)), and sqrt(2/E) K(sqrt(2/E)).",
         "largest relative difference of the integral over the angle and the one over u, both by the midpoint rule with "
         "250 points, and of the arithmetic-geometric mean, E = 0.5, 1, 1.71, 2.5, 8",
         "",
@@ -331,8 +329,7 @@ claim rotation_halves() {
             "A rotating pendulum passes from any theta0 to theta0 + pi as it passes from theta0 + pi to theta0 + 2 pi.",
             "time from theta0 to theta0 + pi over the time from there to theta0 + 2 pi, E = 2.02, theta0 = pi/2",
             "Only from the bottom or the top, and there in reverse order: theta(T - t) = 2 pi - theta(t). From theta0 "
-            "= pi/2 "
-            "the half through the top takes 3.2 times as long as the half through the bottom, at E = 2.02.",
+            "= pi/2 the half through the top takes 3.2 times as long as the half through the bottom, at E = 2.02.",
             "./run trajectory --energy 2.02 --times T/4,3T/4",
             [] {
                 const auto time_to = [](const mpfr& theta) {
@@ -429,8 +426,7 @@ claim abstract_uniform_acceleration() {
             "The resummation accelerates the series uniformly, that is at every time from the top to the bottom.",
             "error of the resummation over that of the series at t = T*/10, N = 10, E = 1.71",
             "The norm over [0, T*] gains, not every time: next to the top the error of the resummation begins with "
-            "t^(N+1), "
-            "that of the series with t^(N+2). At E = 1.71, N = 10 and t = T*/10 it is 2.7 times as large.",
+            "t^(N+1), that of the series with t^(N+2). At E = 1.71, N = 10 and t = T*/10 it is 2.7 times as large.",
             "./run study error_norm --energies 1.71 --orders 10",
             [] {
                 const auto way = descent_of<mpfr>(of_energy("1.71"));

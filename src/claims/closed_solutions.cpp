@@ -21,8 +21,7 @@ claim separatrix_formula() {
             "theta = -pi + 4 arctan(e^t tan((theta0 + pi)/4)) is the solution at E = 2, for every theta0.",
             "|printed - integrated| at t = 1 from (0, -2)",
             "For omega0 = +2 cos(theta0/2) and |theta0| < pi. The clockwise motion from (0, -2) is the reflection: at "
-            "t = 1 "
-            "it is at -1.73, the formula at +1.73. From theta0 = 2 pi the formula starts at -2 pi.",
+            "t = 1 it is at -1.73, the formula at +1.73. From theta0 = 2 pi the formula starts at -2 pi.",
             "./run trajectory --energy 2 --direction - --times 0,1",
             [] {
                 mpfr counterclockwise(0);
@@ -205,8 +204,7 @@ claim one_initial_condition() {
         "Beside the energy one initial condition specifies the solution, theta0 or omega0; the other follows from E.",
         "distance at t = 1 of two motions with E = 1 and theta0 = 0",
         "The other follows up to its sign: E = 1 and theta0 = 0 leave omega0 = +sqrt 2 and -sqrt 2, which are 2.42 "
-        "apart "
-        "at t = 1; E = 1 and omega0 = 0 leave theta0 = +-90 degrees.",
+        "apart at t = 1; E = 1 and omega0 = 0 leave theta0 = +-90 degrees.",
         "./run trajectory --energy 1 --theta0 0 --direction - --times 0,1",
         [] {
             const mpfr rising = by_flow(mpfr(0), sqrt(mpfr(2)), mpfr(1)).value;
@@ -223,10 +221,8 @@ claim shifts_reach_all_states() {
         "smallest |omega(t) - omega0| over 41 times of a period of counterclockwise rotation, E = 4, for the state (0, "
         "-2 sqrt 2) of the same energy",
         "For libration about theta = 0. Rotation never turns round: at E = 4 omega stays between 2 and 2.83, so the "
-        "state "
-        "(0, -2.83) is not on the counterclockwise motion but on its reflection. States around theta = 2 pi n need 2 "
-        "pi "
-        "n added.",
+        "state (0, -2.83) is not on the counterclockwise motion but on its reflection. States around theta = 2 pi n "
+        "need 2 pi n added.",
         "./run trajectory --energy 4 --times 0:2.7:10",
         [] {
             const mpfr wanted = -sqrt(mpfr(8));

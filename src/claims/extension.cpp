@@ -128,8 +128,7 @@ claim counterclockwise_extension() {
     return {"counterclockwise_extension",
             "symmetry",
             "Above E = 2 the two branches with the upper signs, and the constant 4 pi, extend the counterclockwise "
-            "series to "
-            "every t >= 0.",
+            "series to every t >= 0.",
             "largest |extended - integrated| at 16 times of two periods, E = 2.02 and 8",
             "",
             "./run trajectory --energy 2.02 --method series --order 300 --times T/8:15T/8:8 --digits 12",
@@ -217,8 +216,7 @@ claim origin_shift() {
             "distance of theta0 = 2 pi + 1/2 (with omega0 = 1) from the largest angle of the extended solution of its "
             "energy",
             "The solution of (newseries) swings about theta = 0 (and turns the way that +- says): a state about 2 pi n "
-            "also "
-            "needs 2 pi n added. The state (2 pi + 1/2, 1), E = 0.622, is 5.60 beyond the largest angle.",
+            "also needs 2 pi n added. The state (2 pi + 1/2, 1), E = 0.622, is 5.60 beyond the largest angle.",
             "./run trajectory --theta0 6.78318530717958647692528676656 --omega0 1 --times 0,1",
             [] {
                 // theta0 = 2 pi + 1/2, theta0 - 2 pi = 1/2.
@@ -302,8 +300,7 @@ claim error_grows_towards_separatrix() {
             "At a given number of terms the error grows as E approaches 2.",
             "norm of the error on [0, T*] at E = 1.4 over that at E = 0.5, N = 2",
             "As an envelope. At N = 2 it is 0.183 at E = 0.5 and 0.044 at E = 1.4; at N = 4 it is 0.379 at E = 1.8 and "
-            "0.322 "
-            "at E = 1.9. It dips wherever the first coefficient left out, like sin(n phi), goes through 0.",
+            "0.322 at E = 1.9. It dips wherever the first coefficient left out, like sin(n phi), goes through 0.",
             "./run study error_norm --energies 0.5,1.4,1.8,1.9 --orders 2,4",
             [] {
                 const mpfr ratio = series_norm("1.4", 2) / series_norm("0.5", 2);
@@ -362,8 +359,7 @@ claim disk_is_free_of_singularities() {
             "fig:error, text",
             "From the top no singularity lies in |t| < T*.",
             "largest |theta gained| on the path 0, T*, around the circle to i T*, and back, E = 0.5, 1.71, 1.9, 2.02, "
-            "8 (the "
-            "other quarters are mirror images)",
+            "8 (the other quarters are mirror images)",
             "",
             "./run coefficients --energy 1.9998 --order 20",
             [] {

@@ -60,9 +60,8 @@ claim omegab_rate() {
         .statement = "With omega* of (omegab) the resummation of a libration converges at the series' geometric rate.",
         .number = "norm of the error with omega* = +sqrt(2E) over 2 sqrt(2E) T*/(e N), E = 1.71, N = 100",
         .correction =
-            "With the + as printed the error falls only like 2 sqrt(2E) T*/(e N); with omega* = -sqrt(2E) it "
-            "stays below the bound A2, which falls like (T*/R)^N. At E = 1.71 and N = 0 the norms are "
-            "2.33 and 0.110.",
+            "With the + as printed the error falls only like 2 sqrt(2E) T*/(e N); with omega* = -sqrt(2E) it stays "
+            "below the bound A2, which falls like (T*/R)^N. At E = 1.71 and N = 0 the norms are 2.33 and 0.110.",
         .command = "./run claims omegab_rate",
         .measure = [] {
             const int order = 100;
@@ -491,10 +490,9 @@ claim degree_for_degree() {
             .number = "norm of the series of degree 2 over that of the resummation of degree 2 (N = 0), E = 1.34",
             .correction =
                 "The resummation of order N has the degree N+2. At the same degree the series is better at N = 0 for E "
-                "from 1.15 to "
-                "1.53, next to where a_4 or a_6 is 0, and at N = 1 to 4 for some energies (2.165 at N = 1); from N = 5 "
-                "on the "
-                "resummation is better at each of 796 energies from 0.05 to 4 with |2-E| >= 5e-5.",
+                "from 1.15 to 1.53, next to where a_4 or a_6 is 0, and at N = 1 to 4 for some energies (2.165 at N = "
+                "1); from N = 5 on the resummation is better at each of 796 energies from 0.05 to 4 with |2-E| >= "
+                "5e-5.",
             .command = "./run study error_norm --energies 1.34 --orders 0,2 --scalar mpfr:20",
             .measure = [] {
                 const way_down way(of_energy("1.34"));

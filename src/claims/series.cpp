@@ -191,8 +191,7 @@ claim arcsine_is_required() {
             "sec:reccurence, text",
             "To get theta(t) from the series of Jacobi functions one has to take the arcsine of a series.",
             "largest |difference| of a_n, n <= 100, times n/8, from the series of a Jacobi function integrated term by "
-            "term, "
-            "E = 1.71 and 8 from the top",
+            "term, E = 1.71 and 8 from the top",
             "theta' is a Jacobi function itself, -2 k k' sd(t, k) below E = 2: a_n is its coefficient n-1 over n. "
             "Under the "
             "arcsine rotation from the top cannot even be expanded: sn = 1 there is a branch point of the arcsine.",
@@ -224,8 +223,7 @@ claim elliptic_route_costs_more() {
         "elliptic_route_costs_more",
         "sec:intro, text",
         "To convert the series of Jacobi functions to that of theta takes more arithmetic steps than the recurrences "
-        "of "
-        "the pendulum.",
+        "of the pendulum.",
         "products for a_100 by omega'' = (E-1) omega - omega^3/2 over products by (pendseries), no symmetry used",
         "Through the arcsine it does: five sums of products a coefficient instead of two. Through omega, a Jacobi "
         "function, it takes a square and a product, 0.75 times as many as (pendseries), with the same coefficients.",
@@ -285,8 +283,7 @@ claim runge_kutta_is_the_truth() {
             "sec:reccurence, footnote 5",
             "Fourth-order Runge-Kutta with step 1e-5 is an accurate numerical solution.",
             "largest error at t = 1 .. 10 with step 1e-5, E = 1.71 from the top: that with step 1/400, 50 digits, "
-            "times (400 "
-            "1e-5)^4, since halving 1/200 gains 2^4 within 5%",
+            "times (400 1e-5)^4, since halving 1/200 gains 2^4 within 5%",
             "",
             "./run trajectory --energy 1.71 --method rk4 --times 0,10 --scalar double",
             [] {

@@ -60,8 +60,7 @@ claim separatrix_radius() {
         "sec:sing, text",
         "At E = 2 and theta0 = 0 the nearest singularities are logarithmic, at t = +-i pi/2, and the radius is pi/2.",
         "largest of |R/(pi/2) - 1| from a_399 and a_401, and of the distance of the circuits around +-i pi/2 from "
-        "those "
-        "of +-2i log",
+        "those of +-2i log",
         "",
         "./run coefficients --energy 2 --order 20",
         [] {
@@ -78,8 +77,7 @@ claim libration_singularities() {
     return {"libration_singularities",
             "libratingpoles",
             "Below E = 2, from rest, theta is singular at odd multiples of T* plus odd multiples of i K'.",
-            "largest distance of the circuits around T* +- i K' and 3T* + i K' from those of +-2i log, and "
-            "of the one "
+            "largest distance of the circuits around T* +- i K' and 3T* + i K' from those of +-2i log, and of the one "
             "around 2T* + i K' from none, E = 0.5, 1.71",
             "",
             "./run trajectory --energy 1.71 --times T/4",
@@ -108,8 +106,7 @@ claim rotation_singularities() {
             "rotatingpoles",
             "Above E = 2, from the bottom, theta is singular at even multiples of T* plus odd multiples of i K~'.",
             "largest distance of the circuits around i K~', -i K~', 2T* + i K~' from those of +-2i log, and of the one "
-            "around T* + "
-            "i K~' from none, E = 2.02, 8",
+            "around T* + i K~' from none, E = 2.02, 8",
             "",
             "./run trajectory --energy 8 --theta0 0 --times T/2",
             [] {
@@ -217,8 +214,7 @@ claim nearest_singularity() {
             "librationROC, text",
             "From the top of libration none is nearer than the singularity at T* + i K'.",
             "smallest distance of the singularities p T* + i q K', p, q = +-1, +-3, +-5, over |T* + i K'|, E = 1e-6, "
-            "0.5, 1.71, "
-            "1.9998: four are at the same distance",
+            "0.5, 1.71, 1.9998: four are at the same distance",
             "",
             "./run coefficients --energy 1.71 --order 20",
             [] {
@@ -271,8 +267,7 @@ claim unaffected_by_singularities() {
             "From the top the series converges down to the bottom without being affected by the singularities.",
             "largest (|a_n| T*^n n/8)^(1/n), n = 600 .. 616, E = 1.9998: the factor that a power gains at the bottom",
             "It converges, but the nearest singularities set how fast: the factor is T*/R, 0.616 at E = 1/2 and 0.967 "
-            "at E = "
-            "1.9998, where 958 powers are needed instead of 68 (machine_precision_is_reached).",
+            "at E = 1.9998, where 958 powers are needed instead of 68 (machine_precision_is_reached).",
             "./run study error_norm --energies 0.5,1.9998 --orders 5,10,20",
             [] {
                 const mpfr near = rate_of_fall("1.9998");
@@ -331,8 +326,7 @@ claim one_figure_for_libration() {
         "fig:subcrit",
         "One figure of the lattice, with the circles about the bottom inside (-T*, T*), serves all E < 2.",
         "R/T* from a_397 and a_399 about the bottom at E = 1, where the circle changes sides: 1.28 at E = 1/2, 0.683 "
-        "at E "
-        "= 1.71",
+        "at E = 1.71",
         "The lattice is a rectangle at every energy, but K' crosses K at E = 1: below, the small circles of the figure "
         "reach past T*, and what is drawn holds for 1 < E < 2.",
         "./run period --energy 1 --digits 20",
@@ -423,10 +417,8 @@ claim top_is_the_best_point() {
         "rate (T*/2)/R(T*/2) of an expansion half way over the rate T*/R of the one at the top, R from coefficients, E "
         "= 1.71: below 1 where half way is better",
         "It has the largest radius, but the whole way lies on one side of it. About t = T*/2 the error falls by 0.593 "
-        "a "
-        "power instead of 0.827 at E = 1.71 (0.684 a coefficient, for the top has every second power only), and by "
-        "less a "
-        "power at every energy.",
+        "a power instead of 0.827 at E = 1.71 (0.684 a coefficient, for the top has every second power only), and by "
+        "less a power at every energy.",
         "./run coefficients --energy 1.71 --at T/8 --order 20",
         [] {
             const mpfr half_way = 1 / (radius_between("1.71", mpfr(1) / 2) * 2);
@@ -442,9 +434,8 @@ claim ratio_test_estimates_radius() {
         "Where singularities are not known, the ratio test on the coefficients estimates the radius.",
         "largest over smallest estimate sqrt|a_n/a_(n+2)|, n = 300 .. 398, E = 1.71 from the top",
         "Not from the top: four singularities at one distance make the ratios swing for ever, by a factor of 124 in "
-        "these "
-        "hundred powers. Four coefficients together give R (librationROC); at the bottom, where two opposite ones are "
-        "nearest, the ratio is right to 0.3%.",
+        "these hundred powers. Four coefficients together give R (librationROC); at the bottom, where two opposite "
+        "ones are nearest, the ratio is right to 0.3%.",
         "./run radius --energy 1.71 --order 400",
         [] {
             const auto way = descent_of<mpfr>(of_energy("1.71"));
