@@ -19,9 +19,10 @@ std::string name_of(verdict v) {
 
 std::vector<claim> all_claims() {
     std::vector<claim> all;
-    for (const auto& part : {claims_of_background, claims_of_closed_solutions, claims_of_series,
-                             claims_of_singularities, claims_of_extension, claims_of_resummation, claims_of_period,
-                             claims_of_conclusions, claims_of_appendix, claims_of_libration}) {
+    for (const auto& part :
+         {claims_of_background, claims_of_exact_period, claims_of_closed_solutions, claims_of_series,
+          claims_of_singularities, claims_of_extension, claims_of_resummation, claims_of_resummation_errors,
+          claims_of_period, claims_of_conclusions, claims_of_appendix, claims_of_libration}) {
         auto more = part();
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
