@@ -55,8 +55,10 @@ bool thetas_cost_less(bool symmetric, long n) {
 /// runs in vectors; to N = 800 102 and 93 in long double; in quad, from 87, to N = 150 161 and 196, to 200 279 and 204.
 template <scalar T>
 constexpr long least_lattice_power(bool symmetric) {
-    constexpr bool in_vectors = std::same_as<T, float> || std::same_as<T, double>;
-    constexpr long least = in_vectors ? 1024 : std::same_as<T, long double> ? 512 : std::same_as<T, quad> ? 128 : 16;
+    constexpr long least = std::same_as<T, double>        ? 1024
+                           : std::same_as<T, long double> ? 512
+                           : std::same_as<T, quad>        ? 128
+                                                          : 16;
     return symmetric ? least : least * 3 / 4;
 }
 

@@ -26,32 +26,31 @@ void add_product(T& sum, const T& a, const T& b) {
 }
 
 /// sum_i x[i] y[step i], i < count, in four partial sums, which compilers turn into vector instructions; the four are
-/// the same whatever the width of a vector, and so is the result. About 0.3 of the time of one sum from count = 32 on.
-/// O(count).
-template <int step, std::floating_point T>
-T sum_in_lanes(const T* x, const T* y, int count) {
+/// the same whatever the width of a vector, and so is the result. O(count).
+template <int step>
+double sum_in_lanes(const double* x, const double* y, int count) {
     constexpr int lanes = 4;
-    std::array<T, lanes> sums{};
-    int i = 0;
-    for (; i + lanes <= count; i += lanes, x += lanes, y += lanes * step) {
+    std::array<double, lanes> sums{};
+    const int whole = count - count % lanes;
+    for (int i = 0; i < whole; i += lanes) {
         for (int lane = 0; lane < lanes; ++lane) {
-            sums[static_cast<std::size_t>(lane)] += x[lane] * y[lane * step];
+            sums[static_cast<std::size_t>(lane)] += x[i + lane] * y[(i + lane) * step];
         }
     }
-    for (int lane = 0; i + lane < count; ++lane) {
-        sums[static_cast<std::size_t>(lane)] += x[lane] * y[lane * step];
+    for (int i = whole; i < count; ++i) {
+        sums[static_cast<std::size_t>(i - whole)] += x[i] * y[i * step];
     }
     return (sums[0] + sums[2]) + (sums[1] + sums[3]);
 }
 
-/// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end, in float and double over neighbours
-/// by sum_in_lanes (long double has no vectors). O(count).
+/// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end, in double over neighbours by
+/// sum_in_lanes (long double and quad have no vectors). O(count).
 template <scalar T>
 T inner_product(const T* x, int x_step, const T* y, int y_step, int count) {
     if constexpr (proved_scalar<T>) {
         return sum_of_products(x, x_step, y, y_step, count);
     } else {
-        if constexpr (std::same_as<T, float> || std::same_as<T, double>) {
+        if constexpr (std::same_as<T, double>) {
             if (x_step == 1 && (y_step == 1 || y_step == -1)) {
                 return y_step == 1 ? sum_in_lanes<1>(x, y, count) : sum_in_lanes<-1>(x, y, count);
             }
