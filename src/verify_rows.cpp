@@ -192,7 +192,7 @@ row_judge::known_motion& row_judge::motion_for(const motion_cells& cells) {
     }
     typed.stiffness = rules_.stiffness;
     libration::motion exactly = typed.motion();
-    known_.insert(known_.begin(), std::make_unique<known_motion>(text, typed, std::move(exactly)));
+    known_.insert(known_.begin(), std::make_unique<known_motion>(known_motion{text, typed, std::move(exactly), {}}));
     known_.resize(std::min(known_.size(), most_known_motions));
     return *known_.front();
 }

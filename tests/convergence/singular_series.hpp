@@ -126,7 +126,7 @@ std::vector<power_series<T>> hostile_series() {
 /// Whether an answer is a finite radius > 0 with a finite uncertainty >= 0, or a reason.
 template <class T>
 bool well_formed(const radius_estimate<T>& e) {
-    const auto finite = [](const T& x) { return T(x - x) == 0; };
+    const auto finite = [](const T& x) { return T(x * 0) == 0; };
     if (!e.radius) {
         return !e.note.empty() && !e.position && !e.exponent;
     }
