@@ -2,6 +2,8 @@
 // large integers, where one coefficient after the other would take O(N^2) products.
 #pragma once
 
+#include <mpfr.h>  // before FLINT 3, which declares conversions to mpfr only behind it
+
 #if __has_include(<flint/arb_poly.h>)
 #include <flint/arb_poly.h>
 #else

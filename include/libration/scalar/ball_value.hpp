@@ -3,7 +3,7 @@
 #pragma once
 
 #include <gmp.h>
-#include <mpfr.h>
+#include <mpfr.h>  // before FLINT 3, which declares conversions to mpfr only behind it
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
