@@ -50,8 +50,8 @@ TEMPLATE_LIST_TEST_CASE("the theta functions at zero obey Jacobi's identities", 
         const T second = at(second_theta, zero);
         const T third = at(third_theta, zero);
         const T fourth = at(fourth_theta, zero);
-        // theta_3^4 = theta_2^4 + theta_4^4 [DLMF 20.7.1] and theta_1' = theta_2 theta_3 theta_4 [DLMF 20.4.6]: a rounding
-        // in each power and for each of the terms that count.
+        // theta_3^4 = theta_2^4 + theta_4^4 [DLMF 20.7.1] and theta_1' = theta_2 theta_3 theta_4 [DLMF 20.4.6]: a
+        // rounding in each power and for each of the terms that count.
         CHECK_THAT(T(pow(second, 4) * nome + pow(fourth, 4)), near<T>(T(pow(third, 4)), 40));
         CHECK_THAT(at(first_theta, zero, 1), near<T>(T(second * third * fourth), 20));
     }

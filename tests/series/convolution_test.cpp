@@ -169,6 +169,8 @@ TEST_CASE("a quotient whose radii prove too little is left to the recurrence", "
     std::vector<mpfr> without_first(b.coefficients());
     without_first[0] = 0;
     CHECK_FALSE(supplied_quotient(one.coefficients(), without_first));
+    const std::vector<mpfr> nothing(order + 1, mpfr(0));
+    CHECK(scaled_quotient(power_series<mpfr>(nothing), b).coefficients() == nothing);
     const auto never = [](const std::vector<mpfr>&, const std::vector<mpfr>&) {
         return std::optional<std::vector<mpfr>>();
     };

@@ -31,7 +31,8 @@ inline std::optional<std::vector<mpfr>> midpoints_of_quotient(const std::vector<
         error = std::max<long>(error, arf_abs_bound_lt_2exp_si(arb_midref(radius.handle())));
     }
     constexpr long lost = 48;
-    if (error > size - 1 + lost - ball::working_bits()) {
+    constexpr long far = 1L << 40;  // the exponents of 0 and of what mpfr does not hold are beyond
+    if (std::clamp(error, -far, far) > std::clamp(size, -far, far) - 1 + lost - ball::working_bits()) {
         return std::nullopt;
     }
     std::vector<mpfr> midpoints;
