@@ -5,7 +5,7 @@
 
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/truncated_series.hpp"
-#include "libration/pendulum/lattice_coefficients.hpp"
+#include "libration/pendulum/expansion.hpp"
 
 namespace libration {
 
@@ -44,26 +44,25 @@ power_series<T> descent_series(const descent<T>& d, int order, recurrence by) {
     return taylor_coefficients(taylor_start<T>{d.top, d.o.pair, of_theta}, order, d.effective_period, by);
 }
 
-/// a_n T*^n, n = 0 .. N, about the top, by the cheapest way: in mpfr and on balls the sum over the singularities
-/// beyond the power from which it costs less. The fixed scalars keep to the recurrence, whose rounding is what is
+/// a_n T*^n, n = 0 .. N, about the top: in mpfr and on balls by the cheapest way (coefficients_about), which knows them
+/// up to the turns and the direction of the motion. The fixed scalars keep to the recurrence, whose rounding is what is
 /// asked of them.
 template <scalar T>
 power_series<T> descent_series(const descent<T>& d, int order) {
-    if constexpr (!fixed_scalar<T>) {
-        const expansion_point top;
-        const auto view = view_from(d.m, phase_of<T>(top, d.m));
-        const long begin = view ? lattice_begins(*view, 0, order) : order + 1;
-        if (begin <= order) {
-            auto a = descent_series(d, static_cast<int>(begin) - 1, recurrence::symmetric_squares);
-            const int sense = d.o.regime == regime::rotation ? d.m.direction() : 1;
-            const lattice_coefficients<T> sums(d.m, top, d.effective_period, order);
-            for (const T& next : sums.between(begin, order)) {
-                a.push_back(next * sense);
+    require_taylor_order(order);
+    if constexpr (fixed_scalar<T>) {
+        return descent_series(d, order, recurrence::symmetric_squares);
+    } else {
+        const exact_solution<T> solution(d.m);
+        power_series<T> a(coefficients_about(solution, expansion_point(), d.effective_period, 0, order));
+        a[0] = d.top.theta;
+        if (d.o.regime == regime::rotation && d.m.direction() < 0) {
+            for (int n = 1; n <= order; ++n) {
+                a[n] = -a[n];
             }
-            return a;
         }
+        return a;
     }
-    return descent_series(d, order, recurrence::symmetric_squares);
 }
 
 /// The data of the resummation at x = 1: theta* and omega* T*.
