@@ -49,10 +49,10 @@ power_series<T> descent_series(const descent<T>& d, int order, recurrence by) {
 /// asked of them.
 template <scalar T>
 power_series<T> descent_series(const descent<T>& d, int order) {
-    require_taylor_order(order);
     if constexpr (fixed_scalar<T>) {
         return descent_series(d, order, recurrence::symmetric_squares);
     } else {
+        require_taylor_order(order);
         const exact_solution<T> solution(d.m);
         power_series<T> a(coefficients_about(solution, expansion_point(), d.effective_period, 0, order));
         a[0] = d.top.theta;
