@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/expansion.hpp"
-#include "libration/scalar/ball_decimal.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/scalar/ball/decimal.hpp"
 #include "ratio_table.hpp"
 
 namespace {

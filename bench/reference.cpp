@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/scalar/ball_decimal.hpp"
+#include "libration/scalar/ball/decimal.hpp"
 #include "ratio_table.hpp"
 #include "reference_routes.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "libration/pendulum/proved_canonical.hpp"
+#include "libration/pendulum/proved/proved_canonical.hpp"
 #include "libration/scalar/concept.hpp"
 
 namespace libration::bench {

@@ -17,11 +17,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "libration/pendulum/proved_motion.hpp"
-#include "libration/pendulum/sampler.hpp"
+#include "libration/pendulum/proved/proved_motion.hpp"
+#include "libration/pendulum/sampler/sampler.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"
-#include "sweep/child_program.hpp"
+#include "run/child_program.hpp"
 
 namespace {
 

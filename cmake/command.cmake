@@ -1,4 +1,4 @@
-# The command `libration`, in the order of the house: src/sweep and the studies first, the subcommands on top.
+# The command `libration`, in the order of the house: what studies stand on first, the subcommands on top.
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
@@ -24,8 +24,8 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: studies/NAME.cpp defines libration::studies::NAME(), and nothing else names a study.
-file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.cpp)
+# The registry: studies/problem/NAME.cpp or studies/pendulum/NAME.cpp defines libration::studies::NAME(), and nothing else names a study.
+file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*/*.cpp)
 set(study_declarations "")
 set(study_entries "")
 foreach(source IN LISTS study_sources)
@@ -36,10 +36,12 @@ endforeach()
 list(JOIN study_entries ", " study_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
-file(GLOB sweep_sources CONFIGURE_DEPENDS
-    ${PROJECT_SOURCE_DIR}/src/sweep/*.cpp
-    ${PROJECT_SOURCE_DIR}/src/claims/*.cpp)
-file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
+set(study_rooms text run option sweep claims)
+set(command_rooms motion table verify report)
+list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
+list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
+file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
+file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${command_rooms})
 
 # A library of its own, so that tests can run a study or a sweep without starting the program.
 add_library(libration-studies STATIC ${sweep_sources} ${study_sources} ${generated_dir}/registry.cpp)
@@ -58,12 +60,12 @@ target_compile_definitions(libration-studies PUBLIC
     LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
 if(TARGET libration-gsl-theta)
     # Started as a process and never linked; it does not belong to what is installed.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/audit_gsl.cpp PROPERTIES
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/pendulum/audit_gsl.cpp PROPERTIES
         COMPILE_DEFINITIONS LIBRATION_GSL_THETA="$<TARGET_FILE:libration-gsl-theta>")
 endif()
 
 # It has to come before every other header of the library.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/cost.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/problem/cost.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)

@@ -3,11 +3,9 @@
 find_package(Catch2 2.13 REQUIRED)
 include(Catch)
 
-file(GLOB test_sources CONFIGURE_DEPENDS
-    ${PROJECT_SOURCE_DIR}/tests/*_test.cpp
-    ${PROJECT_SOURCE_DIR}/tests/*/*_test.cpp)
+file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT LIBRATION_BUILD_COMMAND)
-    list(FILTER test_sources EXCLUDE REGEX "/tests/(command|sweep|studies)/")
+    list(FILTER test_sources EXCLUDE REGEX "/tests/(text|run|sweep|studies|command)/")
 endif()
 
 add_executable(libration-tests ${test_sources})

@@ -6,9 +6,9 @@
 #include <exception>
 #include <vector>
 
-#include "provenance.hpp"
-#include "subcommand.hpp"
-#include "sweep/input_error.hpp"
+#include "option/subcommand.hpp"
+#include "run/provenance.hpp"
+#include "text/input_error.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/way_down.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 
 namespace libration {
 

@@ -4,7 +4,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/judging.hpp"
-#include "libration/pendulum/descent_approximations.hpp"
+#include "libration/pendulum/error/descent_approximations.hpp"
 
 namespace libration {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/scalar/decimal.hpp"
-#include "sweep/parallel.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "run/parallel.hpp"
 
 namespace libration {
 

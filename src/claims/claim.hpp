@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/scalar/mpfr.hpp"
-#include "sweep/table.hpp"
+#include "text/table.hpp"
 
 namespace libration {
 

@@ -6,8 +6,8 @@
 #include "claims/claim.hpp"
 #include "claims/way_down.hpp"
 #include "libration/convergence/radius_report.hpp"
-#include "libration/pendulum/expansion.hpp"
-#include "libration/pendulum/periodic_extension.hpp"
+#include "libration/pendulum/arc/periodic_extension.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 
 namespace libration {
 

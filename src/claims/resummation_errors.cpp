@@ -5,7 +5,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/way_down.hpp"
-#include "libration/pendulum/runge_kutta.hpp"
+#include "libration/ode/runge_kutta.hpp"
 
 namespace libration {
 

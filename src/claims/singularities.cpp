@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "claims/judging.hpp"
-#include "libration/convergence/pole_pair.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/convergence/test/pole_pair.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 
 namespace libration {
 

@@ -7,29 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "libration/pendulum/motion.hpp"
-#include "libration/pendulum/period.hpp"
+#include "libration/pendulum/energy/period.hpp"
 #include "libration/scalar/dispatch.hpp"
-#include "sweep/progress.hpp"
-#include "sweep/table.hpp"
+#include "option/sweep_energy.hpp"
+#include "run/progress.hpp"
+#include "text/table.hpp"
 
 namespace libration {
-
-/// An energy of a sweep as it was typed: E itself, or the gap 2 - E.
-struct sweep_energy {
-    std::string energy;  ///< as typed, or 2 - gap: exact as a decimal or a short fraction, else to 50 digits
-    std::string gap;     ///< likewise
-    rational value;      ///< E
-};
-
-/// The energy E, or the one that a gap means. Throws std::invalid_argument for what is not an energy (negative, with
-/// pi).
-sweep_energy energy_from(const exact& energy);
-sweep_energy energy_from_gap(const exact& gap);
-
-/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws std::domain_error "has the energy 0,
-/// where ..." with the reasons; an empty reason lets that energy pass.
-void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical);
 
 /// A way to T* as it was typed: agm, series:N or resummed:N.
 struct sweep_period_rule {

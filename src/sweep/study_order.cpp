@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "sweep/grid.hpp"
-#include "sweep/input_error.hpp"
+#include "run/grid.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
-#include "libration/pendulum/singularities.hpp"
+#include "libration/pendulum/singularity/singularities.hpp"
 
 namespace command_radius_test {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "command/printed.hpp"
-#include "sweep/table.hpp"
+#include "text/table.hpp"
 
 namespace command_report_test {
 

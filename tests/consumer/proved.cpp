@@ -1,7 +1,7 @@
 // What a user's program with proved arithmetic looks like: the period of a pendulum, every digit of it certain.
 #include <iostream>
-#include <libration/pendulum/period.hpp>
-#include <libration/scalar/ball_decimal.hpp>
+#include <libration/pendulum/energy/period.hpp>
+#include <libration/scalar/ball/decimal.hpp>
 
 int main() {
     using namespace libration;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/convergence/radius_estimate.hpp"
-#include "libration/convergence/strided_series.hpp"
+#include "libration/convergence/estimate/radius_estimate.hpp"
+#include "libration/convergence/estimate/strided_series.hpp"
 
 namespace libration::tests {
 

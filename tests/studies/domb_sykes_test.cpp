@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/descent_cover.hpp"
+#include "libration/pendulum/error/descent_cover.hpp"
 #include "studies/study_rows.hpp"
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace studies_domb_sykes_test {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studies/study_rows.hpp"
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace studies_radius_map_test {
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace sweep_study_order_test {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/text/decimal.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {

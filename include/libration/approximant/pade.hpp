@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "libration/algebra/linear_system.hpp"
 #include "libration/series/arithmetic.hpp"
-#include "libration/series/linear_system.hpp"
 
 namespace libration {
 

@@ -5,19 +5,19 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/coefficient_growth.hpp"
-#include "libration/convergence/coefficient_pattern.hpp"
-#include "libration/convergence/differential_approximants.hpp"
-#include "libration/convergence/domb_sykes.hpp"
-#include "libration/convergence/hunter_guerrieri.hpp"
-#include "libration/convergence/mercer_roberts.hpp"
-#include "libration/convergence/pole_test.hpp"
+#include "libration/convergence/list/coefficient_growth.hpp"
+#include "libration/convergence/list/coefficient_pattern.hpp"
 #include "libration/convergence/radius_verdict.hpp"
-#include "libration/convergence/ratio_test.hpp"
-#include "libration/convergence/root_test.hpp"
-#include "libration/convergence/six_term_test.hpp"
-#include "libration/convergence/three_term_test.hpp"
-#include "libration/convergence/top_line_test.hpp"
+#include "libration/convergence/test/differential_approximants.hpp"
+#include "libration/convergence/test/domb_sykes.hpp"
+#include "libration/convergence/test/hunter_guerrieri.hpp"
+#include "libration/convergence/test/mercer_roberts.hpp"
+#include "libration/convergence/test/pole_test.hpp"
+#include "libration/convergence/test/ratio_test.hpp"
+#include "libration/convergence/test/root_test.hpp"
+#include "libration/convergence/test/six_term_test.hpp"
+#include "libration/convergence/test/three_term_test.hpp"
+#include "libration/convergence/test/top_line_test.hpp"
 
 namespace libration {
 

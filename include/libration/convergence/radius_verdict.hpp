@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/coefficient_pattern.hpp"
-#include "libration/scalar/decimal.hpp"
+#include "libration/convergence/list/coefficient_pattern.hpp"
+#include "libration/scalar/text/decimal.hpp"
 
 namespace libration {
 

@@ -1,0 +1,104 @@
+// libration coefficients: the Taylor coefficients a_n of theta about a point of a motion.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+#include "libration/scalar/exponent_range.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_series.hpp"
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+struct coefficients_options {
+    motion_options motion;
+    arithmetic_options arithmetic;
+    output_options output;
+    std::string order;
+    std::optional<std::string> from;
+    std::optional<std::string> at;
+};
+
+constexpr long most_rows = 1'000'001;
+
+long read_power(const std::string& text) {
+    long power = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+        throw std::invalid_argument("is not a whole number");
+    }
+    if (error != std::errc() || power < 0 || power > largest_power) {
+        throw std::invalid_argument(fmt::format("is not between 0 and {}", largest_power));
+    }
+    return power;
+}
+
+// --from and --order: which powers are printed.
+void read_powers(const coefficients_options& options, series_request& request) {
+    const auto power = [](const char* option, const std::string& value) {
+        return reading(option, value, "write a power of the series, 0 or more", [&] { return read_power(value); });
+    };
+    request.order = power("--order", options.order);
+    request.first = options.from ? power("--from", *options.from) : 0;
+    if (request.first > request.order) {
+        throw input_error("--from", *options.from, "is beyond --order '" + options.order + "'",
+                          "write a power up to that");
+    }
+    if (request.order - request.first >= most_rows) {
+        throw input_error("--order", options.order, fmt::format("makes more than {} rows", most_rows),
+                          "write a lower power, or the first one that you want as --from");
+    }
+}
+
+table table_of(long first, const std::vector<proved_decimal>& coefficients) {
+    table data{{{"n", ""}, {"coefficient", ""}, {"uncertainty", ""}}, {}};
+    data.rows.reserve(coefficients.size());
+    for (const auto& [text, uncertainty] : coefficients) {
+        data.rows.push_back({std::to_string(first++), text, uncertainty});
+    }
+    return data;
+}
+
+int run_coefficients(const coefficients_options& options) {
+    const whole_exponent_range exponents;  // of a_n ~ R^-n
+    options.output.check();
+    const arithmetic numbers = options.arithmetic.choose();
+    series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
+    read_powers(options, request);
+    request.at = point_of(options.at, request.chosen);
+    if (numbers.scalar.kind == scalar_kind::proved) {
+        options.output.write(table_of(request.first, proved_coefficients(request)));
+        return 0;
+    }
+    table data{{{"n", ""}, {"coefficient", ""}}, {}};
+    long n = request.first;
+    for (const mpfr& value : coefficient_values(request)) {
+        data.rows.push_back({std::to_string(n++), to_decimal(value, numbers.digits)});
+    }
+    options.output.write(data);
+    return 0;
+}
+
+}  // namespace
+
+subcommand coefficients_command(CLI::App& program) {
+    const auto options = std::make_shared<coefficients_options>();
+    CLI::App* command = program.add_subcommand("coefficients", "the Taylor coefficients of theta about a point");
+    options->motion.add_to(*command);
+    options->arithmetic.add_to(*command, arithmetics::proved_too);
+    options->output.add_to(*command);
+    command->add_option("--order", options->order, "last power N")->type_name("N")->required();
+    command->add_option("--from", options->from, "first power to print, 0 without it: any costs the same")
+        ->type_name("N");
+    command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
+    return {command, [options] { return run_coefficients(*options); }};
+}
+
+}  // namespace libration

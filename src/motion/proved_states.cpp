@@ -1,0 +1,154 @@
+#include "motion/proved_states.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "libration/pendulum/solution/critical_formula.hpp"
+#include "libration/pendulum/solution/separatrix_sum.hpp"
+#include "run/proofs.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+// From so many digits on, a trial with few of them finds out what a motion loses: repeating would cost more.
+constexpr long worth_a_trial = 500;
+constexpr long trial_digits = 20;
+constexpr long first_guard = 20;
+
+std::vector<std::string> texts_of(const std::vector<proved_decimal>& values) {
+    std::vector<std::string> texts;
+    texts.reserve(values.size());
+    for (const proved_decimal& value : values) {
+        texts.push_back(value.text);
+    }
+    return texts;
+}
+
+// Whether a ball is narrower than one unit in the last of its digits; around 0, of those of 1.
+bool shows_digits(const ball& x, const ball& size, long digits) {
+    const ball unit = is_exact(size) && contains_zero(size) ? pow(ball(10), -digits)
+                                                            : parts_of(midpoint_of(size), digits, MPFR_RNDN).unit();
+    return certainly_less(radius_of(x), unit);
+}
+
+}  // namespace
+
+long digits_before_point(const motion& m, const exact& time) {
+    if (time.measure == unit::period || time.is_zero()) {
+        return 0;
+    }
+    const precision_scope rough(20);
+    const mpfr dimensionless = from_exact<mpfr>(time) / time_unit<mpfr>(m);
+    return decimal_digits(std::max(0L, binary_exponent(dimensionless)));
+}
+
+const proved_motion& proved_states::motion_here() { return made_.try_emplace(working_digits(), motion_).first->second; }
+
+long proved_states::more_digits(const exact& time) {
+    const long before = digits_before_point(motion_, time);
+    if (digits_ < worth_a_trial) {
+        return before;
+    }
+    long needed = 0;
+    proved_decimals(trial_digits, [&] {
+        needed = working_digits() - trial_digits - first_guard;
+        const precision_scope wider(working_digits() + before);
+        const enclosed_state state = motion_here().at(time);
+        return std::vector<ball>{state.theta, state.omega};
+    });
+    return before + needed;
+}
+
+proved_states::state_text proved_states::at(const exact& time) {
+    const long more = more_digits(time);
+    const auto values = proved_decimals(digits_, [&] {
+        const precision_scope wider(working_digits() + more);
+        enclosed_state state = motion_here().at(time);
+        return std::vector<ball>{std::move(state.theta), std::move(state.omega)};
+    });
+    return {values[0].text, values[1].text};
+}
+
+proved_states::constant_texts proved_states::constants() {
+    const bool critical = at_critical_energy(motion_.regime());
+    const bool at_rest = motion_.regime() == regime::stable_equilibrium || (critical && motion_.omega0_sign() == 0);
+    const auto values = texts_of(proved_decimals(digits_, [&] {
+        const proved_motion& here = motion_here();
+        std::vector<ball> list;
+        if (!critical) {
+            list.push_back(here.effective_period());
+            list.push_back(list[0] * quarters_per_period(motion_.regime()));
+        }
+        if (!at_rest) {
+            list.push_back(here.radius());
+        }
+        return list;
+    }));
+    const std::string radius = at_rest ? "inf" : values.back();
+    return critical ? constant_texts{"inf", "inf", radius} : constant_texts{values[1], values[0], radius};
+}
+
+std::vector<std::string> proved_states::energies() {
+    return texts_of(proved_decimals(digits_, [&] {
+        auto pair = libration::energies<ball>(motion_);
+        return std::vector<ball>{std::move(pair.energy), std::move(pair.gap)};
+    }));
+}
+
+std::string proved_states::time_text(const exact& time, long digits) {
+    const auto value = [&] {
+        return time.measure == unit::period
+                   ? motion_here().effective_period() *
+                         from_rational<ball>(rational(time.coefficient * quarters_per_period(motion_.regime())))
+                   : from_exact<ball>(time);
+    };
+    return proved_decimals(digits, [&] { return std::vector<ball>{value()}; }).front().text;
+}
+
+std::vector<ball> proved_states::second_route(const exact& time) const {
+    const ball seconds = time_unit<ball>(motion_);
+    if (motion_.regime() == regime::separatrix) {
+        const ball elapsed = from_exact<ball>(time) / seconds;
+        return {critical_formula(motion_, elapsed), critical_speed(motion_, elapsed) / seconds};
+    }
+    const auto state = separatrix_sum<ball>(motion_)(time);
+    return {state.value, state.slope / seconds};
+}
+
+bool proved_states::confirms(const exact& time) {
+    const long before = digits_before_point(motion_, time);
+    for (long guard = first_guard; guard <= most_guard_digits; guard *= 2) {
+        const precision_scope scope(digits_ + before + guard);
+        try {
+            const proved_motion& here = motion_here();
+            if (here.at_rest()) {
+                return true;
+            }
+            const enclosed_state first = here.at(time);
+            const std::vector<ball> second = second_route(time);
+            if (!overlaps(first.theta, second[0]) || !overlaps(first.omega, second[1])) {
+                return false;
+            }
+            if (shows_digits(second[0], first.theta, digits_) && shows_digits(second[1], first.omega, digits_)) {
+                return true;
+            }
+        } catch (const precision_exhausted&) {
+            continue;
+        }
+    }
+    throw std::runtime_error("a check is impossible: the second route needs more than " +
+                             std::to_string(most_guard_digits) + " guard digits");
+}
+
+proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
+    try {
+        return states.at(time);
+    } catch (const std::range_error&) {
+        throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
+                          "choose nearer times");
+    }
+}
+
+}  // namespace libration

@@ -1,0 +1,157 @@
+#include "table/function_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "libration/elliptic/proved/function_condition.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "option/options.hpp"
+#include "run/grid.hpp"
+#include "run/parallel.hpp"
+#include "table/elliptic_request.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+// Three digits of the condition: computed with twice the digits until they stay.
+std::string condition_text(const std::string& function, const exact& at, const typed_parameter& parameter) {
+    if (is_infinite(function, at, parameter.value())) {
+        return "inf";
+    }
+    const auto value = [&](const exact& u, const rational& x) { return function_ball(function, u, parameter.from(x)); };
+    std::string before;
+    constexpr long most_digits = 100'000;
+    for (long digits = 40 + digits_before_point(at); digits <= most_digits; digits *= 2) {
+        const precision_scope scope(digits);
+        try {
+            const auto condition = function_condition(value, at, parameter.typed.coefficient);
+            std::string now = condition ? to_decimal(*condition, 3) : "inf";
+            if (now == before) {
+                return now;
+            }
+            before = std::move(now);
+        } catch (const precision_exhausted&) {
+            continue;
+        }
+    }
+    throw std::runtime_error(
+        fmt::format("the condition of {}({}) is not decided by {} digits", function, at.text, most_digits));
+}
+
+std::vector<column> columns_of(const elliptic_request& request, input_style style) {
+    const std::string parameter = request.option.substr(2);
+    const std::string condition = "(|u df/du| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits";
+    if (style == input_style::typed) {
+        return {{"function", ""},         {"argument", "as typed"},         {parameter, "as typed"},   {"value", ""},
+                {"condition", condition}, {"digits", "significant digits"}, {"rigour", "of the value"}};
+    }
+    std::vector<column> columns;
+    columns.reserve(2 + 2 * request.functions.size());
+    if (!request.argument.empty()) {
+        columns.push_back({request.argument, "argument"});
+    }
+    columns.push_back({parameter, ""});
+    for (const std::string& function : request.functions) {
+        columns.push_back({function, ""});
+    }
+    for (const std::string& function : request.functions) {
+        columns.push_back({"condition_" + function, condition});
+    }
+    return columns;
+}
+
+// The rows of one argument at one parameter.
+class function_rows {
+public:
+    function_rows(const elliptic_request& request, const typed_parameter& parameter, const exact& at, long digits)
+        : request_(request), parameter_(parameter), at_(at), digits_(digits) {}
+
+    std::vector<std::vector<std::string>> typed() const {
+        std::vector<std::vector<std::string>> rows;
+        rows.reserve(request_.functions.size());
+        for (const std::string& function : request_.functions) {
+            rows.push_back({function, at_.text, parameter_.typed.text, value_of(function),
+                            condition_text(function, at_, parameter_), std::to_string(digits_), "proved"});
+        }
+        return rows;
+    }
+
+    std::vector<std::vector<std::string>> decimals() const {
+        std::vector<std::string> row;
+        if (!request_.argument.empty()) {
+            row.push_back(decimal_text(at_, digits_ + more_input_digits));
+        }
+        row.push_back(decimal_text(parameter_.typed, digits_ + more_input_digits));
+        for (const std::string& function : request_.functions) {
+            row.push_back(value_of(function));
+        }
+        for (const std::string& function : request_.functions) {
+            row.push_back(condition_text(function, at_, parameter_));
+        }
+        return {row};
+    }
+
+private:
+    std::string value_of(const std::string& function) const {
+        return function_text(function, at_, parameter_.value(), digits_);
+    }
+
+    const elliptic_request& request_;
+    const typed_parameter& parameter_;
+    const exact& at_;
+    long digits_;
+};
+
+}  // namespace
+
+std::vector<std::string> functions_of(const std::string& list) {
+    std::vector<std::string> functions;
+    std::istringstream names(list);
+    for (std::string name; std::getline(names, name, ',');) {
+        if (!is_elliptic_function(name)) {
+            throw input_error("table", list, "is no function", "write pendulum, am, sn, cn, dn, K or F");
+        }
+        if (std::find(functions.begin(), functions.end(), name) != functions.end()) {
+            throw input_error("table", list, "names " + name + " twice", "name each function once");
+        }
+        functions.push_back(name);
+    }
+    const bool alone = std::any_of(functions.begin(), functions.end(),
+                                   [](const std::string& name) { return name == "K" || name == "F"; });
+    if (functions.empty() || list.ends_with(',')) {
+        throw input_error("table", list, "has an empty item", "write pendulum, am, sn, cn, dn, K or F");
+    }
+    if (alone && functions.size() > 1) {
+        throw input_error("table", list, "mixes functions of different arguments", "name K and F alone");
+    }
+    return functions;
+}
+
+table function_table(const std::vector<std::string>& functions, const said_words& said, long digits, input_style style,
+                     int jobs) {
+    const auto request = read_elliptic(functions, said, elliptic_grid::lists);
+    const std::size_t cells = request.parameters.size() * request.arguments.size();
+    if (cells > static_cast<std::size_t>(most_grid_values)) {
+        throw input_error(request.option, *said[request.option],
+                          fmt::format("makes more than {} rows", most_grid_values), "choose fewer values");
+    }
+    progress shown("table", cells);
+    const auto parts = parallel_map(cells, jobs, shown, [&](std::size_t i) {
+        const function_rows at(request, request.parameters[i / request.arguments.size()],
+                               request.arguments[i % request.arguments.size()], digits);
+        return style == input_style::typed ? at.typed() : at.decimals();
+    });
+    table data{columns_of(request, style), {}};
+    data.rows.reserve(cells * functions.size());
+    for (const auto& part : parts) {
+        data.rows.insert(data.rows.end(), part.begin(), part.end());
+    }
+    return data;
+}
+
+}  // namespace libration

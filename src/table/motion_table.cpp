@@ -1,0 +1,194 @@
+#include "table/motion_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "libration/pendulum/energy/energy.hpp"
+#include "libration/pendulum/proved/condition.hpp"
+#include "motion/proved_states.hpp"
+#include "option/motion_grid.hpp"
+#include "run/parallel.hpp"
+#include "run/proofs.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr std::size_t times_a_step = 32;
+
+using rows = std::vector<std::vector<std::string>>;
+
+// The condition numbers of one motion, as verify prints them.
+class condition_texts {
+public:
+    explicit condition_texts(const grid_motion& of) : of_(of) {}
+
+    std::string at(const exact& time) {
+        const long bits = conditioned_motion::bits_for(of_.of, exponent_of(time));
+        const long start = (decimal_digits(bits) + 9) / 10 * 10;
+        constexpr int attempts = 5;
+        for (long digits = start; digits <= attempts * start; digits += start) {
+            const precision_scope scope(digits);
+            try {
+                const auto& here = made_.try_emplace(digits, of_.typed, of_.of).first->second;
+                const auto condition = here.at(time, here.of().at(time));
+                return condition ? to_decimal(*condition, 3) : "inf";
+            } catch (const precision_exhausted&) {
+                continue;
+            }
+        }
+        throw std::runtime_error(
+            fmt::format("the condition at time {} is not decided by {} digits", time.text, attempts * start));
+    }
+
+private:
+    // An e with |t| max(1, |omega|) < 2^e: the phase that a relative step of an input is multiplied with. A multiple
+    // of a period is one of ordinary size in this, however fast the motion.
+    long exponent_of(const exact& time) const {
+        if (time.is_zero()) {
+            return 0;
+        }
+        const precision_scope scope(20);
+        if (time.measure == unit::period) {
+            return binary_exponent(from_rational<mpfr>(time.coefficient)) + 3;
+        }
+        const mpfr elapsed = from_exact<mpfr>(time) / time_unit<mpfr>(of_.of);
+        const long of_energy = binary_exponent(energies<mpfr>(of_.of).energy);
+        return binary_exponent(elapsed) + std::max(0L, of_energy / 2 + 2);
+    }
+
+    const grid_motion& of_;
+    std::map<long, conditioned_motion> made_;
+};
+
+std::vector<column> columns_of(const said_words& said, input_style style) {
+    const bool seconds = said["--length"].has_value();
+    const std::string of_time = seconds ? "s" : "sqrt(l/g)";
+    const std::string speed = seconds ? "rad/s" : "sqrt(g/l)";
+    std::vector<column> columns{{"energy", "in m g l"}, {"gap", "2 - energy"}};
+    if (said["--theta0"]) {
+        columns.push_back({"theta0", style == input_style::typed ? "angle at time 0, as typed" : "rad, at time 0"});
+    }
+    if (said["--omega0"]) {
+        columns.push_back({"omega0", speed + ", at time 0"});
+    }
+    if (said["--direction"]) {
+        columns.push_back({"direction", "sign of omega at time 0 where omega is not 0"});
+    }
+    columns.insert(columns.end(), {{"time", of_time},
+                                   {"theta", "rad"},
+                                   {"omega", speed},
+                                   {"period", of_time},
+                                   {"tstar", of_time + ", from the top to the bottom"},
+                                   {"radius", of_time + ", of convergence about the top; about the bottom at energy 2"},
+                                   {"condition",
+                                    "(|t omega| + sum |x dtheta/dx|)/max(1, |theta|) over the typed numbers "
+                                    "x, heuristic, three digits"}});
+    if (style == input_style::typed) {
+        columns.insert(columns.end(), {{"digits", "significant digits"}, {"rigour", "of all but the condition"}});
+    }
+    return columns;
+}
+
+// What the rows of one motion share: the cells before the time, and those behind omega.
+class motion_rows {
+public:
+    motion_rows(const grid_motion& of, const said_words& said, long digits, input_style style)
+        : of_(of), said_(said), digits_(digits), style_(style), states_(of.of, digits), conditions_(of) {}
+
+    rows at(const exact* begin, const exact* end) {
+        const auto front = front_cells();
+        const auto [period, tstar, radius] = states_.constants();
+        rows result;
+        result.reserve(static_cast<std::size_t>(end - begin));
+        for (const exact* time = begin; time != end; ++time) {
+            const auto state = state_at(states_, *time, *said_["--times"]);
+            std::vector<std::string> row = front;
+            row.insert(row.end(),
+                       {time_cell(*time), state.theta, state.omega, period, tstar, radius, conditions_.at(*time)});
+            if (style_ == input_style::typed) {
+                row.insert(row.end(), {std::to_string(digits_), "proved"});
+            }
+            result.push_back(std::move(row));
+        }
+        return result;
+    }
+
+private:
+    std::vector<std::string> front_cells() {
+        std::vector<std::string> cells = energy_cells();
+        for (const auto& number : {of_.typed.theta0, of_.typed.omega0}) {
+            if (number) {
+                cells.push_back(style_ == input_style::typed ? number->text
+                                                             : decimal_text(*number, digits_ + more_input_digits));
+            }
+        }
+        if (const auto& direction = said_["--direction"]) {
+            cells.push_back(style_ == input_style::typed ? *direction : *direction + "1");
+            cells.back().erase(0, cells.back() == "+1" ? 1 : 0);
+        }
+        return cells;
+    }
+
+    std::vector<std::string> energy_cells() {
+        if (of_.texts && style_ == input_style::typed) {
+            return {of_.texts->energy, of_.texts->gap};
+        }
+        const auto& energy = of_.of.energy();
+        if (!energy) {
+            return states_.energies();
+        }
+        const long more = digits_ + more_input_digits;
+        return {decimal_text(exactly(*energy), more), decimal_text(exactly(rational(2 - *energy)), more)};
+    }
+
+    std::string time_cell(const exact& time) {
+        if (style_ == input_style::typed) {
+            return time.text;
+        }
+        const long more = digits_ + more_input_digits;
+        return time.measure == unit::period && !time.is_zero() ? states_.time_text(time, more)
+                                                               : decimal_text(time, more);
+    }
+
+    const grid_motion& of_;
+    const said_words& said_;
+    long digits_;
+    input_style style_;
+    proved_states states_;
+    condition_texts conditions_;
+};
+
+}  // namespace
+
+std::string decimal_text(const exact& number, long digits) {
+    if (number.measure == unit::one || number.is_zero()) {
+        if (const auto finite = to_finite_decimal(number.coefficient)) {
+            return *finite;
+        }
+    }
+    return proved_decimals(digits, [&] { return std::vector<ball>{from_exact<ball>(number)}; }).front().text;
+}
+
+table motion_table(const said_words& said, long digits, input_style style, int jobs) {
+    const auto motions = motions_of(said);
+    const auto times = times_for(motions, said);
+    const std::size_t blocks = (times.size() + times_a_step - 1) / times_a_step;
+    progress shown("table", motions.size() * blocks);
+    const auto parts = parallel_map(motions.size() * blocks, jobs, shown, [&](std::size_t i) {
+        const std::size_t begin = i % blocks * times_a_step;
+        const std::size_t end = std::min(begin + times_a_step, times.size());
+        motion_rows of_motion(motions[i / blocks], said, digits, style);
+        return of_motion.at(times.data() + begin, times.data() + end);
+    });
+    table data{columns_of(said, style), {}};
+    data.rows.reserve(motions.size() * times.size());
+    for (const rows& part : parts) {
+        data.rows.insert(data.rows.end(), part.begin(), part.end());
+    }
+    return data;
+}
+
+}  // namespace libration

@@ -1,0 +1,118 @@
+// How many terms give D digits on [0, T*], and how does that number grow towards the separatrix?
+#include <algorithm>
+#include <functional>
+
+#include "libration/pendulum/error/least_order.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "run/parallel.hpp"
+#include "sweep/study.hpp"
+#include "text/input_error.hpp"
+
+namespace libration::studies {
+
+namespace terms_study {
+namespace {
+
+constexpr long printed_digits = 12;
+
+const std::vector<column>& columns() {
+    static const std::vector<column> all{
+        {"energy", "E, in units of m g l"},
+        {"gap", "2 - E"},
+        {"digits", "D: the error norm is to be at most 10^-D radians"},
+        {"method", "series | resummed"},
+        {"order",
+         "least N whose norm, and that of every larger order, is at most 10^-D (heuristic: errors at sampled times, "
+         "true norms where they are near 10^-D)"},
+        {"terms", "numbers that are not 0 in the polynomial: a_n up to N, and alpha and beta of the resummation"},
+        {"predicted", "D ln 10/ln(R/T*)"},
+        {"proved_order", "least N for which theorem A (series) or A2 (resummed) proves the same"},
+        {"norm", "max of |approximation - theta| over [0, T*] at N, radians"},
+        {"norm_before", "the same at N - 1, above 10^-D; empty for N = 0"},
+        {"log10_norm", "log10 of norm"},
+        {"log10_gap", "log10 of |2 - E|"},
+    };
+    return all;
+}
+
+// Coefficients that are not 0: every second one, and pi in rotation.
+int terms_of(const top_bounds<mpfr>& bounds, descent_method method, int order) {
+    const int of_series = bounds.parity == 0 ? order / 2 + 1 : (order + 1) / 2 + 1;
+    return of_series + (method == descent_method::resummed ? 2 : 0);
+}
+
+std::vector<std::vector<std::string>> rows_at(const sweep_energy& at, const std::vector<int>& falling) {
+    const motion m = motion::of_energy(at.value);
+    const precision_scope scope(working_digits_for(m, falling.front()) + printed_digits);
+    const descent_orders search(m, falling.front());
+    const auto& bounds = search.bounds();
+    std::vector<std::vector<std::string>> rows;
+    rows.reserve(falling.size() * 2);
+    for (const auto method : {descent_method::series, descent_method::resummed}) {
+        const auto found = search.least(method, falling);
+        for (std::size_t i = 0; i < falling.size(); ++i) {
+            const least_order& least = found[i];
+            rows.push_back({at.energy, at.gap, std::to_string(falling[i]),
+                            method == descent_method::series ? "series" : "resummed", std::to_string(least.order),
+                            std::to_string(terms_of(bounds, method, least.order)),
+                            to_decimal(predicted_order(bounds, falling[i]), printed_digits),
+                            std::to_string(proved_order(bounds, method, falling[i])),
+                            to_decimal(least.norm, printed_digits),
+                            least.before ? to_decimal(*least.before, printed_digits) : "", log10_text(least.norm),
+                            log10_text(abs(from_rational<mpfr>(rational(2 - at.value))))});
+        }
+    }
+    return rows;
+}
+
+std::vector<int> falling_digits(std::vector<int> digits) {
+    std::sort(digits.begin(), digits.end(), std::greater<>());
+    digits.erase(std::unique(digits.begin(), digits.end()), digits.end());
+    if (!digits.empty() && digits.front() > descent_orders::most_digits) {
+        throw input_error("--digits", std::to_string(digits.front()), "is more than this search takes",
+                          "write at most " + std::to_string(descent_orders::most_digits));
+    }
+    return digits;
+}
+
+std::vector<study_table> run(const study_request& request) {
+    refuse_limits(request.energies, "the series is the constant 0",
+                  "the series is not defined: the period is infinite");
+    const std::vector<int> falling = falling_digits(request.digits);
+    progress shown("terms, energies", request.energies.size(), request.shown);
+    const auto rows = parallel_map(request.energies.size(), request.jobs, shown,
+                                   [&](std::size_t i) { return rows_at(request.energies[i], falling); });
+    study_table result{"", read_scalar("mpfr:" + std::to_string(falling.front())), {columns(), {}}};
+    for (const auto& at_energy : rows) {
+        result.data.rows.insert(result.data.rows.end(), at_energy.begin(), at_energy.end());
+    }
+    return {std::move(result)};
+}
+
+}  // namespace
+}  // namespace terms_study
+
+const study& terms() {
+    using namespace terms_study;
+    static const study result{
+        .name = "terms",
+        .title = "Terms for a number of digits",
+        .label = "",
+        .question = "How many terms give D digits on [0, T*], and how does that number grow towards E = 2?",
+        .reading =
+            "The least order N whose error norm stays below 10^-D, for libration (left) and rotation (right), against "
+            "the distance of E from 2: dashed the series, solid its resummation, dotted the estimate D ln 10/ln(R/T*) "
+            "of the rate alone, crosses what theorems A and A2 prove to be enough. R/T* tends to 1 like 1/ln^2 of the "
+            "gap, so N grows with the square of its logarithm: ten digits at a gap of 1e-12 take 3624 powers. The "
+            "resummation has the same slope and a head start, which is the larger part of N where few digits are "
+            "wanted. The measured N is heuristic, as the column says; the crosses are proved.",
+        .parameters = {{"--energies", "0.1,0.5,1,1.5,3,4,8,20", "energies E, in m g l"},
+                       {"--gaps", "1e-1:1e-12:12log,-1e-1:-1e-12:12log", "energies as 2 - E"},
+                       {"--digits", "10,20,30", "D: the error norm is to be at most 10^-D radians"}},
+        .quick = {{"--energies", "1.71,2.02", ""}, {"--digits", "5,12", ""}},
+        .seconds = 3.5,
+        .run = run};
+    return result;
+}
+
+}  // namespace libration::studies

@@ -1,0 +1,59 @@
+#include "libration/pendulum/error/descent_tails.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pendulum/typed.hpp"
+#include "scalars.hpp"
+
+namespace pendulum_descent_tails_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+TEST_CASE("errors from the omitted terms are those of the approximations in many digits", "[descent_tails]") {
+    const precision_scope precision(80);
+    const std::vector<double> points{0.125, 0.5, 0.75, 0.96875, 1};
+    for (const std::string energy : {"1.71", "2.02"}) {
+        const auto way = descent_of<mpfr>(with_energy(energy));
+        const int highest = 800;  // leaves out (T*/R)^760, below 1e-25 of the error
+        std::vector<long double> a;
+        const auto series = descent_series(way, highest);
+        a.reserve(series.coefficients().size());
+        for (const mpfr& each : series.coefficients()) {
+            a.push_back(narrow<long double>(each));
+        }
+        descent_tails<long double> tails(a, points);
+        std::vector<long double> errors(points.size());
+        const exact_solution<mpfr> truth(with_energy(energy));
+        while (tails.order() > 40) {
+            tails.step_down();
+        }
+        for (const auto method : {descent_method::series, descent_method::resummed}) {
+            tails.errors(method, errors);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                INFO("E = " << energy << ", x = " << points[i]);
+                const mpfr x(points[i]);
+                const mpfr value = method == descent_method::series ? series_from_top(way, 40)(x).value
+                                                                    : resummation_from_top(way, 40)(x).value;
+                const mpfr expected = abs(value - truth.from_top(x).theta);
+                if (points[i] == 1 && method == descent_method::resummed) {
+                    CHECK(errors[i] == 0);
+                    continue;
+                }
+                // 760 steps of half an epsilon, and the resummed error at 31/32 cancels (1-x)^2 N^2: 3 digits are
+                // granted.
+                CHECK(abs(widen(errors[i]) / expected - 1) < widen(epsilon<long double>()) * 380'000);
+            }
+        }
+    }
+}
+
+TEST_CASE("points outside of the way down are refused", "[descent_tails]") {
+    CHECK_THROWS_AS(descent_tails<double>({1, 2}, {0}), std::invalid_argument);
+    CHECK_THROWS_AS(descent_tails<double>({1, 2}, {1.5}), std::invalid_argument);
+}
+
+}  // namespace pendulum_descent_tails_test
