@@ -64,11 +64,10 @@ if(TARGET libration-gsl-theta)
         COMPILE_DEFINITIONS LIBRATION_GSL_THETA="$<TARGET_FILE:libration-gsl-theta>")
 endif()
 
-# It has to come before every other header of the library.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/problem/cost.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
+# Each source by itself: names in an anonymous namespace are its own.
+set_target_properties(libration-studies libration-command PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(libration-command PRIVATE libration-studies CLI11::CLI11 libration-warnings)
 target_precompile_headers(libration-command REUSE_FROM libration-studies)
 if(TARGET libration-gsl-theta)

@@ -26,13 +26,14 @@ namespace fs = std::filesystem;
 using house = std::map<std::string, std::string>;  // path relative to the top, with slashes -> text
 using complaints = std::vector<std::string>;
 
-// The room of a file: its folder, without include/libration/ where it is one of the library's. "library" holds the headers
+// The room of a file: its folder, without include/libration/ or src/libration/ where it is one of the library's. "library" holds the headers
 // that gather others.
 std::string room(const std::string& path) {
     const auto folder = fs::path(path).parent_path().generic_string();
-    static const std::string library = "include/libration";
-    if (folder == library) return "library";
-    return folder.starts_with(library + "/") ? folder.substr(library.size() + 1) : folder;
+    if (folder == "include/libration") return "library";
+    for (const std::string half : {"include/libration/", "src/libration/"})
+        if (folder.starts_with(half)) return folder.substr(half.size());
+    return folder;
 }
 
 using rooms = std::set<std::string>;
