@@ -13,9 +13,13 @@ add_library(libration-headers INTERFACE)
 add_library(libration::headers ALIAS libration-headers)
 set_target_properties(libration-headers PROPERTIES EXPORT_NAME headers)
 target_compile_features(libration-headers INTERFACE cxx_std_20)
-target_include_directories(libration-headers INTERFACE
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/libration/*.hpp)
+set(proved_headers ${headers})
+list(FILTER proved_headers INCLUDE REGEX "/(ball|proved)/|/proved\\.hpp$")
+list(FILTER headers EXCLUDE REGEX "/(ball|proved)/|/proved\\.hpp$")
+# Each header of a set compiles alone, which the target all_verify_interface_header_sets of the preset `lint` shows.
+target_sources(libration-headers INTERFACE
+    FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${headers})
 target_link_libraries(libration-headers INTERFACE Boost::headers PkgConfig::mpfr PkgConfig::gmp)
 
 # quad is __float128 where GCC brings libquadmath (not on every processor); the header finds out by itself through
@@ -50,6 +54,8 @@ if(FLINT_FOUND)
     add_library(libration::ball ALIAS libration-proved)
     set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved)
     target_link_libraries(libration-proved INTERFACE libration FLINT::FLINT)
+    target_sources(libration-proved INTERFACE
+        FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${proved_headers})
 endif()
 
 include(CMakePackageConfigHelpers)
@@ -61,15 +67,17 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/libration-config-version.
     COMPATIBILITY SameMinorVersion)
 
 # Component "headers": what a C++ project needs. Component "command": the program and its figure scripts.
-install(TARGETS libration-headers libration EXPORT libration-targets COMPONENT headers)
+install(TARGETS libration-headers libration
+    EXPORT libration-targets
+    ARCHIVE COMPONENT headers
+    FILE_SET headers COMPONENT headers)
 install(EXPORT libration-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
-install(DIRECTORY include/libration
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    COMPONENT headers
-    FILES_MATCHING PATTERN "*.hpp")
 if(TARGET libration-proved)
     # In a file of its own, which is read only where FLINT is found.
-    install(TARGETS libration-proved EXPORT libration-proved-targets COMPONENT headers)
+    install(TARGETS libration-proved
+        EXPORT libration-proved-targets
+        ARCHIVE COMPONENT headers
+        FILE_SET headers COMPONENT headers)
     install(EXPORT libration-proved-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
 endif()
 install(FILES

@@ -32,18 +32,6 @@ endif()
 set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/scalar/counted_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
-# Every public header compiles alone, twice in a row, without a warning, with the flags of the tests.
-set(include_dirs $<TARGET_PROPERTY:libration-tests,INCLUDE_DIRECTORIES>)
-set(external_dirs $<REMOVE_DUPLICATES:$<FILTER:${include_dirs},EXCLUDE,^${PROJECT_SOURCE_DIR}/>>)
-add_test(NAME headers_compile_alone
-    COMMAND ${PROJECT_SOURCE_DIR}/cmake/check_headers.sh
-        ${PROJECT_SOURCE_DIR}/include
-        "$<JOIN:${external_dirs},:>"
-        ${CMAKE_CXX_COMPILER} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION}
-        $<TARGET_PROPERTY:libration-warnings,INTERFACE_COMPILE_OPTIONS> -Werror
-    COMMAND_EXPAND_LISTS)
-set_tests_properties(headers_compile_alone PROPERTIES PROCESSORS 2 TIMEOUT 1200)
-
 # The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.
 set(installed ${PROJECT_BINARY_DIR}/installed)
 set(consumer ${CMAKE_COMMAND}
