@@ -1,8 +1,8 @@
 #include "text/html.hpp"
 
-#include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <cstddef>
-#include <cstdint>
 
 namespace libration {
 
@@ -80,19 +80,14 @@ std::string html_prose(const std::string& text) {
 }
 
 std::string data_uri(const std::string& media_type, const std::string& content) {
-    constexpr const char* alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    using namespace boost::archive::iterators;
+    using encoded = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+    // Zeros fill up the last group of three bytes; '=' stands for those that were added.
+    const std::size_t added = (3 - content.size() % 3) % 3;
+    const std::string whole = content + std::string(added, '\0');
     std::string out = "data:" + media_type + ";base64,";
-    out.reserve(out.size() + (content.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < content.size(); i += 3) {
-        const std::size_t have = std::min<std::size_t>(3, content.size() - i);
-        std::uint32_t bits = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            bits = bits << 8 | (j < have ? static_cast<unsigned char>(content[i + j]) : 0U);
-        }
-        for (std::size_t j = 0; j < 4; ++j) {
-            out += j <= have ? alphabet[bits >> (18 - 6 * j) & 63U] : '=';
-        }
-    }
+    out.append(encoded(whole.begin()), encoded(whole.end()));
+    out.replace(out.size() - added, added, added, '=');
     return out;
 }
 
