@@ -43,6 +43,8 @@ list(FILTER library_sources EXCLUDE REGEX "/(ball|proved)/")
 
 add_library(libration STATIC ${library_sources})
 add_library(libration::libration ALIAS libration)
+# The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
+target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
 target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 
 # Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.

@@ -18,6 +18,7 @@
 #include "libration/convergence/test/six_term_test.hpp"
 #include "libration/convergence/test/three_term_test.hpp"
 #include "libration/convergence/test/top_line_test.hpp"
+#include "libration/scalar/compiled.hpp"
 
 namespace libration {
 
@@ -123,5 +124,12 @@ radius_estimate<T> in_unit(radius_estimate<T> estimate, const T& unit) {
     }
     return estimate;
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) extern template radius_report<T> report_on_radius(const power_series<T>&, const T&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libration/elliptic/complete_integral.hpp"
+#include "libration/scalar/compiled.hpp"
 
 namespace libration {
 
@@ -105,5 +106,12 @@ T incomplete_integral(const T& phi, const modulus<T>& m) {
     const T part = incomplete_integral(narrow<T>(sine), narrow<T>(cosine), chain);
     return part + from_rational<T>(rational(halves)) * 2 * complete_integral(chain);
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) extern template T incomplete_integral(const T&, const T&, const landen_chain<T>&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "libration/elliptic/complete_integral.hpp"
+#include "libration/scalar/compiled.hpp"
 
 namespace libration {
 
@@ -122,5 +123,12 @@ T amplitude(const T& u, const modulus<T>& m) {
     const integer halves = (quarter - odd) / 2;
     return (from_rational<T>(rational(halves)) * pi<T>() + atan2(rest.sn, rest.cn)) * sign;
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) extern template jacobi_values<T> jacobi_at(const T&, const landen_chain<T>&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration

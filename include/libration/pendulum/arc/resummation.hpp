@@ -6,6 +6,7 @@
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/truncated_series.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/scalar/compiled.hpp"
 
 namespace libration {
 
@@ -84,5 +85,16 @@ template <scalar T>
 endpoint_approximant<T> resummation_from_top(const descent<T>& d, int order) {
     return {descent_series(d, order), descent_endpoint(d)};
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T)                                                            \
+    extern template descent<T> descent_of(const motion&, const period_rule&);           \
+    extern template power_series<T> descent_series(const descent<T>&, int, recurrence); \
+    extern template power_series<T> descent_series(const descent<T>&, int);             \
+    extern template endpoint_approximant<T> resummation_from_top(const descent<T>&, int);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration

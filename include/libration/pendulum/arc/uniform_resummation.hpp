@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "libration/pendulum/arc/column_rest.hpp"
+#include "libration/scalar/compiled.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {
@@ -169,5 +170,12 @@ uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns 
     }
     return {m.regime(), narrow<T>(half_distance), columns, power_series<T>(std::move(rest)), std::move(constants)};
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) extern template uniform_resummation<T> uniform_from_top(const motion&, int, int);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration

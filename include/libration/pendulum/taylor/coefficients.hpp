@@ -5,6 +5,7 @@
 #include <string>
 
 #include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/scalar/compiled.hpp"
 #include "libration/series/exponential.hpp"
 
 namespace libration {
@@ -116,5 +117,15 @@ power_series<T> taylor_coefficients(const taylor_start<T>& start, int order, con
     return by == recurrence::sine_cosine ? taylor_by_sine_cosine(start, order, scale)
                                          : taylor_by_symmetric_squares(start, order, scale);
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T)                                                                            \
+    extern template power_series<T> taylor_by_sine_cosine(const taylor_start<T>&, int, const T&);       \
+    extern template power_series<T> taylor_by_symmetric_squares(const taylor_start<T>&, int, const T&); \
+    extern template taylor_start<T> start_at(const exact_solution<T>&, const phase<T>&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration

@@ -10,6 +10,7 @@
 
 #include "libration/pendulum/taylor/lattice_coefficients.hpp"
 #include "libration/pendulum/taylor/theta_series.hpp"
+#include "libration/scalar/compiled.hpp"
 
 namespace libration {
 
@@ -107,5 +108,16 @@ expansion<T> expand(const exact_solution<T>& solution, const expansion_point& po
     power_series<T> scaled(coefficients_about(solution, point, scale, 0, order));
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
+
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T)                                                                                      \
+    extern template expansion<T> expand_by(recurrence, const exact_solution<T>&, const expansion_point&, int);    \
+    extern template expansion<T> expand(const exact_solution<T>&, const expansion_point&, int);                   \
+    extern template std::vector<T> coefficients_about(const exact_solution<T>&, const expansion_point&, const T&, \
+                                                      long, long);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
 
 }  // namespace libration
