@@ -20,6 +20,7 @@
 
 #include "libration/pendulum/taylor/expansion.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/quotient.hpp"
 #include "ratio_table.hpp"
 
 namespace {
@@ -236,5 +237,6 @@ int run(const std::vector<char*>& words) {
 }  // namespace
 
 int main(int count, char** given) {
+    const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
     return libration::bench::exit_code_of("coefficients", [&] { return run({given, given + count}); });
 }

@@ -14,6 +14,8 @@ if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the tests need FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
 endif()
 target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2WithMain libration-warnings)
+# MPFI, under Boost's intervals: a type that the library does not know.
+target_link_libraries(libration-tests PRIVATE mpfi)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
 # Two thirds of the time of -O2; the command, which many of the tests start, is compiled as it is installed.
 target_compile_options(libration-tests PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -28,8 +30,6 @@ if(LIBRATION_BUILD_COMMAND)
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/table_test.cpp PROPERTIES
         COMPILE_DEFINITIONS LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
 endif()
-# It includes what has to come before every other header of the library.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/scalar/counted_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
 # The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.

@@ -6,6 +6,7 @@
 #include <exception>
 #include <vector>
 
+#include "libration/scalar/ball/quotient.hpp"
 #include "option/subcommand.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
@@ -48,6 +49,7 @@ int complain_of_usage(const CLI::App& program, const CLI::ParseError& problem) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
     CLI::App program("Exact power-series solutions of the nonlinear pendulum, in any arithmetic.", "libration");
     program.set_version_flag("--version", libration::version_text());
     program.require_subcommand(1);

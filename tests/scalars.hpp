@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "libration/scalar/concept.hpp"
+#include "libration/scalar/exact.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration::tests {

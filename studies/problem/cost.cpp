@@ -1,5 +1,5 @@
 // What do the coefficients of the series and of its resummation cost, by each way to them? [paper sec:A1, sec:series]
-#include "libration/scalar/counted.hpp"  // before the concept that it models
+#include "libration/scalar/counted.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -7,6 +7,7 @@
 
 #include "libration/convergence/estimate/radius_estimate.hpp"
 #include "libration/convergence/estimate/strided_series.hpp"
+#include "libration/scalar/exact.hpp"
 
 namespace libration::tests {
 

@@ -1,4 +1,4 @@
-#include "libration/scalar/counted.hpp"  // before the concept that it models
+#include "libration/scalar/counted.hpp"
 
 #include <catch2/catch.hpp>
 

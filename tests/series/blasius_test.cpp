@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "libration/scalar/exact.hpp"
 #include "libration/series/arithmetic.hpp"
 #include "scalars.hpp"
 

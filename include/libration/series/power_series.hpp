@@ -11,8 +11,8 @@
 
 namespace libration {
 
-/// sum_{n=0}^{N} a_n x^n, everything beyond x^N forgotten. N >= 0.
-template <scalar T>
+/// sum_{n=0}^{N} a_n x^n, everything beyond x^N forgotten. N >= 0. Over any ring: fractions and complex numbers too.
+template <ring T>
 class power_series {
 public:
     power_series() : coefficients_{T(0)} {}
@@ -36,6 +36,9 @@ public:
     /// Appends the coefficient of the next degree.
     void push_back(T next) { coefficients_.push_back(std::move(next)); }
     const std::vector<T>& coefficients() const { return coefficients_; }
+    /// The same as an array, for the kernels.
+    const T* data() const { return coefficients_.data(); }
+    T* data() { return coefficients_.data(); }
 
     /// The first degrees 0 .. N of this series. Throws std::invalid_argument when it holds fewer.
     power_series truncated(int order) const {
@@ -51,7 +54,7 @@ private:
 };
 
 /// The series in y = x / factor: a_n factor^n. One rounding a power, O(N).
-template <scalar T>
+template <ring T>
 power_series<T> rescale(power_series<T> series, const T& factor) {
     T power(1);
     for (int n = 1; n <= series.order(); ++n) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/scalar/ball/quotient.hpp"
 #include "pendulum/typed.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
@@ -123,8 +124,9 @@ TEST_CASE("long expansions at many digits are made of thetas and narrower than b
     }
 }
 
-TEST_CASE("long expansions of mpfr at many digits are made of thetas where FLINT is linked",
+TEST_CASE("long expansions of mpfr at many digits are made of thetas where the program lets FLINT divide",
           "[theta_series][expansion]") {
+    const whole_quotient_scope by_whole_sequences(quotient_by_flint);
     const precision_scope scope(300);
     for (const auto& from : {named_motion{"E = 1", with_energy("1")}, {"E = 4, clockwise", with_energy("4", -1)}}) {
         for (const std::string at : {"top", "T/8"}) {
@@ -149,7 +151,8 @@ TEST_CASE("long expansions of mpfr at many digits are made of thetas where FLINT
     }
 }
 
-TEST_CASE("few digits and short series keep to the recurrence, and mpfr without FLINT", "[theta_series][expansion]") {
+TEST_CASE("few digits and short series keep to the recurrence, and mpfr that is not told",
+          "[theta_series][expansion]") {
     const precision_scope scope(50);
     CHECK_FALSE(thetas_cost_less<ball>(true, 1'000));
     CHECK_FALSE(thetas_cost_less<ball>(false, 500));
@@ -162,10 +165,9 @@ TEST_CASE("few digits and short series keep to the recurrence, and mpfr without 
     CHECK(thetas_cost_less<mpfr>(true, 150));
     const exact_solution<mpfr> solution(with_energy("1.71"));
     const auto view = view_from(solution.of(), phase_of({}, solution));
-    CHECK(way_of(*view, 0, 400).second == head_by::thetas);
-    const auto flints = std::exchange(supplied_quotient, nullptr);
     CHECK(way_of(*view, 0, 400).second == head_by::recurrence);
-    supplied_quotient = flints;
+    const whole_quotient_scope by_whole_sequences(quotient_by_flint);
+    CHECK(way_of(*view, 0, 400).second == head_by::thetas);
 }
 
 TEST_CASE("a quotient of thetas has no negative order", "[theta_series]") {

@@ -2,6 +2,7 @@
 // fractional powers.
 #pragma once
 
+#include "libration/scalar/exact.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {

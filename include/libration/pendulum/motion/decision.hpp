@@ -8,6 +8,7 @@
 #include <string>
 
 #include "libration/scalar/concept.hpp"
+#include "libration/scalar/exact.hpp"
 
 namespace libration {
 

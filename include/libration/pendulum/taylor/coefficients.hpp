@@ -5,8 +5,9 @@
 #include <string>
 
 #include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/taylor/symmetric_squares.hpp"
 #include "libration/scalar/compiled.hpp"
-#include "libration/series/exponential.hpp"
+#include "libration/series/kernel.hpp"
 
 namespace libration {
 
@@ -54,25 +55,28 @@ power_series<T> taylor_by_sine_cosine(const taylor_start<T>& start, int order, c
     require_taylor_order(order);
     const pendulum_state<T>& at = start.state;
     const T scale_squared = scale * scale;
-    sine_cosine_recurrence<T> recurrence(at.sine(), at.cosine(), start.of_theta);
+    const parity of_slope = opposite(start.of_theta);
     auto a = power_series<T>::zero(order);
+    auto slope = a;
+    auto s = a;
+    auto c = a;
+    s[0] = at.sine();
+    c[0] = at.cosine();
     a[0] = at.theta;
     if (order >= 1) {
         a[1] = at.omega * scale;
     }
     for (int n = 0; n + 2 <= order; ++n) {
-        recurrence.next(a[n]);
-        a[n + 2] = -recurrence.sine()[n] * scale_squared / (n + 1) / (n + 2);
+        slope_kernel(a.data(), slope.data(), n);
+        sine_cosine_kernel(slope.data(), s.data(), c.data(), n, of_slope);
+        a[n + 2] = -s[n] * scale_squared / (n + 1) / (n + 2);
     }
     return a;
 }
 
-/// With D = cos theta - cos theta_0 and w = omega (both in the variable t/scale):
-///     D'' = A + B D - 3 D^2,  A = sin^2 theta_0 - cos theta_0 omega_0^2,  B = 2(1-E) - 6 cos theta_0,
-///     w'' = -(cos theta_0 + D) w,   a_n = w_{n-1}/n.
-/// D'' follows from omega^2 = 2(E - 1 + cos theta); the shift by cos theta_0 keeps the digits that 1 - 2(E-1)C - 3C^2
-/// cancels near E = 0 and 2. About a symmetric point D is even and w has one parity: D and w, or w/t, are series in
-/// t^2, a quarter of the products of a Cauchy square for D^2 and half of one for D w. O(N^2) products.
+/// By symmetric_squares.hpp, in the variable t/scale: a_n = w_{n-1}/n. About a symmetric point D is even and w has one
+/// parity: D and w, or w/t, are series in t^2, a quarter of the products of a Cauchy square for D^2 and half of one for
+/// D w. O(N^2) products.
 template <scalar T>
 power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start, int order, const T& scale) {
     require_taylor_order(order);
@@ -82,28 +86,17 @@ power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start, int or
     const T h = scale * scale;
     const T constant = (sine * sine - cosine * at.omega * at.omega) * h;
     const T linear = (start.pair.gap - start.pair.energy - cosine * 6) * h;
-    const int step = start.of_theta == parity::any ? 1 : 2;    // coefficient j of D is that of t^(step j)
-    const int first = start.of_theta == parity::even ? 1 : 0;  // and j of w that of t^(first + step j)
-    const int second = 2 / step;                               // how far the second derivative is ahead
-
-    auto d = power_series<T>::zero(order / step + second);
-    auto w = power_series<T>::zero(order / step + second);
-    w[0] = first == 1 ? T(-sine * h) : T(at.omega * scale);
-    if (step == 1) {
-        d[1] = -sine * at.omega * scale;
-        w[1] = -sine * h;
+    symmetric_squares<T> squares(order, start.of_theta);
+    squares.w[0] = start.of_theta == parity::even ? T(-sine * h) : T(at.omega * scale);
+    if (start.of_theta == parity::any) {
+        squares.d[1] = -sine * at.omega * scale;
+        squares.w[1] = -sine * h;
     }
-    for (int j = 0, n = 0; n + 2 <= order; ++j, n += step) {
-        const T forcing = n == 0 ? constant : T(0);
-        d[j + second] = (forcing + linear * d[j] - square_coefficient(d, j) * 3 * h) / (n + 1) / (n + 2);
-    }
-    for (int j = 0, n = first; n + 2 <= order; ++j, n += step) {
-        w[j + second] = -(cosine * w[j] + product_coefficient(d, w, j)) * h / (n + 1) / (n + 2);
-    }
+    squares.solve(constant, linear, cosine, h);
     auto a = power_series<T>::zero(order);
     a[0] = at.theta;
-    for (int j = 0, n = first + 1; n <= order; ++j, n += step) {
-        a[n] = w[j] / n;
+    for (int j = 0, n = squares.first() + 1; n <= order; ++j, n += squares.step()) {
+        a[n] = squares.w[j] / n;
     }
     return a;
 }

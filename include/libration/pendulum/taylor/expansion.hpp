@@ -11,6 +11,7 @@
 #include "libration/pendulum/taylor/lattice_coefficients.hpp"
 #include "libration/pendulum/taylor/theta_series.hpp"
 #include "libration/scalar/compiled.hpp"
+#include "libration/series/scaled_quotient.hpp"
 
 namespace libration {
 
@@ -39,7 +40,7 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
-/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, where FLINT is linked, by the
+/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, where there are whole quotients, by the
 /// quotient of thetas, whose errors are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the quotient
 /// 2. Not by that in the fixed scalars.
 template <scalar T>

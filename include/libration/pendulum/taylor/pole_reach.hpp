@@ -55,10 +55,10 @@ bool thetas_cost_less(bool symmetric, long n) {
 /// runs in vectors; to N = 800 102 and 93 in long double; in quad, from 87, to N = 150 161 and 196, to 200 279 and 204.
 template <scalar T>
 constexpr long least_lattice_power(bool symmetric) {
-    constexpr long least = std::same_as<T, double>        ? 1024
-                           : std::same_as<T, long double> ? 512
-                           : std::same_as<T, quad>        ? 128
-                                                          : 16;
+    long least = 16;
+    if constexpr (fixed_scalar<T>) {
+        least = digits<T>() <= 53 ? 1024 : digits<T>() <= 64 ? 512 : 128;
+    }
     return symmetric ? least : least * 3 / 4;
 }
 

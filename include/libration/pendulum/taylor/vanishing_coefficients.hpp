@@ -1,11 +1,11 @@
 // Which Taylor coefficients of theta are exactly 0: no ball ever decides that.
 //
 // At a point with rational E and cos theta_0, let s = sin theta_0 and v = omega_0, whose squares are rational:
-// s^2 = 1 - cos^2 theta_0, v^2 = 2(E - 1 + cos theta_0). D = cos theta - cos theta_0 and w = omega satisfy
-//     D'' = A + B D - 3 D^2,   w'' = -(cos theta_0 + D) w,   D_1 = -s v,  w_0 = v,  w_1 = -s,  n a_n = w_{n-1},
-// with rational A = s^2 - v^2 cos theta_0 and B = 2(1-E) - 6 cos theta_0. By induction D_n is a fraction for even n and
-// s v times one for odd n; w_n is v times a fraction for even n and s times one for odd n, because (s v)(s v) = s^2
-// v^2, (s v) s = s^2 v and (s v) v = v^2 s. So a_n = 0 exactly where its unit (v or s) or its fraction is 0.
+// s^2 = 1 - cos^2 theta_0, v^2 = 2(E - 1 + cos theta_0). The recurrence of symmetric_squares.hpp starts from
+//     D_1 = -s v,  w_0 = v,  w_1 = -s.
+// Where neither is 0, in time scaled by s v, so that D_1 = -s^2 v^2, w_0 = v (s v) = s v^2, w_1 = -s (s v)^2, all D_n
+// are fractions and all w_n are s times one. Where one of them is 0, D_1 = 0 and, unscaled, w_n is the other times a
+// fraction. So every w_n, and with it a_n = w_{n-1}/n, is 0 exactly where that fraction is.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,7 @@
 
 #include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/motion/motion.hpp"
+#include "libration/pendulum/taylor/symmetric_squares.hpp"
 
 namespace libration {
 
@@ -22,29 +23,23 @@ namespace libration {
 inline std::vector<bool> vanishing_coefficients(const rational& energy, const rational& cosine, int order) {
     const rational sine_squared = 1 - cosine * cosine;
     const rational speed_squared = (energy - 1 + cosine) * 2;
-    const rational constant = sine_squared - cosine * speed_squared;
-    const rational linear = (1 - energy) * 2 - cosine * 6;
-    const auto length = static_cast<std::size_t>(order) + 2;
-    std::vector<rational> d(length, rational(0));  // in units of 1 and s v
-    std::vector<rational> w(length, rational(0));  // in units of v and s
-    d[1] = w[1] = -1;
-    w[0] = 1;
-    for (std::size_t n = 0; n + 2 < length; ++n) {
-        const bool even = n % 2 == 0;
-        rational square = 0;
-        rational product = 0;
-        for (std::size_t k = 0; k <= n; ++k) {
-            const bool of_odd = k % 2 != 0;
-            square += of_odd && even ? rational(d[k] * d[n - k] * sine_squared * speed_squared) : d[k] * d[n - k];
-            product += !of_odd ? d[k] * w[n - k] : d[k] * w[n - k] * (even ? sine_squared : speed_squared);
-        }
-        const rational divisor = static_cast<long>((n + 1) * (n + 2));
-        d[n + 2] = ((n == 0 ? constant : rational(0)) + linear * d[n] - square * 3) / divisor;
-        w[n + 2] = -(cosine * w[n] + product) / divisor;
+    const bool symmetric = sine_squared == 0 || speed_squared == 0;
+    const rational h = symmetric ? rational(1) : rational(sine_squared * speed_squared);  // the square of the scale
+    const rational constant = (sine_squared - cosine * speed_squared) * h;
+    const rational linear = ((1 - energy) * 2 - cosine * 6) * h;
+    symmetric_squares<rational> squares(order, parity::any);
+    if (symmetric) {
+        squares.w[0] = speed_squared == 0 ? 0 : 1;
+        squares.w[1] = sine_squared == 0 ? 0 : -1;
+    } else {
+        squares.d[1] = -h;
+        squares.w[0] = speed_squared;
+        squares.w[1] = -h;
     }
+    squares.solve(constant, linear, cosine, h);
     std::vector<bool> vanishes(static_cast<std::size_t>(order) + 1, false);
-    for (std::size_t n = 1; n < vanishes.size(); ++n) {
-        vanishes[n] = w[n - 1] == 0 || (n % 2 != 0 ? speed_squared == 0 : sine_squared == 0);
+    for (int n = 1; n <= order; ++n) {
+        vanishes[static_cast<std::size_t>(n)] = squares.w[n - 1] == 0;
     }
     return vanishes;
 }

@@ -20,25 +20,23 @@ namespace libration {
 /// c_n = sum_k a_k b_{n-k} for n below the shorter length, which is not 0. Within a block the radii are those of the
 /// largest coefficients: far smaller ones beside them lose their relative precision. About the
 /// cost of O(N) products for long sequences at many digits; short ones are multiplied as they are written.
-template <proved_scalar T>
-std::vector<T> whole_product(const std::vector<T>& a, const std::vector<T>& b) {
-    static_assert(sizeof(T) == sizeof(arb_struct), "FLINT walks through an array of balls");
-    std::vector<T> c(std::min(a.size(), b.size()));
+inline std::vector<ball> whole_product(const std::vector<ball>& a, const std::vector<ball>& b) {
+    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
+    std::vector<ball> c(std::min(a.size(), b.size()));
     const auto count = static_cast<slong>(c.size());
     _arb_poly_mullow(c.front().handle(), a.front().handle(), count, b.front().handle(), count, count,
-                     T::working_bits());
+                     ball::working_bits());
     return c;
 }
 
 /// q with sum_k b_k q_{n-k} = a_n for n below the shorter length, which is not 0: by Newton's iteration for long
 /// sequences, whose radii grow by a power of N. Contains everything where b_0 may be 0. The cost of a few products.
-template <proved_scalar T>
-std::vector<T> whole_quotient(const std::vector<T>& a, const std::vector<T>& b) {
-    static_assert(sizeof(T) == sizeof(arb_struct), "FLINT walks through an array of balls");
-    std::vector<T> q(std::min(a.size(), b.size()));
+inline std::vector<ball> whole_quotient(const std::vector<ball>& a, const std::vector<ball>& b) {
+    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
+    std::vector<ball> q(std::min(a.size(), b.size()));
     const auto count = static_cast<slong>(q.size());
     _arb_poly_div_series(q.front().handle(), a.front().handle(), count, b.front().handle(), count, count,
-                         T::working_bits());
+                         ball::working_bits());
     return q;
 }
 

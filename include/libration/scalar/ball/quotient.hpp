@@ -1,5 +1,5 @@
-// Quotients of whole sequences of mpfr numbers as the midpoints of those of balls: what FLINT supplies for mpfr
-// (supplied_quotient.hpp). The radii tell whether they are good enough.
+// Quotients of whole sequences of mpfr numbers as the midpoints of those of balls: what FLINT offers mpfr. The radii tell
+// whether they are good enough. A program chooses it with whole_quotient_scope(quotient_by_flint).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace libration {
 
 /// As mpfr_quotient says, in the working precision.
-inline std::optional<std::vector<mpfr>> midpoints_of_quotient(const std::vector<mpfr>& a, const std::vector<mpfr>& b) {
+inline std::optional<std::vector<mpfr>> quotient_by_flint(const std::vector<mpfr>& a, const std::vector<mpfr>& b) {
     const auto exactly = [](const std::vector<mpfr>& numbers) {
         return std::vector<ball>(numbers.begin(), numbers.end());
     };
@@ -42,8 +42,5 @@ inline std::optional<std::vector<mpfr>> midpoints_of_quotient(const std::vector<
     }
     return midpoints;
 }
-
-/// Set before main().
-inline const bool quotient_is_supplied = (supplied_quotient = midpoints_of_quotient, true);
 
 }  // namespace libration
