@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/scalar/ball/quotient.hpp"
+#include "libration/scalar/error.hpp"
 #include "option/subcommand.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
@@ -16,10 +17,10 @@ namespace {
 constexpr int failed = 1;
 constexpr int bad_input = 2;
 
-// One line, whatever the message quotes.
+// One line, whatever the message quotes, and no control characters.
 int complain(std::string message, int code) {
     for (char& c : message) {
-        c = c == '\n' || c == '\r' ? ' ' : c;
+        c = (c >= '\0' && c < ' ') || c == '\x7f' ? ' ' : c;
     }
     fmt::print(stderr, "libration: {}\n", message);
     return code;
@@ -75,6 +76,8 @@ int main(int argc, char** argv) {
         }
     } catch (const libration::input_error& problem) {
         return complain(problem.what(), bad_input);
+    } catch (const libration::error& problem) {
+        return complain(problem.what(), problem.kind() == libration::error_kind::undecided ? failed : bad_input);
     } catch (const std::range_error& problem) {
         return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
     } catch (const std::bad_alloc&) {

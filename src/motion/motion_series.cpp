@@ -45,7 +45,7 @@ expansion_point point_of(const std::optional<std::string>& at, const chosen_moti
     if (critical && point.where == expansion_point::place::top) {
         throw input_error("--at", *at, "is not a point of a motion with E = 2", "write bottom, start or a time");
     }
-    if (critical && point.time.measure == unit::period) {
+    if (critical && point.time.has_periods()) {
         throw input_error("--at", *at, "is a multiple of an infinite period", "write a time without T");
     }
     return point;

@@ -36,11 +36,11 @@ bool shows_digits(const ball& x, const ball& size, long digits) {
 }  // namespace
 
 long digits_before_point(const motion& m, const exact& time) {
-    if (time.measure == unit::period || time.is_zero()) {
+    if (time.only_periods()) {
         return 0;
     }
     const precision_scope rough(20);
-    const mpfr dimensionless = from_exact<mpfr>(time) / time_unit<mpfr>(m);
+    const mpfr dimensionless = from_exact<mpfr>(time.without_periods()) / time_unit<mpfr>(m);
     return decimal_digits(std::max(0L, binary_exponent(dimensionless)));
 }
 
@@ -99,10 +99,12 @@ std::vector<std::string> proved_states::energies() {
 
 std::string proved_states::time_text(const exact& time, long digits) {
     const auto value = [&] {
-        return time.measure == unit::period
-                   ? motion_here().effective_period() *
-                         from_rational<ball>(rational(time.coefficient * quarters_per_period(motion_.regime())))
-                   : from_exact<ball>(time);
+        if (!time.has_periods()) {
+            return from_exact<ball>(time);
+        }
+        const ball whole = motion_here().effective_period() *
+                           from_rational<ball>(rational(time.periods() * quarters_per_period(motion_.regime())));
+        return time.only_periods() ? whole : whole + from_exact<ball>(time.without_periods());
     };
     return proved_decimals(digits, [&] { return std::vector<ball>{value()}; }).front().text;
 }

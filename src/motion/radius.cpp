@@ -102,7 +102,7 @@ judged_list list_of_file(const radius_options& options, const arithmetic& number
     std::vector<mpfr> values;
     values.reserve(written.size());
     for (const exact& number : written) {
-        values.push_back(from_rational<mpfr>(number.coefficient));
+        values.push_back(from_exact<mpfr>(number));
     }
     return {power_series<mpfr>(std::move(values)), std::move(written), "", std::nullopt};
 }

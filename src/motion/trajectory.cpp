@@ -44,7 +44,7 @@ bool is_partial_sum(trajectory_method method) {
 trajectory_request choose(const trajectory_options& options) {
     const trajectory_method method = read_method(options.method);
     const exact step = number_of("--step", options.step);
-    if (step.coefficient <= 0) {
+    if (sign_of_exact(step) <= 0) {
         throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");
     }
     const arithmetic numbers = options.arithmetic.choose();

@@ -18,7 +18,7 @@ constexpr const char* speeds_remedy = "write angular velocities such as 0,-0.3,1
 std::vector<exact> angles_of(const std::string& words) {
     auto angles = reading("--theta0", words, angles_remedy, [&] { return read_grid(words); });
     for (const exact& angle : angles) {
-        if (angle.measure == unit::period) {
+        if (angle.has_periods()) {
             throw input_error("--theta0", words, "has the time '" + angle.text + "'", angles_remedy);
         }
     }
@@ -38,8 +38,11 @@ void add_by_energy(std::vector<grid_motion>& motions, const said_words& said, co
         angles.assign(given.begin(), given.end());
     }
     for (const exact& number : reading(option, words, remedy, [&] { return read_grid(words); })) {
-        const sweep_energy texts =
-            reading(option, words, remedy, [&] { return by_gap ? energy_from_gap(number) : energy_from(number); });
+        std::optional<sweep_energy> texts;  // of a formula, the digits that are asked for
+        if (number.is_fraction() || !number.is_number()) {
+            texts =
+                reading(option, words, remedy, [&] { return by_gap ? energy_from_gap(number) : energy_from(number); });
+        }
         for (const auto& angle : angles) {
             typed_motion typed = usual;
             (by_gap ? typed.gap : typed.energy) = number;
@@ -48,7 +51,7 @@ void add_by_energy(std::vector<grid_motion>& motions, const said_words& said, co
             motions.push_back({typed,
                                angle ? reading("--theta0", *angle_words,
                                                "choose angles with 1 - cos(angle) <= E for every energy", of)
-                                     : of(),
+                                     : reading(option, words, remedy, of),
                                texts});
         }
     }

@@ -28,7 +28,7 @@ constexpr int largest_order = 100'000;
 
 exact angle_of(const std::string& option, const std::string& value) {
     exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
-    if (angle.measure == unit::period) {
+    if (angle.has_periods()) {
         throw input_error(option, value, "is a time", angle_remedy);
     }
     return angle;
@@ -38,27 +38,26 @@ exact angle_of(const std::string& option, const std::string& value) {
 
 exact number_of(const std::string& option, const std::string& value) {
     exact number = reading(option, value, number_remedy, [&] { return read_exact(value); });
-    if (number.measure != unit::one) {
+    if (!number.is_number()) {
         throw input_error(option, value, "has a unit", number_remedy);
     }
     return number;
 }
 
-rational positive_number_of(const std::string& option, const std::string& value) {
+exact positive_number_of(const std::string& option, const std::string& value) {
     const exact number = number_of(option, value);
-    if (number.coefficient <= 0) {
+    if (sign_of_exact(number) <= 0) {
         throw input_error(option, value, "is not positive", "write a positive number");
     }
-    return number.coefficient;
+    return number;
 }
 
-rational stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
+exact stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
     if (length.has_value() != gravity.has_value()) {
         throw input_error(length ? "--length '" + *length + "' comes without --gravity: give both or neither"
                                  : "--gravity '" + *gravity + "' comes without --length: give both or neither");
     }
-    return length ? rational(positive_number_of("--gravity", *gravity) / positive_number_of("--length", *length))
-                  : rational(1);
+    return length ? positive_number_of("--gravity", *gravity) / positive_number_of("--length", *length) : exactly(1);
 }
 
 int direction_of(const std::optional<std::string>& words) {
@@ -83,7 +82,7 @@ std::vector<exact> times_of(const std::string& value, regime r) {
         if (time.measure == unit::degree) {
             throw input_error("--times", value, "has the angle '" + time.text + "'", times_remedy);
         }
-        if (time.measure == unit::period && at_critical_energy(r)) {
+        if (time.has_periods() && at_critical_energy(r)) {
             throw input_error("--times", value, "has '" + time.text + "', a multiple of an infinite period",
                               "write times without T at E = 2");
         }
@@ -118,25 +117,27 @@ chosen_motion motion_options::by_energy() const {
     const std::string option = by_gap ? "--gap" : "--energy";
     const std::string& value = by_gap ? *gap_ : *energy_;
     const exact number = number_of(option, value);
-    const rational energy = by_gap ? rational(2 - number.coefficient) : number.coefficient;
-    if (energy < 0) {
+    const exact energy = by_gap ? exactly(2) - number : number;
+    if (sign_of_exact(energy) < 0) {
         throw input_error(option, value, by_gap ? "makes the energy negative" : "is a negative energy",
                           by_gap ? "write a gap 2 - E of at most 2" : "write an energy of 0 or more");
     }
-    const sweep_energy texts = by_gap ? energy_from_gap(number) : energy_from(number);
+    std::optional<std::string> energy_text;
+    std::optional<std::string> gap_text;
+    if (energy.is_fraction()) {
+        const sweep_energy texts = by_gap ? energy_from_gap(number) : energy_from(number);
+        energy_text = texts.energy;
+        gap_text = texts.gap;
+    }
     const int sense = direction_of(direction_);
     if (!theta0_) {
-        return {motion::of_energy(energy, sense).with_stiffness(stiffness()),
-                false,
-                option,
-                value,
-                texts.energy,
-                texts.gap};
+        return {
+            motion::of_energy(energy, sense).with_stiffness(stiffness()), false, option, value, energy_text, gap_text};
     }
     const exact angle = angle_of("--theta0", *theta0_);
     motion of = reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
                         [&] { return motion::of_energy_from(energy, angle, sense); });
-    return {of.with_stiffness(stiffness()), false, option, value, texts.energy, texts.gap};
+    return {of.with_stiffness(stiffness()), false, option, value, energy_text, gap_text};
 }
 
 chosen_motion motion_options::by_state() const {

@@ -29,10 +29,10 @@ struct chosen_motion {
 exact number_of(const std::string& option, const std::string& value);
 
 /// A number of an option above 0; throws input_error.
-rational positive_number_of(const std::string& option, const std::string& value);
+exact positive_number_of(const std::string& option, const std::string& value);
 
 /// gravity/length of --length and --gravity, 1 where neither is given. Throws input_error where one of them is.
-rational stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
+exact stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
 
 /// 1 or -1 of --direction + or -, 1 where it is not given. Throws input_error.
 int direction_of(const std::optional<std::string>& words);
@@ -47,7 +47,7 @@ public:
     std::optional<std::string> first_given() const;
     /// What was given for the option of this name, "--energy" say.
     const std::optional<std::string>& given(std::string_view option) const;
-    rational stiffness() const { return stiffness_of(length_, gravity_); }
+    exact stiffness() const { return stiffness_of(length_, gravity_); }
 
 private:
     chosen_motion choose() const;

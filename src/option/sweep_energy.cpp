@@ -22,8 +22,11 @@ std::string derived_text(const rational& value) {
     return to_decimal(from_rational<mpfr>(value), 50);
 }
 
+// As typed, and a formula as the fraction that it is.
+std::string typed_text(const exact& number) { return number.composed ? derived_text(number.coefficient) : number.text; }
+
 void require_energy(const exact& number, const rational& energy) {
-    if (number.measure != unit::one) {
+    if (!number.is_fraction()) {
         throw std::invalid_argument("has '" + number.text + "', which is not a decimal or a fraction");
     }
     if (energy < 0) {
@@ -35,13 +38,13 @@ void require_energy(const exact& number, const rational& energy) {
 
 sweep_energy energy_from(const exact& energy) {
     require_energy(energy, energy.coefficient);
-    return {energy.text, derived_text(rational(2 - energy.coefficient)), energy.coefficient};
+    return {typed_text(energy), derived_text(rational(2 - energy.coefficient)), energy.coefficient};
 }
 
 sweep_energy energy_from_gap(const exact& gap) {
     const rational energy = 2 - gap.coefficient;
     require_energy(gap, energy);
-    return {derived_text(energy), gap.text, energy};
+    return {derived_text(energy), typed_text(gap), energy};
 }
 
 void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "libration/scalar/enclose.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration {
@@ -53,7 +54,23 @@ exact in_unit(const rational& coefficient, unit measure) {
     return result;
 }
 
+// A range one end of which is a formula: its values are formulas of the ends.
+std::vector<exact> formula_range(const exact& first, const exact& last, long count) {
+    std::vector<exact> values;
+    for (long i = 0; i < count; ++i) {
+        const rational part = count == 1 ? rational(0) : rational(i, count - 1);
+        const exact between = part == 0 ? first : part == 1 ? last : first + exactly(part) * (last - first);
+        const bool is_end = part == 0 || part == 1;
+        values.push_back(is_end || between.measure == unit::expression ? between
+                                                                       : in_unit(between.coefficient, between.measure));
+    }
+    return values;
+}
+
 std::vector<exact> even_range(const exact& first, const exact& last, long count) {
+    if (first.measure == unit::expression || last.measure == unit::expression) {
+        return formula_range(first, last, count);
+    }
     const unit measure = first.is_zero() ? last.measure : first.measure;
     if (!last.is_zero() && !first.is_zero() && first.measure != last.measure) {
         throw std::invalid_argument("mixes units");
@@ -66,12 +83,15 @@ std::vector<exact> even_range(const exact& first, const exact& last, long count)
     return values;
 }
 
+// The last less the first over the first, exactly.
+exact relative_width(const exact& first, const exact& last) { return last / first - exactly(1); }
+
 std::vector<exact> log_range(const exact& first, const exact& last, long count) {
-    if (first.measure != unit::one || last.measure != unit::one || first.coefficient * last.coefficient <= 0) {
+    if (!first.is_number() || !last.is_number() || sign_of_exact(first) * sign_of_exact(last) <= 0) {
         throw std::invalid_argument("has ends that are no numbers of one sign, as a logarithmic range needs");
     }
     const precision_scope rough(20);
-    const mpfr relative_step = abs(from_rational<mpfr>(rational(last.coefficient / first.coefficient - 1))) / count;
+    const mpfr relative_step = abs(from_exact<mpfr>(relative_width(first, last))) / count;
     const long step_digits = std::max(0L, decimal_digits(-binary_exponent(relative_step))) + 3;
     const long digits = std::max(6L, relative_step == 0 ? 0L : step_digits);
     const precision_scope scope(digits + 50);
@@ -121,6 +141,11 @@ std::vector<exact> read_grid(std::string_view text) {
             values.insert(values.end(), range.begin(), range.end());
         } catch (const std::invalid_argument& problem) {
             refuse(item, text, problem.what());
+        } catch (const error& problem) {
+            if (problem.kind() == error_kind::undecided) {
+                throw;
+            }
+            refuse(item, text, problem.reason());
         }
     }
     if (values.size() > static_cast<std::size_t>(most_grid_values)) {

@@ -15,7 +15,7 @@ constexpr int largest_digits = 10'000;
 constexpr int most_jobs = 1024;
 
 void require_number(const exact& value) {
-    if (value.measure != unit::one) {
+    if (!value.is_fraction()) {
         throw std::invalid_argument("has '" + value.text + "', which is not a decimal or a fraction");
     }
 }
@@ -73,7 +73,7 @@ std::vector<sweep_period_rule> read_period_rules(const std::string& words) {
 
 exact read_step(const std::string& words) {
     exact step = read_exact(words);
-    if (step.measure != unit::one || step.coefficient <= 0) {
+    if (!step.is_fraction() || step.coefficient <= 0) {
         throw std::invalid_argument("is not a positive number");
     }
     return step;

@@ -24,7 +24,7 @@ std::vector<exact> read_moduli(const std::string& option, const std::string& typ
     }
     auto moduli = reading(option, typed, modulus_remedy, [&] { return read_grid(typed); });
     for (const exact& modulus : moduli) {
-        if (modulus.measure != unit::one) {
+        if (!modulus.is_number()) {
             throw input_error(option, typed, "has '" + modulus.text + "', which has a unit", modulus_remedy);
         }
     }
@@ -32,10 +32,10 @@ std::vector<exact> read_moduli(const std::string& option, const std::string& typ
 }
 
 void read_parameters(elliptic_request& request, const said_words& said, elliptic_grid grid) {
-    using make = exact_parameter (*)(const rational&);
-    const std::array<std::pair<const char*, make>, 3> ways{std::pair{"--k", &exact_parameter::from_modulus},
-                                                           std::pair{"--m", &exact_parameter::from_parameter},
-                                                           std::pair{"--m1", &exact_parameter::from_complement}};
+    using make = exact_parameter (*)(const exact&);
+    constexpr std::array<std::pair<const char*, make>, 3> ways{{{"--k", &exact_parameter::from_modulus},
+                                                                {"--m", &exact_parameter::from_parameter},
+                                                                {"--m1", &exact_parameter::from_complement}}};
     for (const auto& [option, from] : ways) {
         const auto& typed = said[option];
         if (!typed) {
@@ -84,7 +84,7 @@ void read_arguments(elliptic_request& request, const said_words& said) {
     }
     request.arguments = reading(option, *value, argument_remedy, [&] { return read_grid(*value); });
     for (const exact& argument : request.arguments) {
-        if (argument.measure == unit::period || (argument.measure == unit::degree && !integral)) {
+        if (argument.has_periods() || (argument.measure == unit::degree && !integral)) {
             throw input_error(option, *value, "has '" + argument.text + "', which is no number", argument_remedy);
         }
     }
@@ -131,7 +131,7 @@ long digits_before_point(const exact& argument) {
 }
 
 bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p) {
-    return (function == "K" && p.complement() == 0) || (function == "F" && infinite_sign(at, p) != 0);
+    return (function == "K" && p.complement().is_zero()) || (function == "F" && infinite_sign(at, p) != 0);
 }
 
 ball function_ball(const std::string& function, const exact& at, const exact_parameter& p) {

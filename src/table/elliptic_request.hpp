@@ -13,9 +13,9 @@ namespace libration {
 /// A modulus k, parameter m or complementary parameter m1 as typed.
 struct typed_parameter {
     exact typed;
-    exact_parameter (*from)(const rational&);
+    exact_parameter (*from)(const exact&);
 
-    exact_parameter value() const { return from(typed.coefficient); }
+    exact_parameter value() const { return from(typed); }
 };
 
 /// Every function at every argument and every parameter.

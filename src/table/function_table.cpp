@@ -23,13 +23,13 @@ std::string condition_text(const std::string& function, const exact& at, const t
     if (is_infinite(function, at, parameter.value())) {
         return "inf";
     }
-    const auto value = [&](const exact& u, const rational& x) { return function_ball(function, u, parameter.from(x)); };
+    const auto value = [&](const exact& u, const exact& x) { return function_ball(function, u, parameter.from(x)); };
     std::string before;
     constexpr long most_digits = 100'000;
     for (long digits = 40 + digits_before_point(at); digits <= most_digits; digits *= 2) {
         const precision_scope scope(digits);
         try {
-            const auto condition = function_condition(value, at, parameter.typed.coefficient);
+            const auto condition = function_condition(value, at, parameter.typed);
             std::string now = condition ? to_decimal(*condition, 3) : "inf";
             if (now == before) {
                 return now;

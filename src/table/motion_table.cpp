@@ -51,12 +51,14 @@ private:
             return 0;
         }
         const precision_scope scope(20);
-        if (time.measure == unit::period) {
+        if (time.only_periods()) {
             return binary_exponent(from_rational<mpfr>(time.coefficient)) + 3;
         }
-        const mpfr elapsed = from_exact<mpfr>(time) / time_unit<mpfr>(of_.of);
+        const mpfr elapsed = from_exact<mpfr>(time.without_periods()) / time_unit<mpfr>(of_.of);
         const long of_energy = binary_exponent(energies<mpfr>(of_.of).energy);
-        return binary_exponent(elapsed) + std::max(0L, of_energy / 2 + 2);
+        const long of_rest = binary_exponent(elapsed) + std::max(0L, of_energy / 2 + 2);
+        return time.has_periods() ? std::max(of_rest, binary_exponent(from_rational<mpfr>(time.periods())) + 3)
+                                  : of_rest;
     }
 
     const grid_motion& of_;
@@ -149,8 +151,7 @@ private:
             return time.text;
         }
         const long more = digits_ + more_input_digits;
-        return time.measure == unit::period && !time.is_zero() ? states_.time_text(time, more)
-                                                               : decimal_text(time, more);
+        return time.has_periods() && !time.is_zero() ? states_.time_text(time, more) : decimal_text(time, more);
     }
 
     const grid_motion& of_;
@@ -164,7 +165,7 @@ private:
 }  // namespace
 
 std::string decimal_text(const exact& number, long digits) {
-    if (number.measure == unit::one || number.is_zero()) {
+    if (number.is_fraction() || number.is_zero()) {
         if (const auto finite = to_finite_decimal(number.coefficient)) {
             return *finite;
         }

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "libration/scalar/error.hpp"
+
 namespace libration {
 
 class input_error : public std::runtime_error {
@@ -17,7 +19,8 @@ public:
     explicit input_error(const std::string& line) : std::runtime_error(line) {}
 };
 
-/// read(value), its std::invalid_argument or std::domain_error turned into an input_error of the option.
+/// read(value), its std::invalid_argument, std::domain_error or libration::error turned into an input_error of the
+/// option; what no precision decides is no bad input and stays a libration::error, which then names the option.
 template <class Read>
 auto reading(const std::string& option, const std::string& value, const std::string& remedy, const Read& read) {
     try {
@@ -26,6 +29,11 @@ auto reading(const std::string& option, const std::string& value, const std::str
         throw input_error(option, value, problem.what(), remedy);
     } catch (const std::domain_error& problem) {
         throw input_error(option, value, problem.what(), remedy);
+    } catch (const error& problem) {
+        if (problem.kind() == error_kind::undecided) {
+            throw error(error_kind::undecided, option, value, problem.reason());
+        }
+        throw input_error(option, value, problem.reason(), remedy);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration {
@@ -26,12 +27,14 @@ auto reading_cell(const char* column, const std::string& text, const Read& read)
         throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.what()));
     } catch (const std::domain_error& problem) {
         throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.what()));
+    } catch (const error& problem) {
+        throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.reason()));
     }
 }
 
 exact pure_number(const std::string& text) {
     exact number = read_typed(text);
-    if (number.measure != unit::one) {
+    if (!number.is_number()) {
         throw std::invalid_argument("has a unit");
     }
     return number;
@@ -39,7 +42,7 @@ exact pure_number(const std::string& text) {
 
 exact angle(const std::string& text) {
     exact number = read_typed(text);
-    if (number.measure == unit::period) {
+    if (number.has_periods()) {
         throw std::invalid_argument("is a time");
     }
     return number;
@@ -106,9 +109,14 @@ long places_of(const rational& x) {
 // The e of |t| < 2^e.
 long exponent_of(const exact& time) {
     const precision_scope scope(20);
-    return time.is_zero()
-               ? 0
-               : binary_exponent(from_rational<mpfr>(time.coefficient)) + (time.measure == unit::one ? 0 : 3);
+    if (time.is_zero()) {
+        return 0;
+    }
+    if (time.measure == unit::expression) {
+        return std::max(binary_exponent(from_exact<mpfr>(time.without_periods())),
+                        binary_exponent(from_rational<mpfr>(time.periods())) + 3);
+    }
+    return binary_exponent(from_rational<mpfr>(time.coefficient)) + (time.measure == unit::one ? 0 : 3);
 }
 
 std::string tenths_text(const std::optional<long>& tenths) {

@@ -43,7 +43,7 @@ struct verify_rules {
     std::optional<rational> ulps;
     bool inputs_are_doubles = false;
     motion_cells usual;  ///< what a row has not of a motion
-    rational stiffness = 1;
+    exact stiffness = exactly(1);
 };
 
 enum class row_verdict { ok, miss, malformed };

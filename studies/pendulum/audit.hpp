@@ -62,9 +62,10 @@ inline audit_case case_of(const sweep_energy& at, const exact& time) {
     const precision_scope scope(proved_places);
     const rational gap = 2 - at.value;
     const landen_motion motion(at.value, gap);
-    const ball instant = time.measure == unit::period
-                             ? ball(pi<ball>() * from_rational<ball>(rational(time.coefficient * 2)) / motion.mean())
-                             : from_exact<ball>(time);
+    ball instant = from_exact<ball>(time.without_periods());
+    if (time.has_periods()) {
+        instant += pi<ball>() * from_rational<ball>(rational(time.periods() * 2)) / motion.mean();
+    }
     const auto k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(at.value / 2)))));
     return {&at, time.text, gap, narrow<double>(midpoint_of(instant)), k};
 }

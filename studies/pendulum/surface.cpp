@@ -88,7 +88,7 @@ void require_surface(const study_request& request) {
     const bool critical = std::any_of(request.energies.begin(), request.energies.end(),
                                       [](const sweep_energy& at) { return at.value == 2; });
     for (const exact& time : request.times) {
-        if (critical && time.measure == unit::period) {
+        if (critical && time.has_periods()) {
             throw input_error("--times", time.text, "is a multiple of the period, which is infinite at the energy 2",
                               "write times without T, or leave 2 out of --energies");
         }

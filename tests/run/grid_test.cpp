@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace sweep_grid_test {
@@ -38,6 +39,8 @@ std::string complaint(const Read& read) {
         read();
     } catch (const std::invalid_argument& problem) {
         return problem.what();
+    } catch (const error& problem) {
+        return problem.reason();
     }
     return "accepted";
 }

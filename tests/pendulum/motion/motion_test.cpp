@@ -147,12 +147,51 @@ TEST_CASE("undecidable and impossible motions are refused", "[motion]") {
 TEST_CASE("units change the clock alone", "[motion]") {
     const motion plain = with_state("2.5", "-0.3");
     const motion slow = plain.with_stiffness(rational(1, 4));
-    CHECK(slow.stiffness() == rational(1, 4));
+    CHECK(slow.stiffness().coefficient == rational(1, 4));
     CHECK(slow.regime() == plain.regime());
     CHECK(slow.omega0_squared() == plain.omega0_squared());
     // 0.6 rad/s at gravity/length = 4 is 0.3 dimensionless.
     const motion fast = motion::of_state(read_exact("2.5"), read_exact("-0.6"), 4);
     CHECK(fast.omega0_squared() == plain.omega0_squared());
+}
+
+TEST_CASE("motions by formulas are decided at the precision that it takes", "[motion]") {
+    const motion near_top = with_state("pi-1e-100", "0");
+    CHECK(near_top.regime() == regime::libration);
+    CHECK(near_top.turns() == 0);
+    CHECK(near_top.start_quarter() == 1);
+    CHECK_FALSE(near_top.energy());
+    const motion beyond = with_state("3pi+1e-100", "0");
+    CHECK(beyond.turns() == 2);
+    CHECK(beyond.start_quarter() == -1);
+    CHECK(with_state("2pi+sqrt(2)*1e-50", "1").turns() == 1);
+    const motion root = motion::of_energy(read_exact("sqrt(2)"));
+    CHECK(root.regime() == regime::libration);
+    CHECK_FALSE(root.energy());
+    CHECK(root.exact_gap()->measure == unit::expression);
+    CHECK(motion::of_energy(read_exact("2+exp(-1000)")).regime() == regime::rotation);
+    CHECK(motion::of_energy(read_exact("2-1e-10")).energy() == with_energy("1.9999999999").energy());
+    const motion at_rest = motion::of_energy_from(read_exact("1-cos(1)"), read_exact("1"));
+    CHECK(at_rest.omega0_sign() == 0);
+    CHECK(at_rest.start_quarter() == 1);
+    CHECK_THROWS_AS(motion::of_energy(read_exact("-exp(-1000)")), std::domain_error);
+    for (const std::string energy : {"sqrt(2)^2", "sin(1)^2+cos(1)^2-1"}) {
+        INFO(energy);
+        try {
+            motion::of_energy(read_exact(energy));
+            FAIL("decided");
+        } catch (const error& problem) {
+            CHECK(problem.kind() == error_kind::undecided);
+        }
+    }
+}
+
+TEST_CASE("the same motion as a formula and as a decimal is the same", "[motion]") {
+    const motion decimal = with_state("2.5", "-0.3");
+    const motion formula = with_state("sqrt(2)+2.5-sqrt(2)", "0.3*(1-2)");
+    CHECK(formula.theta0()->coefficient == decimal.theta0()->coefficient);
+    CHECK(formula.omega0_squared() == decimal.omega0_squared());
+    CHECK(formula.condition_bits() == decimal.condition_bits());
 }
 
 }  // namespace pendulum_motion_test

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
@@ -127,17 +128,18 @@ private:
     exact number_in(std::string_view cell) const {
         try {
             exact number = read_exact(cell);
-            if (number.measure == unit::one) {
+            if (number.is_number()) {
                 return number;
             }
-        } catch (const std::invalid_argument& problem) {
-            fail(problem.what());
+        } catch (const error& problem) {
+            fail(problem.reason());
         }
         fail("has a unit");
     }
 
     std::size_t index_in(std::string_view cell) const {
-        const rational n = number_in(cell).coefficient;
+        const exact number = number_in(cell);
+        const rational n = number.is_fraction() ? number.coefficient : rational(-1);
         if (boost::multiprecision::denominator(n) != 1 || n < 0) {
             fail("has an n that is no whole number of 0 or more");
         }

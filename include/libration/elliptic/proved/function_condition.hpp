@@ -17,18 +17,16 @@ namespace libration {
 /// leading digits change with the precision. Cost three values. Throws precision_exhausted where the working precision
 /// does not tell f from 0.
 template <class Value>
-std::optional<mpfr> function_condition(const Value& value, const exact& u, const rational& x) {
+std::optional<mpfr> function_condition(const Value& value, const exact& u, const exact& x) {
     const long step_bits = digits<ball>() / 2;
-    const rational factor = 1 - power_of(2, -step_bits);
+    const exact factor = exactly(rational(1 - power_of(2, -step_bits)));
     const ball f = value(u, x);
     ball sum(0);
     if (!u.is_zero()) {
-        exact moved = u;
-        moved.coefficient *= factor;
-        sum += abs(ball(value(moved, x) - f));
+        sum += abs(ball(value(u * factor, x) - f));
     }
-    if (x != 0) {
-        sum += abs(ball(value(u, rational(x * factor)) - f));
+    if (!x.is_zero()) {
+        sum += abs(ball(value(u, x * factor) - f));
     }
     if (is_exact(sum) && contains_zero(sum)) {
         return mpfr(0);

@@ -18,29 +18,33 @@ namespace libration {
 /// m = k^2 and 1 - m, exactly, 0 <= m <= 1.
 class exact_parameter {
 public:
-    /// Each throws std::domain_error outside [0, 1].
-    static exact_parameter from_modulus(const rational& k) { return from_parameter(checked(k) * k); }
-    static exact_parameter from_parameter(const rational& m) { return {checked(m), rational(1 - m)}; }
-    static exact_parameter from_complement(const rational& m1) { return {rational(1 - m1), checked(m1)}; }
+    /// Each throws std::domain_error outside [0, 1], libration::error of kind undecided where no precision shows on
+    /// which side of 0 or 1 a formula is.
+    static exact_parameter from_modulus(const exact& k) { return from_parameter(checked(k) * k); }
+    static exact_parameter from_parameter(const exact& m) { return {checked(m), exactly(1) - m}; }
+    static exact_parameter from_complement(const exact& m1) { return {exactly(1) - m1, checked(m1)}; }
+    static exact_parameter from_modulus(const rational& k) { return from_modulus(exactly(k)); }
+    static exact_parameter from_parameter(const rational& m) { return from_parameter(exactly(m)); }
+    static exact_parameter from_complement(const rational& m1) { return from_complement(exactly(m1)); }
 
-    const rational& m() const { return m_; }
-    const rational& complement() const { return complement_; }
+    const exact& m() const { return m_; }
+    const exact& complement() const { return complement_; }
     /// k and k', each to the working precision.
     modulus<ball> shape() const {
-        return modulus<ball>::from_both(sqrt(from_rational<ball>(m_)), sqrt(from_rational<ball>(complement_)));
+        return modulus<ball>::from_both(sqrt(from_exact<ball>(m_)), sqrt(from_exact<ball>(complement_)));
     }
 
 private:
-    exact_parameter(rational m, rational complement) : m_(std::move(m)), complement_(std::move(complement)) {}
-    static const rational& checked(const rational& x) {
-        if (x < 0 || x > 1) {
+    exact_parameter(exact m, exact complement) : m_(std::move(m)), complement_(std::move(complement)) {}
+    static const exact& checked(const exact& x) {
+        if (sign_of_exact(x) < 0 || sign_of_exact(exactly(1) - x) < 0) {
             throw std::domain_error("is outside [0, 1]");
         }
         return x;
     }
 
-    rational m_;
-    rational complement_;
+    exact m_;
+    exact complement_;
 };
 
 /// What jacobi_value gives.
@@ -53,7 +57,7 @@ inline ball circular_value(jacobi_function f, const exact& u) {
         case jacobi_function::dn: return ball(1);
         default: break;
     }
-    if (u.measure != unit::one) {
+    if (u.is_angle()) {
         // sin q pi = cos (q - 1/2) pi, and the cosine of a whole number of quarter turns is 1, 0, -1 or 0.
         const rational q = f == jacobi_function::sn ? rational(u.in_pi() - rational(1, 2)) : u.in_pi();
         if (const rational quarters = q * 2; denominator(quarters) == 1) {
@@ -79,10 +83,10 @@ inline ball hyperbolic_value(jacobi_function f, const exact& u) {
 /// point and log2(1/k') of them next to odd multiples of K. Throws precision_exhausted where the quarter is not
 /// decided.
 inline ball jacobi_value(jacobi_function f, const exact& u, const exact_parameter& p) {
-    if (p.m() == 0) {
+    if (p.m().is_zero()) {
         return circular_value(f, u);
     }
-    if (p.complement() == 0) {
+    if (p.complement().is_zero()) {
         return hyperbolic_value(f, u);
     }
     if (u.is_zero()) {
@@ -97,25 +101,14 @@ inline ball jacobi_value(jacobi_function f, const exact& u, const exact_paramete
 }
 
 /// The sign of the infinity that F(phi, m) is: 0 for m < 1 and for |phi| < pi/2. Decided exactly: a rational phi is not
-/// pi/2.
+/// pi/2. Throws libration::error of kind undecided where no precision tells a formula from pi/2.
 inline int infinite_sign(const exact& phi, const exact_parameter& p) {
-    const int sign = phi.coefficient.sign();
-    if (p.complement() != 0) {
+    if (!p.complement().is_zero()) {
         return 0;
     }
-    if (phi.measure != unit::one) {
-        return abs(phi.in_pi()) < rational(1, 2) ? 0 : sign;
-    }
-    for (long digits = 50;; digits *= 2) {
-        const precision_scope scope(digits);
-        const ball size = abs(from_exact<ball>(phi));
-        if (certainly_less(size, pi<ball>() / 2)) {
-            return 0;
-        }
-        if (certainly_less(pi<ball>() / 2, size)) {
-            return sign;
-        }
-    }
+    const int sign = sign_of_exact(phi);
+    const exact quarter_turn{rational(1, 2), unit::pi, "pi/2"};
+    return sign_of_exact(sign < 0 ? quarter_turn + phi : quarter_turn - phi) > 0 ? 0 : sign;
 }
 
 /// F(phi, m) where it is finite, unwrapped; a multiple of K at multiples of pi/2, asinh tan phi at m = 1 [DLMF 19.6.8].
@@ -124,14 +117,16 @@ inline ball incomplete_value(const exact& phi, const exact_parameter& p) {
     if (infinite_sign(phi, p) != 0) {
         throw std::domain_error("F(" + phi.text + ", 1) is infinite");
     }
-    if (phi.is_zero() || p.m() == 0) {
+    if (phi.is_zero() || p.m().is_zero()) {
         return from_exact<ball>(phi);
     }
-    if (p.complement() == 0) {
+    if (p.complement().is_zero()) {
         return asinh(tan(from_exact<ball>(phi)));
     }
-    if (const rational quarters = phi.in_pi() * 2; phi.measure != unit::one && denominator(quarters) == 1) {
-        return complete_integral(p.shape()) * from_rational<ball>(quarters);
+    if (phi.is_angle()) {
+        if (const rational quarters = phi.in_pi() * 2; denominator(quarters) == 1) {
+            return complete_integral(p.shape()) * from_rational<ball>(quarters);
+        }
     }
     return incomplete_integral(from_exact<ball>(phi), p.shape());
 }

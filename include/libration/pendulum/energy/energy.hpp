@@ -40,6 +40,9 @@ energy_pair<T> energies(const motion& m) {
         if (m.energy()) {
             energy = from_rational<W>(*m.energy());
             gap = from_rational<W>(rational(2 - *m.energy()));
+        } else if (m.exact_energy()) {
+            energy = from_exact<W>(*m.exact_energy());
+            gap = from_exact<W>(*m.exact_gap());
         } else {
             const W kinetic = from_rational<W>(rational(*m.omega0_squared() / 2));
             const W cosine = cos(from_exact<W>(*m.theta0()));
@@ -87,7 +90,11 @@ orbit<T> orbit_of(const motion& m) {
 template <scalar T>
 T time_unit(const motion& m) {
     using std::sqrt;
-    return m.stiffness() == 1 ? T(1) : T(sqrt(from_rational<T>(rational(1 / m.stiffness()))));
+    const exact& stiffness = m.stiffness();
+    if (!stiffness.is_fraction()) {
+        return 1 / sqrt(from_exact<T>(stiffness));
+    }
+    return stiffness.coefficient == 1 ? T(1) : T(sqrt(from_rational<T>(rational(1 / stiffness.coefficient))));
 }
 
 }  // namespace libration

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "libration/scalar/concept.hpp"
 #include "libration/scalar/exact.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -25,7 +25,7 @@ struct bounded_value {
 };
 
 /// The sign of a real number known not to be 0: evaluate() is called at 128, 256, ... bits until its value exceeds
-/// twice its error bound. Throws std::domain_error when a million bits do not decide.
+/// twice its error bound. Throws libration::error of kind undecided when a million bits do not decide.
 template <class F>
 proved_sign decide_sign(const F& evaluate, const std::string& what) {
     for (long bits = 128; bits <= (1L << 20); bits *= 2) {
@@ -35,11 +35,15 @@ proved_sign decide_sign(const F& evaluate, const std::string& what) {
             return {mpfr_sgn(handle(at.value)), binary_exponent(at.value)};
         }
     }
-    throw std::domain_error("the sign of " + what + " is not decided by a million bits");
+    throw error(error_kind::undecided, "the sign of " + what, "", "is not decided by a million bits");
 }
 
 /// The sign of an exact fraction.
 proved_sign sign_of(const rational& q);
+
+/// The sign of an exact number. Throws libration::error of kind undecided, which names `what`, where no precision shows
+/// that a formula is not 0.
+proved_sign sign_of(const exact& number, const std::string& what);
 
 /// cos of the angle where it is rational: angles 0 and multiples of pi/2 and pi/3.
 std::optional<rational> rational_cosine(const exact& angle);
@@ -57,7 +61,8 @@ struct winding {
 /// The integer nearest to q, ties to even.
 integer nearest_integer(const rational& q);
 
-/// Turns and rest of an angle; a multiple of pi that is odd has its rest at +pi or -pi.
+/// Turns and rest of an angle; a multiple of pi that is odd has its rest at +pi or -pi. Throws libration::error of kind
+/// undecided where no precision tells a formula from a multiple of pi.
 winding wind(const exact& angle);
 
 }  // namespace libration

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 #include "libration/pendulum/motion/decision.hpp"
 #include "libration/pendulum/motion/regime.hpp"
@@ -18,88 +16,33 @@ namespace libration {
 class motion {
 public:
     /// The canonical motion of energy E: from rest at +arccos(1-E) below 2; from the top (pi, +-sqrt(2E-4)) above; from
-    /// the bottom (0, +-2) at 2. direction is +1 or -1.
-    static motion of_energy(const rational& energy, int direction = 1) {
-        motion result;
-        result.set_energy(energy);
-        result.direction_ = direction;
-        result.omega0_sign_ = direction;
-        const rational above = energy - 2;
-        if (energy == 0) {
-            result.omega0_sign_ = 0;
-            result.theta0_ = exact{};
-        } else if (above == 0) {
-            result.theta0_ = exact{};
-            result.omega0_squared_ = rational(4);
-        } else if (above > 0) {
-            result.theta0_ = read_exact("pi");
-            result.omega0_squared_ = rational(above * 2);
-            result.quarter_ = direction;
-        } else {
-            result.omega0_sign_ = 0;
-            result.omega0_squared_ = rational(0);
-            result.quarter_ = 1;
-        }
-        if (energy == 0 || above == 0) {
-            result.quarter_ = 0;
-        }
-        result.finish();
-        return result;
-    }
+    /// the bottom (0, +-2) at 2. direction is +1 or -1. Throws std::domain_error for a negative energy, libration::error
+    /// of kind undecided where no precision shows the sign of E or of 2 - E.
+    static motion of_energy(const exact& energy, int direction = 1);
+    static motion of_energy(const rational& energy, int direction = 1) { return of_energy(exactly(energy), direction); }
 
     /// Energy E from the angle theta0, omega0 = direction * sqrt(2(E - 1 + cos theta0)).
-    /// Throws std::domain_error when the energy does not reach theta0.
+    /// Throws as of_energy(), and std::domain_error when the energy does not reach theta0.
+    static motion of_energy_from(const exact& energy, const exact& theta0, int direction = 1);
     static motion of_energy_from(const rational& energy, const exact& theta0, int direction = 1) {
-        motion result;
-        result.set_energy(energy);
-        result.set_angle(theta0);
-        // E - 1 + cos theta0 = omega0^2/2.
-        const proved_sign kinetic =
-            sign_of_sum_with_cosine(rational(energy - 1), theta0, "E - 1 + cos(" + theta0.text + ")");
-        if (kinetic.sign < 0) {
-            throw std::domain_error("is not reached with this energy");
-        }
-        result.omega0_sign_ = kinetic.sign * direction;
-        result.direction_ = direction;
-        if (const auto cosine = rational_cosine(theta0)) {
-            result.omega0_squared_ = rational((energy - 1 + *cosine) * 2);
-        }
-        result.note_condition(kinetic.exponent);
-        result.finish();
-        return result;
+        return of_energy_from(exactly(energy), theta0, direction);
     }
 
-    /// From the angle theta0 with angular velocity omega0, a fraction; stiffness is gravity/length in the units of
-    /// omega0 squared. Throws std::domain_error for an omega0 with pi in it, whose regime would not be decidable.
-    static motion of_state(const exact& theta0, const exact& omega0, const rational& stiffness = 1) {
-        if (omega0.measure != unit::one) {
-            throw std::domain_error("is not a decimal or a fraction");
-        }
-        motion result;
-        result.stiffness_ = stiffness;
-        result.set_angle(theta0);
-        result.omega0_sign_ = omega0.coefficient.sign();
-        result.direction_ = result.omega0_sign_ < 0 ? -1 : 1;
-        result.omega0_squared_ = rational(omega0.coefficient * omega0.coefficient / stiffness);
-        const rational kinetic = *result.omega0_squared_ / 2;
-        if (const auto cosine = rational_cosine(theta0)) {
-            result.set_energy(rational(1 - *cosine + kinetic));
-        } else {
-            result.gap_ = sign_of_sum_with_cosine(rational(1 - kinetic), theta0, "2 - E");
-            const auto minus_energy = sign_of_sum_with_cosine(rational(-1 - kinetic), theta0, "E");
-            result.note_condition(minus_energy.exponent);
-            result.note_condition(result.gap_.exponent);
-        }
-        result.finish();
-        return result;
+    /// From the angle theta0 with angular velocity omega0; stiffness is gravity/length in the units of omega0 squared.
+    /// Throws std::domain_error for an omega0 that is a bare fraction of pi, libration::error of kind undecided where no
+    /// precision shows the regime.
+    static motion of_state(const exact& theta0, const exact& omega0, const exact& stiffness = exactly(1));
+    static motion of_state(const exact& theta0, const exact& omega0, const rational& stiffness) {
+        return of_state(theta0, omega0, exactly(stiffness));
     }
 
     /// The same motion in units of a pendulum of this gravity/length: times in seconds.
-    motion with_stiffness(const rational& stiffness) const {
+    motion with_stiffness(const exact& stiffness) const {
         motion result = *this;
         result.stiffness_ = stiffness;
         return result;
     }
+    motion with_stiffness(const rational& stiffness) const { return with_stiffness(exactly(stiffness)); }
 
     libration::regime regime() const { return regime_; }
     /// +1 counterclockwise, -1 clockwise, for rotation and separatrix.
@@ -112,10 +55,19 @@ public:
     const std::optional<rational>& energy() const { return energy_; }
     /// theta0 as typed, where it was typed.
     const std::optional<exact>& theta0() const { return theta0_; }
+    /// E and 2-E as exact numbers: where E was given, and where it is rational or follows from a formula.
+    const std::optional<exact>& exact_energy() const { return exact_energy_; }
+    const std::optional<exact>& exact_gap() const { return exact_gap_; }
     /// omega0^2, dimensionless, where it is rational.
-    const std::optional<rational>& omega0_squared() const { return omega0_squared_; }
+    std::optional<rational> omega0_squared() const {
+        return exact_omega0_squared_ && exact_omega0_squared_->is_fraction()
+                   ? std::optional(exact_omega0_squared_->coefficient)
+                   : std::nullopt;
+    }
+    /// omega0^2, dimensionless, where it is an exact number that was given.
+    const std::optional<exact>& exact_omega0_squared() const { return exact_omega0_squared_; }
     /// gravity/length.
-    const rational& stiffness() const { return stiffness_; }
+    const exact& stiffness() const { return stiffness_; }
     /// Where the motion starts exactly on a symmetric point: 0 bottom, 1 top, 2 the other way through the bottom, -1 or
     /// 3 the opposite top; the phase of the start in units of T*, counted in the direction of motion (the clockwise
     /// canonical rotation starts at -1).
@@ -132,51 +84,15 @@ private:
         }
     }
 
-    void set_energy(const rational& energy) {
-        if (energy < 0) {
-            throw std::domain_error("is a negative energy");
-        }
-        energy_ = energy;
-        gap_ = sign_of(rational(2 - energy));
-        note_condition(sign_of(energy).exponent);
-        note_condition(gap_.exponent);
-    }
-
-    void set_angle(const exact& theta0) {
-        theta0_ = theta0;
-        const winding wound = wind(theta0);
-        turns_ = wound.turns;
-        rest_ = wound.rest;
-        note_condition(rest_.exponent);
-        if (turns_ != 0) {
-            turn_bits_ = static_cast<long>(msb(integer(abs(turns_)))) + 4;
-        }
-    }
-
+    void set_energy(const exact& energy);
+    void set_energy_and_gap(exact energy, exact gap);
+    void set_angle(const exact& theta0);
+    void set_omega0_squared(exact squared);
+    // E of a start whose energy is no fraction.
+    void set_energy_of_start(const exact& kinetic);
     // Regime and symmetric start from the signs of 2-E, of omega0 and of theta0 - 2 pi turns.
-    void finish() {
-        const bool at_rest = omega0_sign_ == 0;
-        if (energy_ && *energy_ == 0) {
-            regime_ = libration::regime::stable_equilibrium;
-        } else if (gap_.sign > 0) {
-            regime_ = libration::regime::libration;
-        } else if (gap_.sign < 0) {
-            regime_ = libration::regime::rotation;
-        } else {
-            regime_ = at_rest ? libration::regime::unstable_equilibrium : libration::regime::separatrix;
-        }
-        if (quarter_) {
-            return;
-        }
-        const bool on_top = theta0_ && theta0_->measure != unit::one && denominator(theta0_->in_pi()) == 1 &&
-                            numerator(theta0_->in_pi()) % 2 != 0;
-        if (rest_.sign == 0) {
-            quarter_ = regime_ == libration::regime::libration && omega0_sign_ < 0 ? 2 : 0;
-        } else if (at_rest || (on_top && regime_ == libration::regime::rotation)) {
-            // At a turning point, or rotating through the top: theta - 2 pi turns = direction * 2 am there.
-            quarter_ = regime_ == libration::regime::rotation ? rest_.sign * direction_ : rest_.sign;
-        }
-    }
+    void finish();
+    void place_symmetric_start();
 
     libration::regime regime_ = libration::regime::libration;
     int direction_ = 1;
@@ -185,9 +101,11 @@ private:
     proved_sign gap_;
     proved_sign rest_;
     std::optional<rational> energy_;
+    std::optional<exact> exact_energy_;
+    std::optional<exact> exact_gap_;
     std::optional<exact> theta0_;
-    std::optional<rational> omega0_squared_;
-    rational stiffness_ = 1;
+    std::optional<exact> exact_omega0_squared_;
+    exact stiffness_ = exactly(1);
     std::optional<int> quarter_;
     long condition_bits_ = 0;  // of E, 2-E, omega0 and theta0 - 2 pi turns
     long turn_bits_ = 0;       // of the turns, which come on top of each of them

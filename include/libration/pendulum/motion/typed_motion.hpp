@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 
 #include "libration/pendulum/motion/motion.hpp"
 #include "libration/scalar/text/written_number.hpp"
@@ -16,38 +15,18 @@ struct typed_motion {
     std::optional<exact> gap;
     std::optional<exact> energy;
     int direction = 1;
-    rational stiffness = 1;
+    exact stiffness = exactly(1);
 
     bool by_state() const { return theta0 && omega0; }
 
     /// E, exactly. Throws std::domain_error where neither gap nor energy is given.
-    rational exact_energy() const {
-        if (!gap && !energy) {
-            throw std::domain_error("has no energy");
-        }
-        return gap ? rational(2 - gap->coefficient) : energy->coefficient;
-    }
+    exact exact_energy() const;
 
     /// The motion; throws std::domain_error as motion does, where an energy is negative or does not reach theta0.
-    libration::motion motion() const {
-        if (by_state()) {
-            return libration::motion::of_state(*theta0, *omega0, stiffness);
-        }
-        const libration::motion of = theta0 ? libration::motion::of_energy_from(exact_energy(), *theta0, direction)
-                                            : libration::motion::of_energy(exact_energy(), direction);
-        return of.with_stiffness(stiffness);
-    }
+    libration::motion motion() const;
 
     /// With the nearest double in the place of each number.
-    typed_motion in_double() const {
-        typed_motion rounded = *this;
-        for (std::optional<exact>* number : {&rounded.theta0, &rounded.omega0, &rounded.gap, &rounded.energy}) {
-            if (*number) {
-                *number = nearest_double(**number);
-            }
-        }
-        return rounded;
-    }
+    typed_motion in_double() const;
 };
 
 }  // namespace libration

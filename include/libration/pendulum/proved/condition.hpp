@@ -55,14 +55,14 @@ public:
         if (motion_.at_rest()) {
             of_numbers = moved_at_rest(elapsed);
         } else {
-            const bool in_periods = time.measure == unit::period;
+            const mpfr share = share_of_periods(time, elapsed);
             if (in_double_ && serves_double(m, std::max(exponent, binary_exponent(size)))) {
-                of_numbers = mpfr(moved(*in_double_, in_periods, convert<double>(elapsed), convert<double>(theta),
-                                        convert<double>(omega)));
+                of_numbers = mpfr(moved(*in_double_, convert<double>(share), convert<double>(elapsed),
+                                        convert<double>(theta), convert<double>(omega)));
             } else if (precise_) {
-                of_numbers = moved(*precise_, in_periods, elapsed, theta, omega);
+                of_numbers = moved(*precise_, share, elapsed, theta, omega);
             } else {
-                of_numbers = moved(variation<mpfr>(m), in_periods, elapsed, theta, omega);
+                of_numbers = moved(variation<mpfr>(m), share, elapsed, theta, omega);
             }
         }
         return mpfr((of_time + of_numbers) / (size > 1 ? size : mpfr(1)));
@@ -81,18 +81,43 @@ private:
     // Whether double does at a time, or an angle, of this binary exponent. Beyond its range of energies it does not.
     static bool serves_double(const libration::motion& m, long exponent) {
         return !at_critical_energy(m.regime()) && bits_for(m, exponent) <= digits<double>() &&
-               (!m.energy() || *m.energy() < largest_energy);
+               (m.energy() ? *m.energy() < largest_energy : !m.exact_energy() || is_moderate(*m.exact_energy()));
+    }
+
+    static bool is_moderate(const exact& energy) {
+        const precision_scope rough(20);
+        return from_exact<mpfr>(energy) < largest_energy;
+    }
+
+    // The part of the time that is a multiple of T: 1 of T/4, 0 of 5, between or beyond of T/4+5.
+    mpfr share_of_periods(const exact& time, const mpfr& elapsed) const {
+        if (!time.has_periods() || time.only_periods()) {
+            return time.measure == unit::period ? 1 : 0;
+        }
+        return 1 - dimensionless_time<mpfr>(motion_.of(), time.without_periods()) / elapsed;
+    }
+
+    // The solutions at a time of which a share moves with T.
+    template <class T>
+    static variation_pair<T> at_share(const variation<T>& v, const T& share, const T& elapsed, const T& theta,
+                                      const T& omega) {
+        if (share == 0 || share == 1) {
+            return share == 1 ? v.at_fraction(theta, omega) : v.at(elapsed, theta, omega);
+        }
+        auto at = v.at(elapsed, theta, omega);
+        at.phi += (v.at_fraction(theta, omega).phi - at.phi) * share;
+        return at;
     }
 
     // sum |x dtheta/dx|, from the two solutions in the arithmetic of v.
     template <class T>
-    T moved(const variation<T>& v, bool in_periods, const T& elapsed, const T& theta, const T& omega) const {
+    T moved(const variation<T>& v, const T& share, const T& elapsed, const T& theta, const T& omega) const {
         using std::abs;
-        const auto at = in_periods ? v.at_fraction(theta, omega) : v.at(elapsed, theta, omega);
+        const auto at = at_share(v, share, elapsed, theta, omega);
         if (typed_.by_state()) {
             return abs(T(angle<T>() * v.by_angle(at))) + abs(T(v.omega0() * v.by_speed(at)));
         }
-        const auto energy = from_rational<T>((typed_.gap ? typed_.gap : typed_.energy)->coefficient);
+        const auto energy = from_exact<T>(typed_.gap ? *typed_.gap : *typed_.energy);
         if (typed_.theta0) {
             return abs(T(angle<T>() * v.by_angle_at_energy(at))) + abs(T(energy * v.by_energy_from_angle(at)));
         }

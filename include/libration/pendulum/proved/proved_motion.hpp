@@ -81,7 +81,7 @@ public:
 private:
     // Start and elapsed time in T* since the bottom, where both are exact.
     std::optional<rational> quarters_at(const exact& time) const {
-        if (!periodic() || !motion_.start_quarter() || (time.measure != unit::period && !time.is_zero())) {
+        if (!periodic() || !motion_.start_quarter() || !time.only_periods()) {
             return std::nullopt;
         }
         return rational(time.coefficient * quarters_per_period(motion_.regime()) + *motion_.start_quarter());
@@ -113,9 +113,12 @@ private:
     }
 
     enclosed_state at_number(const exact& time) const {
-        const ball z = engine_->mean() * (from_exact<ball>(time) / seconds_);
-        const rational from_top = *motion_.start_quarter() - 1;
-        return placed(engine_->state_at(z + pi<ball>() * from_rational<ball>(rational(from_top / 2))), 0);
+        const int cycle = quarters_per_period(motion_.regime());
+        const rational quarters = time.periods() * cycle;
+        const integer whole = nearest_integer(rational(quarters / cycle)) * cycle;
+        const ball z = engine_->mean() * (from_exact<ball>(time.without_periods()) / seconds_);
+        const rational from_top = quarters - rational(whole) + *motion_.start_quarter() - 1;
+        return placed(engine_->state_at(z + pi<ball>() * from_rational<ball>(rational(from_top / 2))), whole);
     }
 
     // From the canonical motion to this one; `whole` is an even number of quarters that rotation has gained besides.

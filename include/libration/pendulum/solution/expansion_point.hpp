@@ -17,7 +17,7 @@ struct expansion_point {
     exact time;  ///< for place::time
 };
 
-/// Reads top, bottom, start or a time; throws std::invalid_argument as read_exact does.
+/// Reads top, bottom, start or a time; throws libration::error as read_exact does, std::invalid_argument for an angle.
 inline expansion_point read_expansion_point(std::string_view text) {
     using place = expansion_point::place;
     if (text == "top") {

@@ -103,8 +103,8 @@ private:
         const T half = (from_exact<T>(*motion_.theta0()) - whole_turns<T>(motion_.turns())) / 2;
         half_sine_ = sin(half);
         half_cosine_ = cos(half);
-        const T squared = motion_.omega0_squared()
-                              ? from_rational<T>(*motion_.omega0_squared())
+        const T squared = motion_.exact_omega0_squared()
+                              ? from_exact<T>(*motion_.exact_omega0_squared())
                               : T(from_rational<T>(rational(*motion_.energy() * 2)) - half_sine_ * half_sine_ * 4);
         omega0_ = sqrt(squared) * motion_.omega0_sign();
         if (motion_.regime() == regime::separatrix) {

@@ -36,7 +36,11 @@ public:
 
     /// An exact time as a number.
     T dimensionless(const exact& time) const {
-        return time.measure == unit::period ? T(from_rational<T>(time.coefficient) * period()) : from_exact<T>(time);
+        if (!time.has_periods()) {
+            return from_exact<T>(time);
+        }
+        const T whole = from_rational<T>(time.periods()) * period();
+        return time.only_periods() ? whole : T(whole + from_exact<T>(time.without_periods()));
     }
 
     /// sum_{n=0}^{N} a_n t^n, N up to the order: theta is odd about the bottom, so by Horner's rule in t^2. Beyond the

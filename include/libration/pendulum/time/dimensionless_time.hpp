@@ -9,21 +9,25 @@ namespace libration {
 /// it is the exact period. A few units in the last place. Throws std::domain_error for a multiple of T at E = 2.
 template <scalar T>
 T dimensionless_time(const motion& m, const exact& time) {
-    if (time.measure != unit::period) {
+    if (!time.has_periods()) {
         return from_exact<T>(time) / time_unit<T>(m);
     }
     if (time.is_zero()) {
         return T(0);
     }
-    const rational quarters = time.coefficient * quarters_per_period(m.regime());
-    return effective_period(orbit_of<T>(m)) * from_rational<T>(quarters);
+    const rational quarters = time.periods() * quarters_per_period(m.regime());
+    const T whole = effective_period(orbit_of<T>(m)) * from_rational<T>(quarters);
+    return time.only_periods() ? whole : T(whole + from_exact<T>(time.without_periods()) / time_unit<T>(m));
 }
 
 /// t/T, exact where the time was typed as a multiple of T. Throws std::domain_error at E = 2.
 template <scalar T>
 T elapsed_periods(const motion& m, const exact& time) {
-    if (time.measure == unit::period) {
+    if (time.only_periods()) {
         return from_rational<T>(time.coefficient);
+    }
+    if (time.has_periods()) {
+        return from_rational<T>(time.periods()) + elapsed_periods<T>(m, time.without_periods());
     }
     return dimensionless_time<T>(m, time) / (effective_period(orbit_of<T>(m)) * quarters_per_period(m.regime()));
 }

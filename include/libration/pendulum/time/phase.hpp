@@ -26,7 +26,7 @@ T whole_turns(const integer& turns) {
 }
 
 /// sin and cos of the amplitude of a start: of theta0/2 less the whole turns, and on a libration, both times k,
-/// sin(theta0/2) and |omega0|/2, from omega0^2 where it is rational, else sqrt(E/2 - sin^2(theta0/2)).
+/// sin(theta0/2) and |omega0|/2, from omega0^2 where it is an exact number, else sqrt(E/2 - sin^2(theta0/2)).
 template <scalar T>
 struct start_amplitude {
     T sine;
@@ -44,8 +44,8 @@ start_amplitude<T> amplitude_at_start(const motion& m) {
     if (m.regime() != regime::libration) {
         return {std::move(sine), cos(half)};
     }
-    T speed = m.omega0_squared() ? T(sqrt(from_rational<T>(*m.omega0_squared())) / 2)
-                                 : T(sqrt(from_rational<T>(rational(*m.energy() / 2)) - sine * sine));
+    T speed = m.exact_omega0_squared() ? T(sqrt(from_exact<T>(*m.exact_omega0_squared())) / 2)
+                                       : T(sqrt(from_rational<T>(rational(*m.energy() / 2)) - sine * sine));
     return {std::move(sine), std::move(speed)};
 }
 
@@ -86,19 +86,24 @@ private:
     long bits_for(long margin) const { return digits<T>() + motion_.condition_bits() + margin; }
 
     phase<W> wide_at(const exact& time) const {
-        if (time.measure == unit::period && at_critical_energy(motion_.regime())) {
+        if (time.has_periods() && at_critical_energy(motion_.regime())) {
             throw std::domain_error("is a multiple of an infinite period");
         }
-        if (time.measure == unit::period && by_.method == period_method::agm) {
-            return advance(exact{}, rational(time.coefficient * quarters_per_period(motion_.regime())),
-                           bits_for(default_margin));
+        if (time.has_periods() && by_.method == period_method::agm) {
+            const exact rest = time.without_periods();
+            return advance(rest, rational(time.periods() * quarters_per_period(motion_.regime())), bits_at(rest));
         }
+        return advance(time, 0, bits_at(time));
+    }
+
+    // The bits for a time with digits before its point.
+    long bits_at(const exact& time) const {
         long before_point = 0;
         if (!time.is_zero()) {
             const precision_scope rough(20);
             before_point = std::max(0L, binary_exponent(dimensionless_time<W>(motion_, time)));
         }
-        return advance(time, 0, bits_for(default_margin + 2 * before_point));
+        return bits_for(default_margin + 2 * before_point);
     }
 
     // Start + elapsed + quarters * T*, reduced.

@@ -22,9 +22,16 @@ T from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<T>(number.coefficient);
         case unit::period: throw std::domain_error(number.text + " is a multiple of a period, not a number");
-        default: break;
+        case unit::expression: break;
+        default: return from_rational<T>(number.in_pi()) * pi<T>();
     }
-    return from_rational<T>(number.in_pi()) * pi<T>();
+    if (number.has_periods()) {
+        throw std::domain_error(number.text + " is a multiple of a period, not a number");
+    }
+    const number_bounds within = number.formula->narrowed(T::working_bits() + 8);
+    T result;
+    arb_set_interval_mpfr(result.handle(), handle(within.lower), handle(within.upper), T::working_bits());
+    return result;
 }
 
 }  // namespace libration

@@ -1,5 +1,6 @@
 #include "libration/pendulum/motion/decision.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace libration {
@@ -9,11 +10,28 @@ proved_sign sign_of(const rational& q) {
     return {q.sign(), binary_exponent(from_rational<mpfr>(q))};
 }
 
+proved_sign sign_of(const exact& number, const std::string& what) {
+    if (number.measure != unit::expression) {
+        const precision_scope scope(20);
+        return {number.coefficient.sign(), binary_exponent(from_exact<mpfr>(number))};
+    }
+    try {
+        const number_bounds within = number.formula->narrowed(8);
+        return {within.lower > 0 ? 1 : -1, binary_exponent(within.lower)};
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided) {
+            throw;
+        }
+        throw error(error_kind::undecided, "the sign of " + what, number.text,
+                    "is not decided: it " + problem.reason());
+    }
+}
+
 std::optional<rational> rational_cosine(const exact& angle) {
     if (angle.is_zero()) {
         return rational(1);
     }
-    if (angle.measure == unit::one) {
+    if (!angle.is_angle()) {
         return std::nullopt;
     }
     const rational q = angle.in_pi();
@@ -60,7 +78,34 @@ integer nearest_integer(const rational& q) {
     return tie && above % 2 != 0 ? integer(above - 1) : above;
 }
 
+namespace {
+
+// The turns of a formula: the nearest whole number of an approximation, and what is left is between -pi and pi or not.
+winding wind_formula(const exact& angle) {
+    integer turns;
+    {
+        const long size = std::max(0L, sign_of(angle, "an angle").exponent);
+        const precision_scope scope(decimal_digits(64 + size));
+        turns = nearest_integer(from_exact<mpfr>(angle) / (pi<mpfr>() * 2));
+    }
+    const exact half_turn{1, unit::pi, "pi"};
+    for (;;) {
+        const exact rest = exactly(as_expression(angle) - expression(rational(turns * 2), unit::pi), angle.text);
+        const proved_sign sign = sign_of(rest, angle.text + " modulo 2 pi");
+        const std::string what = "pi less |" + angle.text + "| modulo 2 pi";
+        if (sign_of(sign.sign < 0 ? half_turn + rest : half_turn - rest, what).sign >= 0) {
+            return {turns, sign};
+        }
+        turns += sign.sign;
+    }
+}
+
+}  // namespace
+
 winding wind(const exact& angle) {
+    if (angle.measure == unit::expression) {
+        return wind_formula(angle);
+    }
     if (angle.measure != unit::one || angle.is_zero()) {
         const rational half_turns = angle.in_pi();
         const integer turns = nearest_integer(rational(half_turns / 2));

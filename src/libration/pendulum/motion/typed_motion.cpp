@@ -1,0 +1,33 @@
+#include "libration/pendulum/motion/typed_motion.hpp"
+
+#include <stdexcept>
+
+namespace libration {
+
+exact typed_motion::exact_energy() const {
+    if (!gap && !energy) {
+        throw std::domain_error("has no energy");
+    }
+    return gap ? exactly(2) - *gap : *energy;
+}
+
+motion typed_motion::motion() const {
+    if (by_state()) {
+        return libration::motion::of_state(*theta0, *omega0, stiffness);
+    }
+    const libration::motion of = theta0 ? libration::motion::of_energy_from(exact_energy(), *theta0, direction)
+                                        : libration::motion::of_energy(exact_energy(), direction);
+    return of.with_stiffness(stiffness);
+}
+
+typed_motion typed_motion::in_double() const {
+    typed_motion rounded = *this;
+    for (std::optional<exact>* number : {&rounded.theta0, &rounded.omega0, &rounded.gap, &rounded.energy}) {
+        if (*number) {
+            *number = nearest_double(**number);
+        }
+    }
+    return rounded;
+}
+
+}  // namespace libration
