@@ -36,7 +36,7 @@ concept field = ring<R> && requires(R a, const R b, int n) {
     R(b / n);
 };
 
-namespace elementary {
+namespace elementary_functions {
 
 using std::cos;
 using std::exp;
@@ -54,11 +54,11 @@ concept has_functions = requires(const T x) {
     T(cos(x));
 };
 
-}  // namespace elementary
+}  // namespace elementary_functions
 
 /// A field with the elementary functions that has specialised scalar_traits. Order is not asked for: balls have none.
 template <class T>
-concept scalar = field<T> && has_scalar_traits<T> && elementary::has_functions<T> &&
+concept scalar = field<T> && has_scalar_traits<T> && elementary_functions::has_functions<T> &&
     requires(const T x, const wide_t<T> y, const rational q, long exponent) {
     { scalar_traits<T>::epsilon() } -> std::convertible_to<T>;
     { scalar_traits<T>::pi() } -> std::convertible_to<T>;

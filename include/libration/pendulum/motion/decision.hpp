@@ -7,8 +7,8 @@
 #include <string>
 
 #include "libration/scalar/concept.hpp"
-#include "libration/scalar/exact.hpp"
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/exact.hpp"
 
 namespace libration {
 
