@@ -45,11 +45,13 @@ target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFA
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_package(FLINT 2.9 QUIET)
 if(FLINT_FOUND)
-    add_library(libration-proved INTERFACE)
+    add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
     set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved)
-    target_link_libraries(libration-proved INTERFACE libration FLINT::FLINT)
+    target_link_libraries(libration-proved
+        PUBLIC libration FLINT::FLINT
+        PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 endif()
 
 include(CMakePackageConfigHelpers)

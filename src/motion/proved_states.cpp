@@ -1,11 +1,11 @@
 #include "motion/proved_states.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
-#include "run/proofs.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -104,7 +104,7 @@ std::string proved_states::time_text(const exact& time, long digits) {
                          from_rational<ball>(rational(time.coefficient * quarters_per_period(motion_.regime())))
                    : from_exact<ball>(time);
     };
-    return proved_decimals(digits, [&] { return std::vector<ball>{value()}; }).front().text;
+    return proved_value(digits, value).text;
 }
 
 std::vector<ball> proved_states::second_route(const exact& time) const {
@@ -119,27 +119,22 @@ std::vector<ball> proved_states::second_route(const exact& time) const {
 
 bool proved_states::confirms(const exact& time) {
     const long before = digits_before_point(motion_, time);
-    for (long guard = first_guard; guard <= most_guard_digits; guard *= 2) {
-        const precision_scope scope(digits_ + before + guard);
-        try {
-            const proved_motion& here = motion_here();
-            if (here.at_rest()) {
-                return true;
-            }
-            const enclosed_state first = here.at(time);
-            const std::vector<ball> second = second_route(time);
-            if (!overlaps(first.theta, second[0]) || !overlaps(first.omega, second[1])) {
-                return false;
-            }
-            if (shows_digits(second[0], first.theta, digits_) && shows_digits(second[1], first.omega, digits_)) {
-                return true;
-            }
-        } catch (const precision_exhausted&) {
-            continue;
+    const auto attempt = [&](const precision_run& /*run*/) -> std::optional<bool> {
+        const proved_motion& here = motion_here();
+        if (here.at_rest()) {
+            return true;
         }
-    }
-    throw std::runtime_error("a check is impossible: the second route needs more than " +
-                             std::to_string(most_guard_digits) + " guard digits");
+        const enclosed_state first = here.at(time);
+        const std::vector<ball> second = second_route(time);
+        if (!overlaps(first.theta, second[0]) || !overlaps(first.omega, second[1])) {
+            return false;
+        }
+        const bool narrow =
+            shows_digits(second[0], first.theta, digits_) && shows_digits(second[1], first.omega, digits_);
+        return narrow ? std::optional(true) : std::nullopt;
+    };
+    return with_growing_precision(proving(digits_ + before), "the check at time " + time.text + " by a second route",
+                                  attempt);
 }
 
 proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {

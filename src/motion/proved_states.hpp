@@ -30,8 +30,8 @@ public:
         std::string radius;
     };
 
-    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws std::runtime_error where
-    /// the precision ends before the digits are proved.
+    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws error of the kind
+    /// undecided where the precision ends before the digits are proved.
     state_text at(const exact& time);
     constant_texts constants();
     /// E and 2-E.
@@ -42,7 +42,7 @@ public:
 
     /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
     /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At
-    /// rest there is nothing to compare. Throws std::runtime_error where they do not get so narrow.
+    /// rest there is nothing to compare. Throws error of the kind undecided where they do not get so narrow.
     bool confirms(const exact& time);
 
 private:

@@ -313,15 +313,6 @@ void output_options::write_content(const std::string& content) const {
     }
 }
 
-energy_texts energy_texts_of(const chosen_motion& chosen, long digits) {
-    if (chosen.energy && chosen.gap) {
-        return {*chosen.energy, *chosen.gap};
-    }
-    const precision_scope scope(digits + 10);
-    const auto pair = energies<mpfr>(chosen.of);
-    return {to_decimal(pair.energy, digits), to_decimal(pair.gap, digits)};
-}
-
 output_folder::output_folder(const std::string& option, std::string path) : path_(std::move(path)) {
     namespace fs = std::filesystem;
     if (path_.empty()) {

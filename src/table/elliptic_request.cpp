@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "option/options.hpp"
 #include "run/grid.hpp"
-#include "run/proofs.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -146,7 +146,7 @@ std::string function_text(const std::string& function, const exact& at, const ex
     if (is_infinite(function, at, p)) {
         return function == "F" && infinite_sign(at, p) < 0 ? "-inf" : "inf";
     }
-    return proved_decimals(digits, [&] { return std::vector<ball>{function_ball(function, at, p)}; }).front().text;
+    return proved_value(digits, [&] { return function_ball(function, at, p); }).text;
 }
 
 }  // namespace libration

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "libration/digits/growing_precision.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration {
@@ -229,20 +230,15 @@ std::optional<judgement> row_judge::judge_value(const std::string& text, const b
 
 std::optional<row_judge::value_verdicts> row_judge::try_verdicts(const asked_row& row, known_motion& known, long digits,
                                                                  bool last_attempt) const {
-    const precision_scope scope(digits);
-    try {
-        const conditioned_motion& motion = in_precision(known, digits);
-        const enclosed_state state = motion.of().at(row.time);
-        const auto theta = judge_value(row.theta, state.theta, last_attempt);
-        const auto omega = row.omega.empty() ? std::nullopt : judge_value(row.omega, state.omega, last_attempt);
-        if (!theta || (!row.omega.empty() && !omega)) {
-            return std::nullopt;
-        }
-        const auto condition = motion.at(row.time, state);
-        return value_verdicts{*theta, omega, condition ? to_decimal(*condition, 3) : "inf"};
-    } catch (const precision_exhausted&) {
+    const conditioned_motion& motion = in_precision(known, digits);
+    const enclosed_state state = motion.of().at(row.time);
+    const auto theta = judge_value(row.theta, state.theta, last_attempt);
+    const auto omega = row.omega.empty() ? std::nullopt : judge_value(row.omega, state.omega, last_attempt);
+    if (!theta || (!row.omega.empty() && !omega)) {
         return std::nullopt;
     }
+    const auto condition = motion.at(row.time, state);
+    return value_verdicts{*theta, omega, condition ? to_decimal(*condition, 3) : "inf"};
 }
 
 row_judge::value_verdicts row_judge::verdicts(const asked_row& row, known_motion& known) {
@@ -258,13 +254,9 @@ row_judge::value_verdicts row_judge::verdicts(const asked_row& row, known_motion
     const long for_condition = decimal_digits(conditioned_motion::bits_for(known.exactly, time_exponent));
     const long start = (std::max(for_truth, for_condition) + 9) / 10 * 10;
     constexpr int attempts = 5;
-    long digits = start;
-    for (int attempt = 1; attempt <= attempts; ++attempt, digits += start) {
-        if (auto result = try_verdicts(row, known, digits, attempt == attempts)) {
-            return *result;
-        }
-    }
-    throw std::runtime_error(fmt::format("is not decided by {} digits", attempts * start));
+    return with_growing_precision(
+        {0, start, attempts * start, growth::by_first}, "theta",
+        [&](const precision_run& run) { return try_verdicts(row, known, run.more, run.last); });
 }
 
 judged_row row_judge::judged(const csv_record& record, const std::vector<std::string>& cells) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <concepts>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {
@@ -19,10 +19,10 @@ template <class T>
 concept proved_scalar = std::same_as<T, ball>;
 
 /// A decision (a sign, a branch, a digit) that the enclosures at hand do not prove: repeat with more digits.
-class precision_exhausted : public std::runtime_error {
+class precision_exhausted : public error {
 public:
     explicit precision_exhausted(const std::string& what)
-        : std::runtime_error(what + " is not decided by this many digits") {}
+        : error(error_kind::undecided, what, "", "is not decided by this many digits") {}
 };
 
 /// What the functions of the same names are for rounding scalars; on balls every result contains the exact one.

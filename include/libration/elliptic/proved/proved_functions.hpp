@@ -6,9 +6,11 @@
 // every value is found at some precision.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "libration/digits/growing_precision.hpp"
 #include "libration/elliptic/incomplete_integral.hpp"
 #include "libration/elliptic/jacobi.hpp"
 #include "libration/scalar/ball/ball.hpp"
@@ -96,8 +98,11 @@ inline ball jacobi_value(jacobi_function f, const exact& u, const exact_paramete
     return f == jacobi_function::sn ? values.sn : f == jacobi_function::cn ? values.cn : values.dn;
 }
 
+/// Beyond the digits that a number can be typed with.
+inline constexpr long most_digits_typed = 500'000;
+
 /// The sign of the infinity that F(phi, m) is: 0 for m < 1 and for |phi| < pi/2. Decided exactly: a rational phi is not
-/// pi/2.
+/// pi/2. Throws error of the kind undecided where phi agrees with pi/2 to half a million digits.
 inline int infinite_sign(const exact& phi, const exact_parameter& p) {
     const int sign = phi.coefficient.sign();
     if (p.complement() != 0) {
@@ -106,16 +111,11 @@ inline int infinite_sign(const exact& phi, const exact_parameter& p) {
     if (phi.measure != unit::one) {
         return abs(phi.in_pi()) < rational(1, 2) ? 0 : sign;
     }
-    for (long digits = 50;; digits *= 2) {
-        const precision_scope scope(digits);
-        const ball size = abs(from_exact<ball>(phi));
-        if (certainly_less(size, pi<ball>() / 2)) {
-            return 0;
-        }
-        if (certainly_less(pi<ball>() / 2, size)) {
-            return sign;
-        }
-    }
+    return with_growing_precision({0, 50, most_digits_typed}, "whether " + phi.text + " is below pi/2",
+                                  [&](const precision_run& /*run*/) -> std::optional<int> {
+                                      const ball rest = abs(from_exact<ball>(phi)) - pi<ball>() / 2;
+                                      return decided_sign(rest) < 0 ? 0 : sign;
+                                  });
 }
 
 /// F(phi, m) where it is finite, unwrapped; a multiple of K at multiples of pi/2, asinh tan phi at m = 1 [DLMF 19.6.8].

@@ -7,14 +7,9 @@
 
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/printed_number.hpp"
 
 namespace libration {
-
-/// A decimal and an upper bound of its distance to the exact number, below one unit of its last digit.
-struct proved_decimal {
-    std::string text;
-    std::string uncertainty;  ///< three digits, rounded up; 0 where the decimal is exact
-};
 
 /// +-0.d1d2d3... 10^exponent.
 struct decimal_parts {

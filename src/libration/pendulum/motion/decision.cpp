@@ -2,7 +2,21 @@
 
 #include <utility>
 
+#include "libration/digits/growing_precision.hpp"
+
 namespace libration {
+
+proved_sign decide_sign(const std::function<bounded_value()>& evaluate, const std::string& what) {
+    constexpr long first = decimal_digits(128);
+    return with_growing_precision({0, first, first << 13U}, "the sign of " + what,
+                                  [&](const precision_run& /*run*/) -> std::optional<proved_sign> {
+                                      const bounded_value at = evaluate();
+                                      if (abs(at.value) > at.error * 2) {
+                                          return proved_sign{mpfr_sgn(handle(at.value)), binary_exponent(at.value)};
+                                      }
+                                      return std::nullopt;
+                                  });
+}
 
 proved_sign sign_of(const rational& q) {
     const precision_scope scope(20);
