@@ -1,52 +1,20 @@
 #include "motion/motion_series.hpp"
 
-#include <algorithm>
-
-#include "libration/pendulum/taylor/coefficients.hpp"
-#include "libration/pendulum/taylor/vanishing_coefficients.hpp"
+#include "libration/pendulum/taylor/point_coefficients.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
 
 namespace {
 
-// Fractions of N digits cost too much beyond.
-constexpr long longest_exact_series = 1000;
-
-// The scaled coefficients are rounded in T, and leave its range only here, in its wide arithmetic.
 template <class T>
 std::vector<wide_t<T>> coefficients_in(const series_request& request) {
-    using W = wide_t<T>;
     const precision_scope wider(working_digits() + (rounding_scalar<T> ? 20 : 0));
-    const exact_solution<T> solution(request.chosen.of);
-    const T scale = midpoint(radius_about(solution, request.at).value_or(T(1)));
-    const auto scaled = coefficients_about(solution, request.at, scale, request.first, request.order);
-    const W unit = widen(scale) * time_unit<W>(request.chosen.of);
-    std::vector<W> values;
-    values.reserve(scaled.size());
-    W power = pow(unit, request.first);
-    for (const T& a : scaled) {
-        values.push_back(W(widen(a) / power));
-        power *= unit;
-    }
-    return values;
+    return point_coefficients<T>(request.chosen.of, request.at, request.first, request.order);
 }
 
-// Which coefficients are exactly 0, as far as fractions tell; nothing where they do not.
 std::vector<bool> vanishing(const series_request& request) {
-    const motion& m = request.chosen.of;
-    const phase<ball> at = phase_of(request.at, exact_solution<ball>(m));
-    const bool from_start = request.at.where == expansion_point::place::start;
-    const auto cosine = at.side == 0 ? rational_cosine_at(m, at.quarter)
-                        : from_start ? rational_cosine_at_start(m)
-                                     : std::nullopt;
-    // Beyond, only what symmetry makes 0 is known to be, and that is no ball with a radius.
-    const auto order = static_cast<int>(std::min(request.order, longest_exact_series));
-    if (!cosine || request.first > order) {
-        return {};
-    }
-    const auto all = vanishing_coefficients(*m.energy(), *cosine, order);
-    return {all.begin() + request.first, all.end()};
+    return vanishing_at(request.chosen.of, request.at, request.first, request.order);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -122,14 +121,6 @@ elliptic_request read_elliptic(const std::vector<std::string>& functions, const 
     return request;
 }
 
-long digits_before_point(const exact& argument) {
-    if (argument.is_zero()) {
-        return 0;
-    }
-    const precision_scope rough(20);
-    return decimal_digits(std::max(0L, binary_exponent(from_exact<mpfr>(argument))));
-}
-
 bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p) {
     return (function == "K" && p.complement() == 0) || (function == "F" && infinite_sign(at, p) != 0);
 }
@@ -138,7 +129,7 @@ ball function_ball(const std::string& function, const exact& at, const exact_par
     const precision_scope wider(working_digits() + digits_before_point(at));
     const auto jacobi = jacobi_of(function);
     return jacobi            ? jacobi_value(*jacobi, at, p)
-           : function == "K" ? complete_integral(p.shape())
+           : function == "K" ? complete_integral(p.shape<ball>())
                              : incomplete_value(at, p);
 }
 

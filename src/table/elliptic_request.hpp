@@ -46,9 +46,6 @@ ball function_ball(const std::string& function, const exact& at, const exact_par
 /// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0.
 std::string function_text(const std::string& function, const exact& at, const exact_parameter& p, long digits);
 
-/// The digits that an argument loses before its point.
-long digits_before_point(const exact& argument);
-
 /// Whether K or F is infinite there.
 bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p);
 

@@ -7,7 +7,7 @@
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/proved/condition.hpp"
-#include "motion/proved_states.hpp"
+#include "motion/typed_times.hpp"
 #include "option/motion_grid.hpp"
 #include "run/parallel.hpp"
 
@@ -29,7 +29,7 @@ public:
         const long start = (decimal_digits(bits) + 9) / 10 * 10;
         constexpr int attempts = 5;
         return with_growing_precision(
-            {0, start, attempts * start, growth::by_first}, "the condition at time " + time.text,
+            {0, start, attempts * start, digit_growth::by_first}, "the condition at time " + time.text,
             [&](const precision_run& run) -> std::optional<std::string> {
                 const auto& here = made_.try_emplace(run.more, of_.typed, of_.of).first->second;
                 const auto condition = here.at(time, here.of().at(time));

@@ -255,7 +255,7 @@ row_judge::value_verdicts row_judge::verdicts(const asked_row& row, known_motion
     const long start = (std::max(for_truth, for_condition) + 9) / 10 * 10;
     constexpr int attempts = 5;
     return with_growing_precision(
-        {0, start, attempts * start, growth::by_first}, "theta",
+        {0, start, attempts * start, digit_growth::by_first}, "theta",
         [&](const precision_run& run) { return try_verdicts(row, known, run.more, run.last); });
 }
 

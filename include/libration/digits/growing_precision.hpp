@@ -13,7 +13,7 @@
 namespace libration {
 
 /// How digits grow from run to run.
-enum class growth {
+enum class digit_growth {
     twofold,   ///< 1, 2, 4, 8 ... times the first
     by_half,   ///< half as many again, rounded down
     by_first,  ///< 1, 2, 3, 4 ... times the first
@@ -25,11 +25,11 @@ struct growing_digits {
     long wanted = 0;
     long first = 20;
     long last = 10'240;
-    growth by = growth::twofold;
+    digit_growth by = digit_growth::twofold;
 
     /// The growing digits of the run after one with so many; beyond `last` there is none.
     long after(long now) const {
-        return by == growth::twofold ? 2 * now : by == growth::by_half ? now + now / 2 : now + first;
+        return by == digit_growth::twofold ? 2 * now : by == digit_growth::by_half ? now + now / 2 : now + first;
     }
 };
 
@@ -44,7 +44,7 @@ struct precision_run {
 
 /// The first answer of attempt(precision_run), a std::optional, in a precision_scope of the run's digits; std::nullopt
 /// and precision_exhausted ask for another run. `subject` is what has no answer when all runs have passed.
-/// Cost: with growth::twofold at most a small multiple of the last run.
+/// Cost: with digit_growth::twofold at most a small multiple of the last run.
 /// Throws error of the kind undecided after the last run, and whatever else attempt throws.
 template <class Attempt>
 auto with_growing_precision(const growing_digits& digits, const std::string& subject, Attempt&& attempt) ->

@@ -5,12 +5,12 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "libration/scalar/convert.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -29,14 +29,14 @@ struct exact {
 };
 
 /// Reads numbers of the form [sign] digits[.digits][e[sign]digits] [pi|deg|T] [/ digits[.digits][e...]].
-/// The digits may be missing before pi and T. Throws std::invalid_argument saying what is wrong with the text.
+/// The digits may be missing before pi and T. Throws error of the kind argument saying what is wrong with the text.
 class exact_reader {
 public:
     explicit exact_reader(std::string_view text) : text_(text), rest_(text) {}
 
     exact read() {
         if (rest_.empty()) {
-            throw std::invalid_argument("is empty");
+            refuse("is empty");
         }
         exact result;
         result.text = std::string(text_);
@@ -47,12 +47,12 @@ public:
         if (take("/")) {
             const rational divisor = decimal();
             if (divisor == 0) {
-                throw std::invalid_argument("divides by zero");
+                refuse("divides by zero");
             }
             value /= divisor;
         }
         if (!rest_.empty()) {
-            throw std::invalid_argument("is not a number");
+            refuse("is not a number");
         }
         result.coefficient = negative ? rational(-value) : value;
         return result;
@@ -61,6 +61,10 @@ public:
 private:
     static constexpr long largest_exponent = 100'000;
     static constexpr std::size_t longest_text = 200'000;
+
+    [[noreturn]] void refuse(const char* reason) const {
+        throw error(error_kind::argument, "number", std::string(text_), reason);
+    }
 
     bool take(std::string_view word) {
         if (!rest_.starts_with(word)) {
@@ -108,11 +112,11 @@ private:
             exponent = -static_cast<long>(fraction.size());
         }
         if (significand.empty()) {
-            throw std::invalid_argument("is not a number");
+            refuse("is not a number");
         }
         exponent += written_exponent();
         if (std::labs(exponent) > largest_exponent || significand.size() > longest_text) {
-            throw std::invalid_argument("is beyond the range 1e-100000 .. 1e100000");
+            refuse("is beyond the range 1e-100000 .. 1e100000");
         }
         const std::size_t first = significand.find_first_not_of('0');
         if (first == std::string::npos) {
@@ -130,12 +134,12 @@ private:
         const bool negative = sign();
         const std::string run = digit_run();
         if (run.empty()) {
-            throw std::invalid_argument("is not a number");
+            refuse("is not a number");
         }
         long value = 0;
-        const auto [end, error] = std::from_chars(run.data(), run.data() + run.size(), value);
-        if (error != std::errc() || value > 2 * largest_exponent) {
-            throw std::invalid_argument("is beyond the range 1e-100000 .. 1e100000");
+        const auto [end, problem] = std::from_chars(run.data(), run.data() + run.size(), value);
+        if (problem != std::errc() || value > 2 * largest_exponent) {
+            refuse("is beyond the range 1e-100000 .. 1e100000");
         }
         return negative ? -value : value;
     }
@@ -144,19 +148,20 @@ private:
     std::string_view rest_;
 };
 
-/// The exact number a text stands for; throws std::invalid_argument ("is not a number", "divides by zero", ...).
+/// The exact number a text stands for; throws error ("is not a number", "divides by zero", ...).
 inline exact read_exact(std::string_view text) { return exact_reader(text).read(); }
 
 /// A whole or fractional value as an exact number.
 inline exact exactly(const rational& value) { return {value, unit::one, value.str()}; }
 
 /// The exact number in T, rounded once: pi enters with 64 more bits than T has.
-/// Throws std::domain_error for multiples of the period, which only a motion knows.
+/// Throws error for multiples of the period, which only a motion knows.
 template <rounding_scalar T>
 T from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<T>(number.coefficient);
-        case unit::period: throw std::domain_error(number.text + " is a multiple of a period, not a number");
+        case unit::period:
+            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         default: break;
     }
     mpfr product;

@@ -46,7 +46,7 @@ inline pade_poles<mpfr> stable_pade_poles(const motion& m, int order, long digit
         return now;
     };
     const auto same = [&](const pade_poles<mpfr>& a, const pade_poles<mpfr>& b) { return same_poles(a, b, digits); };
-    return until_two_agree({0, digits + 40 + 2L * order, 20'000, growth::by_half},
+    return until_two_agree({0, digits + 40 + 2L * order, 20'000, digit_growth::by_half},
                            "a Pade pole of order " + std::to_string(order), compute, same);
 }
 

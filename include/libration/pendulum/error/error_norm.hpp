@@ -11,13 +11,11 @@
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/pendulum/arc/bounds.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/error/descent_method.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 
 namespace libration {
-
-/// The approximations of theta on [0, T*] that the paper compares.
-enum class descent_method { series, resummed };
 
 /// Decimal digits by which the error of order N is below theta itself, from its rate (T*/R)^N: what a computation has
 /// to carry beyond the digits wanted in the norm. N^-2 and a few digits for the constants are added.

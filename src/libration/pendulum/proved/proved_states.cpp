@@ -1,4 +1,4 @@
-#include "motion/proved_states.hpp"
+#include "libration/pendulum/proved/proved_states.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,6 @@
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
-#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -61,13 +60,17 @@ long proved_states::more_digits(const exact& time) {
     return before + needed;
 }
 
-proved_states::state_text proved_states::at(const exact& time) {
+std::vector<proved_decimal> proved_states::state_at(const exact& time) {
     const long more = more_digits(time);
-    const auto values = proved_decimals(digits_, [&] {
+    return proved_decimals(digits_, [&] {
         const precision_scope wider(working_digits() + more);
         enclosed_state state = motion_here().at(time);
         return std::vector<ball>{std::move(state.theta), std::move(state.omega)};
     });
+}
+
+proved_states::state_text proved_states::at(const exact& time) {
+    const auto values = state_at(time);
     return {values[0].text, values[1].text};
 }
 
@@ -135,15 +138,6 @@ bool proved_states::confirms(const exact& time) {
     };
     return with_growing_precision(proving(digits_ + before), "the check at time " + time.text + " by a second route",
                                   attempt);
-}
-
-proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
-    try {
-        return states.at(time);
-    } catch (const std::range_error&) {
-        throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
-                          "choose nearer times");
-    }
 }
 
 }  // namespace libration
