@@ -6,6 +6,7 @@
 #include <exception>
 #include <vector>
 
+#include "libration/scalar/error.hpp"
 #include "option/subcommand.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
@@ -73,8 +74,13 @@ int main(int argc, char** argv) {
         }
     } catch (const libration::input_error& problem) {
         return complain(problem.what(), bad_input);
-    } catch (const std::range_error& problem) {
-        return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
+    } catch (const libration::error& problem) {
+        switch (problem.kind()) {
+            case libration::error_kind::undecided: return complain(problem.what(), failed);
+            case libration::error_kind::range:
+                return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
+            default: return complain(problem.what(), bad_input);
+        }
     } catch (const std::bad_alloc&) {
         return complain("out of memory: ask for fewer digits, powers or times", failed);
     } catch (const std::exception& problem) {

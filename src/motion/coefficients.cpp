@@ -31,10 +31,10 @@ long read_power(const std::string& text) {
     long power = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
     if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
-        throw std::invalid_argument("is not a whole number");
+        throw error(error_kind::argument, "power", "", "is not a whole number");
     }
     if (error != std::errc() || power < 0 || power > largest_power) {
-        throw std::invalid_argument(fmt::format("is not between 0 and {}", largest_power));
+        throw error(error_kind::argument, "power", "", fmt::format("is not between 0 and {}", largest_power));
     }
     return power;
 }

@@ -183,7 +183,10 @@ chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
     }
     try {
         with_scalar(scalar, 0, [&]<class T>() { energies<T>(chosen.of); });
-    } catch (const std::range_error&) {
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::range) {
+            throw;
+        }
         throw input_error(chosen.option, chosen.value, "is outside the range of " + scalar.name(),
                           "use --scalar mpfr:DIGITS");
     }

@@ -1,5 +1,7 @@
 #include "option/sweep_energy.hpp"
 
+#include "libration/scalar/error.hpp"
+
 #include <optional>
 #include <stdexcept>
 
@@ -24,10 +26,11 @@ std::string derived_text(const rational& value) {
 
 void require_energy(const exact& number, const rational& energy) {
     if (number.measure != unit::one) {
-        throw std::invalid_argument("has '" + number.text + "', which is not a decimal or a fraction");
+        throw error(error_kind::argument, "energies", "",
+                    "has '" + number.text + "', which is not a decimal or a fraction");
     }
     if (energy < 0) {
-        throw std::invalid_argument("has '" + number.text + "', which makes the energy negative");
+        throw error(error_kind::argument, "energies", "", "has '" + number.text + "', which makes the energy negative");
     }
 }
 
@@ -48,7 +51,7 @@ void refuse_limits(const std::vector<sweep_energy>& energies, const std::string&
     for (const sweep_energy& at : energies) {
         const std::string reason = at.value == 0 ? at_rest : at.value == 2 ? critical : "";
         if (!reason.empty()) {
-            throw std::domain_error("has the energy " + at.energy + ", where " + reason);
+            throw error(error_kind::argument, "energies", "", "has the energy " + at.energy + ", where " + reason);
         }
     }
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "libration/scalar/error.hpp"
+
 namespace libration {
 
 class input_error : public std::runtime_error {
@@ -17,15 +19,17 @@ public:
     explicit input_error(const std::string& line) : std::runtime_error(line) {}
 };
 
-/// read(value), its std::invalid_argument or std::domain_error turned into an input_error of the option.
+/// read(value), the library's error turned into an input_error of the option, which is the name that the user knows the
+/// quantity by. What no precision decides is nothing that was typed wrong, and passes.
 template <class Read>
 auto reading(const std::string& option, const std::string& value, const std::string& remedy, const Read& read) {
     try {
         return read();
-    } catch (const std::invalid_argument& problem) {
-        throw input_error(option, value, problem.what(), remedy);
-    } catch (const std::domain_error& problem) {
-        throw input_error(option, value, problem.what(), remedy);
+    } catch (const error& problem) {
+        if (problem.kind() == error_kind::undecided) {
+            throw;
+        }
+        throw input_error(option, value, problem.reason(), remedy);
     }
 }
 

@@ -23,17 +23,15 @@ auto reading_cell(const char* column, const std::string& text, const Read& read)
     const auto quoted = [&] { return text.size() > 60 ? text.substr(0, 60) + "..." : text; };
     try {
         return read(text);
-    } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.what()));
-    } catch (const std::domain_error& problem) {
-        throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.what()));
+    } catch (const error& problem) {
+        throw error(problem.kind(), column, quoted(), problem.reason());
     }
 }
 
 exact pure_number(const std::string& text) {
     exact number = read_typed(text);
     if (number.measure != unit::one) {
-        throw std::invalid_argument("has a unit");
+        throw error(error_kind::argument, "number", text, "has a unit");
     }
     return number;
 }
@@ -41,7 +39,7 @@ exact pure_number(const std::string& text) {
 exact angle(const std::string& text) {
     exact number = read_typed(text);
     if (number.measure == unit::period) {
-        throw std::invalid_argument("is a time");
+        throw error(error_kind::argument, "angle", text, "is a time");
     }
     return number;
 }
@@ -49,7 +47,7 @@ exact angle(const std::string& text) {
 exact time_of(const std::string& text, bool as_double) {
     exact number = read_typed(text);
     if (number.measure == unit::degree) {
-        throw std::invalid_argument("is an angle");
+        throw error(error_kind::argument, "time", text, "is an angle");
     }
     return as_double ? nearest_double(number) : number;
 }
@@ -59,7 +57,7 @@ int direction_of(const std::string& text) {
         return 1;
     }
     if (text != "-" && text != "-1") {
-        throw std::invalid_argument("is neither + nor -");
+        throw error(error_kind::argument, "direction", text, "is neither + nor -");
     }
     return -1;
 }
@@ -69,7 +67,7 @@ typed_motion typed_of(const motion_cells& cells) {
     typed_motion typed;
     const bool by_state = !cells.theta0.empty() && !cells.omega0.empty();
     if (!by_state && cells.gap.empty() && cells.energy.empty()) {
-        throw std::invalid_argument("has no motion: theta0 and omega0, a gap or an energy");
+        throw error(error_kind::argument, "row", "", "has no motion: theta0 and omega0, a gap or an energy");
     }
     if (!cells.theta0.empty()) {
         typed.theta0 = reading_cell("theta0", cells.theta0, angle);
@@ -145,9 +143,7 @@ judged_row row_judge::operator()(const csv_record& record) {
     }
     try {
         return judged(record, *cells);
-    } catch (const std::logic_error& problem) {  // what cannot be read, and motions that there are not
-        return malformed(record, *cells, problem.what());
-    } catch (const std::runtime_error& problem) {  // what cannot be proved
+    } catch (const error& problem) {  // what cannot be read, motions that there are not, and what cannot be proved
         return malformed(record, *cells, problem.what());
     }
 }
@@ -262,10 +258,10 @@ row_judge::value_verdicts row_judge::verdicts(const asked_row& row, known_motion
 judged_row row_judge::judged(const csv_record& record, const std::vector<std::string>& cells) {
     const asked_row row = read(cells);
     if (row.theta.empty()) {
-        throw std::invalid_argument("has no theta");
+        throw error(error_kind::argument, "row", "", "has no theta");
     }
     if (columns_.omega && row.omega.empty()) {
-        throw std::invalid_argument("has no omega");
+        throw error(error_kind::argument, "row", "", "has no omega");
     }
     const value_verdicts at = verdicts(row, motion_for(row.motion));
     const bool theta_ok = at.theta.within;

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "libration/pendulum/proved/proved_theta.hpp"
+
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/error.hpp"
 #include "run/parallel.hpp"
 #include "sweep/study.hpp"
 
@@ -133,7 +135,8 @@ inline std::vector<study_table> run_audit(const std::string& name, const std::st
     cases.reserve(request.energies.size() * request.times.size());
     for (const sweep_energy& at : request.energies) {
         if (at.value > 2) {
-            throw std::domain_error("has the energy " + at.energy + ", where 2 asin(k cd) is not the solution");
+            throw error(error_kind::argument, "energies", "",
+                        "has the energy " + at.energy + ", where 2 asin(k cd) is not the solution");
         }
         for (const exact& time : request.times) {
             cases.push_back(case_of(at, time));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
@@ -31,7 +30,7 @@ inline long digits_below(const motion& m, int order) {
 /// hold the wanted digits of the norm below theta: add digits_below().
 class descent_errors {
 public:
-    /// Throws std::domain_error for E = 0 (theta is constant) and E = 2.
+    /// Throws error for E = 0 (theta is constant) and E = 2.
     explicit descent_errors(const motion& m)
         : truth_(m), second_route_(m), descent_(descent_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(descent_.o)) {}
 

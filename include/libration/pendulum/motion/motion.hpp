@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "libration/pendulum/motion/decision.hpp"
 #include "libration/pendulum/motion/regime.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -48,7 +48,7 @@ public:
     }
 
     /// Energy E from the angle theta0, omega0 = direction * sqrt(2(E - 1 + cos theta0)).
-    /// Throws std::domain_error when the energy does not reach theta0.
+    /// Throws error when the energy does not reach theta0.
     static motion of_energy_from(const rational& energy, const exact& theta0, int direction = 1) {
         motion result;
         result.set_energy(energy);
@@ -57,7 +57,7 @@ public:
         const proved_sign kinetic =
             sign_of_sum_with_cosine(rational(energy - 1), theta0, "E - 1 + cos(" + theta0.text + ")");
         if (kinetic.sign < 0) {
-            throw std::domain_error("is not reached with this energy");
+            throw error(error_kind::argument, "theta0", theta0.text, "is not reached with this energy");
         }
         result.omega0_sign_ = kinetic.sign * direction;
         result.direction_ = direction;
@@ -70,10 +70,10 @@ public:
     }
 
     /// From the angle theta0 with angular velocity omega0, a fraction; stiffness is gravity/length in the units of
-    /// omega0 squared. Throws std::domain_error for an omega0 with pi in it, whose regime would not be decidable.
+    /// omega0 squared. Throws error for an omega0 with pi in it, whose regime would not be decidable.
     static motion of_state(const exact& theta0, const exact& omega0, const rational& stiffness = 1) {
         if (omega0.measure != unit::one) {
-            throw std::domain_error("is not a decimal or a fraction");
+            throw error(error_kind::argument, "omega0", omega0.text, "is not a decimal or a fraction");
         }
         motion result;
         result.stiffness_ = stiffness;
@@ -134,7 +134,7 @@ private:
 
     void set_energy(const rational& energy) {
         if (energy < 0) {
-            throw std::domain_error("is a negative energy");
+            throw error(error_kind::argument, "energy", energy.str(), "is a negative energy");
         }
         energy_ = energy;
         gap_ = sign_of(rational(2 - energy));

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 
 #include "libration/pendulum/motion/motion.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/written_number.hpp"
 
 namespace libration {
@@ -20,15 +20,15 @@ struct typed_motion {
 
     bool by_state() const { return theta0 && omega0; }
 
-    /// E, exactly. Throws std::domain_error where neither gap nor energy is given.
+    /// E, exactly. Throws error where neither gap nor energy is given.
     rational exact_energy() const {
         if (!gap && !energy) {
-            throw std::domain_error("has no energy");
+            throw error(error_kind::argument, "motion", "", "has no energy");
         }
         return gap ? rational(2 - gap->coefficient) : energy->coefficient;
     }
 
-    /// The motion; throws std::domain_error as motion does, where an energy is negative or does not reach theta0.
+    /// The motion; throws error as motion does, where an energy is negative or does not reach theta0.
     libration::motion motion() const {
         if (by_state()) {
             return libration::motion::of_state(*theta0, *omega0, stiffness);

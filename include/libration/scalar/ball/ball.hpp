@@ -8,12 +8,11 @@
 // caller repeats with more digits.
 #pragma once
 
-#include <stdexcept>
-
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/enclose.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
@@ -107,12 +106,13 @@ T from_rational(const rational& q) {
     return result;
 }
 
-/// An enclosure of the exact number. Throws std::domain_error for multiples of the period, which only a motion knows.
+/// An enclosure of the exact number. Throws error for multiples of the period, which only a motion knows.
 template <proved_scalar T>
 T from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<T>(number.coefficient);
-        case unit::period: throw std::domain_error(number.text + " is a multiple of a period, not a number");
+        case unit::period:
+            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         default: break;
     }
     return from_rational<T>(number.in_pi()) * pi<T>();

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
@@ -38,7 +38,7 @@ inline rational power_of(int base, long exponent) {
 }
 
 /// Reads [sign]digits[.digits][e[sign]digits] or [sign]0xhex[.hex][p[sign]digits], exactly: nothing is rounded. Throws
-/// std::invalid_argument saying what is wrong with the text; fractions and units have no last digit and are refused.
+/// error saying what is wrong with the text; fractions and units have no last digit and are refused.
 class written_number_reader {
 public:
     explicit written_number_reader(std::string_view text) : rest_(text) {}
@@ -53,7 +53,7 @@ public:
         const rational significand = digits_and_point(hexadecimal);
         const long exponent = written_exponent(hexadecimal ? 'p' : 'e');
         if (!rest_.empty()) {
-            throw std::invalid_argument("is not a number");
+            throw error(error_kind::argument, "number", "", "is not a number");
         }
         const rational unit =
             hexadecimal ? rational(power_of(2, exponent - 4 * places_)) : rational(power_of(10, exponent - places_));
@@ -78,7 +78,7 @@ private:
             }
         }
         if (digits.empty() || digits.size() > static_cast<std::size_t>(largest_exponent)) {
-            throw std::invalid_argument("is not a number");
+            throw error(error_kind::argument, "number", "", "is not a number");
         }
         // A leading 0 would mean octal.
         digits.erase(0, digits.find_first_not_of('0'));
@@ -97,8 +97,8 @@ private:
         long value = 0;
         const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
         if (end == rest_.data() || error != std::errc() || value < 0 || value > largest_exponent) {
-            throw std::invalid_argument(end == rest_.data() ? "is not a number"
-                                                            : "is beyond the range 1e-100000 .. 1e100000");
+            throw error(error_kind::argument, "number", "",
+                        end == rest_.data() ? "is not a number" : "is beyond the range 1e-100000 .. 1e100000");
         }
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return negative ? -value : value;
@@ -110,18 +110,18 @@ private:
 
 inline written_number read_written(std::string_view text) { return written_number_reader(text).read(); }
 
-/// What read_exact() reads, and hexadecimal floats. Throws std::invalid_argument.
+/// What read_exact() reads, and hexadecimal floats. Throws error.
 inline exact read_typed(std::string_view text) {
     return is_hexadecimal(text) ? exact{read_written(text).value, unit::one, std::string(text)} : read_exact(text);
 }
 
 /// The double nearest to a fraction, ties to even, as an exact number: what a program in double receives.
-/// Throws std::domain_error beyond the largest double.
+/// Throws error beyond the largest double.
 inline rational nearest_double(const rational& q) {
     const double below = mpq_get_d(q.backend().data());  // towards 0
     const double above = std::nextafter(below, q.sign() * std::numeric_limits<double>::infinity());
     if (!std::isfinite(above)) {
-        throw std::domain_error("is beyond the largest double");
+        throw error(error_kind::argument, "number", "", "is beyond the largest double");
     }
     const rational lower(below);
     const rational upper(above);
@@ -132,14 +132,14 @@ inline rational nearest_double(const rational& q) {
 }
 
 /// The same of a typed number; an angle in degrees or multiples of pi becomes the double nearest to its radians. Throws
-/// std::domain_error for a multiple of the period, too.
+/// error for a multiple of the period, too.
 inline exact nearest_double(const exact& number) {
     if (number.measure == unit::one) {
         return {nearest_double(number.coefficient), unit::one, number.text};
     }
     const auto radians = from_exact<double>(number);
     if (!std::isfinite(radians)) {
-        throw std::domain_error("is beyond the largest double");
+        throw error(error_kind::argument, "number", "", "is beyond the largest double");
     }
     return {rational(radians), unit::one, number.text};
 }
