@@ -51,12 +51,14 @@ target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFA
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_package(FLINT 2.9 QUIET)
 if(FLINT_FOUND)
-    add_library(libration-proved INTERFACE)
+    add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
     set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved)
-    target_link_libraries(libration-proved INTERFACE libration FLINT::FLINT)
-    target_sources(libration-proved INTERFACE
+    target_link_libraries(libration-proved
+        PUBLIC libration FLINT::FLINT
+        PRIVATE $<BUILD_INTERFACE:libration-warnings>)
+    target_sources(libration-proved PUBLIC
         FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${proved_headers})
 endif()
 

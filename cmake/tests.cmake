@@ -60,6 +60,7 @@ add_test(NAME consumer_of_balls
 add_test(NAME readme_example
     COMMAND ${consumer}
         -D BUILD=${PROJECT_BINARY_DIR}/readme
+        -D SCALARS=ball
         -D README=${PROJECT_SOURCE_DIR}/README.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)

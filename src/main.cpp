@@ -77,9 +77,12 @@ int main(int argc, char** argv) {
     } catch (const libration::input_error& problem) {
         return complain(problem.what(), bad_input);
     } catch (const libration::error& problem) {
-        return complain(problem.what(), problem.kind() == libration::error_kind::undecided ? failed : bad_input);
-    } catch (const std::range_error& problem) {
-        return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
+        switch (problem.kind()) {
+            case libration::error_kind::undecided: return complain(problem.what(), failed);
+            case libration::error_kind::range:
+                return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
+            default: return complain(problem.what(), bad_input);
+        }
     } catch (const std::bad_alloc&) {
         return complain("out of memory: ask for fewer digits, powers or times", failed);
     } catch (const std::exception& problem) {

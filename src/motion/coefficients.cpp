@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "libration/scalar/exponent_range.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "motion/motion_series.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -32,10 +31,10 @@ long read_power(const std::string& text) {
     long power = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
     if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
-        throw std::invalid_argument("is not a whole number");
+        throw error(error_kind::argument, "power", "", "is not a whole number");
     }
     if (error != std::errc() || power < 0 || power > largest_power) {
-        throw std::invalid_argument(fmt::format("is not between 0 and {}", largest_power));
+        throw error(error_kind::argument, "power", "", fmt::format("is not between 0 and {}", largest_power));
     }
     return power;
 }
@@ -57,11 +56,18 @@ void read_powers(const coefficients_options& options, series_request& request) {
     }
 }
 
-table table_of(long first, const std::vector<proved_decimal>& coefficients) {
-    table data{{{"n", ""}, {"coefficient", ""}, {"uncertainty", ""}}, {}};
+// A proof has a column for its uncertainty.
+table table_of(long first, const std::vector<printed_number>& coefficients, bool proved) {
+    table data{{{"n", ""}, {"coefficient", ""}}, {}};
+    if (proved) {
+        data.columns.push_back({"uncertainty", ""});
+    }
     data.rows.reserve(coefficients.size());
     for (const auto& [text, uncertainty] : coefficients) {
-        data.rows.push_back({std::to_string(first++), text, uncertainty});
+        data.rows.push_back({std::to_string(first++), text});
+        if (proved) {
+            data.rows.back().push_back(uncertainty);
+        }
     }
     return data;
 }
@@ -73,16 +79,8 @@ int run_coefficients(const coefficients_options& options) {
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
     read_powers(options, request);
     request.at = point_of(options.at, request.chosen);
-    if (numbers.scalar.kind == scalar_kind::proved) {
-        options.output.write(table_of(request.first, proved_coefficients(request)));
-        return 0;
-    }
-    table data{{{"n", ""}, {"coefficient", ""}}, {}};
-    long n = request.first;
-    for (const mpfr& value : coefficient_values(request)) {
-        data.rows.push_back({std::to_string(n++), to_decimal(value, numbers.digits)});
-    }
-    options.output.write(data);
+    const bool proved = numbers.scalar.kind == scalar_kind::proved;
+    options.output.write(table_of(request.first, printed_coefficients(request, numbers.digits), proved));
     return 0;
 }
 

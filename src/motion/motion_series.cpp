@@ -1,36 +1,20 @@
 #include "motion/motion_series.hpp"
 
-#include <algorithm>
-
-#include "libration/pendulum/taylor/coefficients.hpp"
-#include "libration/pendulum/taylor/vanishing_coefficients.hpp"
-#include "run/agreement.hpp"
-#include "run/proofs.hpp"
+#include "libration/pendulum/taylor/point_coefficients.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
 
 namespace {
 
-// Fractions of N digits cost too much beyond.
-constexpr long longest_exact_series = 1000;
-
-// The scaled coefficients are rounded in T, and leave its range only here, in its wide arithmetic.
 template <class T>
 std::vector<wide_t<T>> coefficients_in(const series_request& request) {
-    using W = wide_t<T>;
-    const exact_solution<T> solution(request.chosen.of);
-    const T scale = midpoint(radius_about(solution, request.at).value_or(T(1)));
-    const auto scaled = coefficients_about(solution, request.at, scale, request.first, request.order);
-    const W unit = widen(scale) * time_unit<W>(request.chosen.of);
-    std::vector<W> values;
-    values.reserve(scaled.size());
-    W power = pow(unit, request.first);
-    for (const T& a : scaled) {
-        values.push_back(W(widen(a) / power));
-        power *= unit;
-    }
-    return values;
+    const precision_scope wider(working_digits() + (rounding_scalar<T> ? 20 : 0));
+    return point_coefficients<T>(request.chosen.of, request.at, request.first, request.order);
+}
+
+std::vector<bool> vanishing(const series_request& request) {
+    return vanishing_at(request.chosen.of, request.at, request.first, request.order);
 }
 
 }  // namespace
@@ -52,34 +36,14 @@ expansion_point point_of(const std::optional<std::string>& at, const chosen_moti
 }
 
 std::vector<mpfr> coefficient_values(const series_request& request) {
-    const scalar_spec& scalar = request.scalar;
-    const auto compute = [&](long guard) {
-        return with_scalar(scalar, guard, [&]<class T>() {
-            const precision_scope scope(scalar.digits + guard + 20);
-            return coefficients_in<T>(request);
-        });
-    };
-    return scalar.kind == scalar_kind::arbitrary ? agreed_values(scalar.digits, compute) : compute(20);
+    return rounded_values(
+        request.scalar, [&]<class T>() { return coefficients_in<T>(request); }, [&] { return vanishing(request); });
 }
 
-std::vector<proved_decimal> proved_coefficients(const series_request& request) {
-    const motion& m = request.chosen.of;
-    const auto compute = [&] { return coefficients_in<ball>(request); };
-    const auto vanishing = [&] {
-        const phase<ball> at = phase_of(request.at, exact_solution<ball>(m));
-        const bool from_start = request.at.where == expansion_point::place::start;
-        const auto cosine = at.side == 0 ? rational_cosine_at(m, at.quarter)
-                            : from_start ? rational_cosine_at_start(m)
-                                         : std::nullopt;
-        // Beyond, only what symmetry makes 0 is known to be, and that is no ball with a radius.
-        const auto order = static_cast<int>(std::min(request.order, longest_exact_series));
-        if (!cosine || request.first > order) {
-            return std::vector<bool>();
-        }
-        const auto all = vanishing_coefficients(*m.energy(), *cosine, order);
-        return std::vector<bool>(all.begin() + request.first, all.end());
-    };
-    return proved_decimals(request.scalar.digits, compute, vanishing);
+std::vector<printed_number> printed_coefficients(const series_request& request, long digits) {
+    return printed(
+        request.scalar, digits, [&]<class T>() { return coefficients_in<T>(request); },
+        [&] { return vanishing(request); });
 }
 
 std::optional<mpfr> exact_radius(const series_request& request, long digits) {
@@ -88,15 +52,13 @@ std::optional<mpfr> exact_radius(const series_request& request, long digits) {
     if (!singularities<mpfr>(m)) {
         return std::nullopt;
     }
-    return agreed_values(
-               digits,
-               [&](long guard) {
-                   const precision_scope scope(digits + guard);
-                   const exact_solution<mpfr> solution(m);
-                   const auto lattice = singularities<mpfr>(m);
-                   return std::vector<mpfr>{lattice->radius(phase_of(request.at, solution)) * time_unit<mpfr>(m)};
-               })
-        .front();
+    const auto compute = [&](long guard) {
+        const precision_scope scope(digits + guard);
+        const exact_solution<mpfr> solution(m);
+        const auto lattice = singularities<mpfr>(m);
+        return std::vector<mpfr>{lattice->radius(phase_of(request.at, solution)) * time_unit<mpfr>(m)};
+    };
+    return agreed_values(digits, compute).front();
 }
 
 }  // namespace libration

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "libration/pendulum/taylor/expansion.hpp"
-#include "libration/scalar/ball/decimal.hpp"
 #include "option/options.hpp"
+#include "run/digits.hpp"
 
 namespace libration {
 
@@ -28,8 +28,9 @@ expansion_point point_of(const std::optional<std::string>& at, const chosen_moti
 /// in time scaled by the radius, and without its bounds of range.
 std::vector<mpfr> coefficient_values(const series_request& request);
 
-/// a_first .. a_N with every printed digit proved. Throws std::runtime_error where a proof is impossible.
-std::vector<proved_decimal> proved_coefficients(const series_request& request);
+/// a_first .. a_N with so many printed digits, proved where the scalar is a ball; what fractions show to be 0 is 0.
+/// Throws error of the kind undecided where no precision gives the digits.
+std::vector<printed_number> printed_coefficients(const series_request& request, long digits);
 
 /// The radius of convergence about the point from the lattice of singularities, in the motion's unit of time, to
 /// `digits` digits; nothing where it is infinite.

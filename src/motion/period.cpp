@@ -8,8 +8,7 @@
 #include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "run/agreement.hpp"
-#include "run/proofs.hpp"
+#include "run/digits.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -75,16 +74,10 @@ std::vector<wide_t<T>> period_values(const period_request& request) {
     return {widen(T(tstar * quarters_per_period(m.regime()))), widen(tstar)};
 }
 
-std::vector<mpfr> period_values(const period_request& request) {
-    const scalar_spec& scalar = request.numbers.scalar;
-    const auto compute = [&](long guard) {
-        return with_scalar(scalar, guard, [&]<class T>() { return period_values<T>(request); });
-    };
-    if (scalar.kind != scalar_kind::arbitrary) {
-        return compute(0);
-    }
-    return agreed_values(scalar.digits, compute);
-}
+struct energy_texts {
+    std::string energy;
+    std::string gap;
+};
 
 struct period_texts {
     std::string period = "inf";
@@ -92,60 +85,50 @@ struct period_texts {
     std::string error = "0";
 };
 
-// |T* as printed - truth|, the truth by the mean with more digits.
+// |T* as printed - truth|, the truth by the mean with more digits. It is not 0: what is printed is rational, and T* at an
+// algebraic energy is not [Schneider].
 std::string error_of(const std::string& tstar, const period_request& request) {
-    const precision_scope more(request.numbers.scalar.digits + 30);
-    const mpfr truth = effective_period(orbit_of<mpfr>(request.chosen.of)) * time_unit<mpfr>(request.chosen.of);
-    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(tstar)) - truth)), error_digits);
-}
-
-period_texts proved_texts(const period_request& request) {
-    const auto values = proved_decimals(request.numbers.digits, [&] { return period_values<ball>(request); });
     const motion& m = request.chosen.of;
-    // What the printed T* misses is not 0: it is rational, and T* at an algebraic energy is not [Schneider].
-    const auto error = proved_decimals(error_digits, [&] {
+    const auto difference = [&]<class T>() {
         const precision_scope more(request.numbers.digits + working_digits());
-        const ball truth = effective_period(orbit_of<ball>(m)) * time_unit<ball>(m);
-        return std::vector<ball>{abs(from_exact<ball>(read_exact(values[1].text)) - truth)};
-    });
-    return {values[0].text, values[1].text, error[0].text};
+        const T truth = effective_period(orbit_of<T>(m)) * time_unit<T>(m);
+        return std::vector<T>{abs(from_exact<T>(read_exact(tstar)) - truth)};
+    };
+    return printed_right(request.numbers.scalar, error_digits, difference).front().text;
 }
 
-// Energy and gap as they were typed, or with every digit proved.
-energy_texts proved_energy_texts(const chosen_motion& chosen, long digits) {
+period_texts texts_of(const period_request& request) {
+    const auto values =
+        printed(request.numbers.scalar, request.numbers.digits, [&]<class T>() { return period_values<T>(request); });
+    return {values[0].text, values[1].text, error_of(values[1].text, request)};
+}
+
+// Energy and gap as they were typed, or to so many digits.
+energy_texts printed_energies(const chosen_motion& chosen, const arithmetic& numbers) {
     if (chosen.energy && chosen.gap) {
         return {*chosen.energy, *chosen.gap};
     }
-    const auto pair = proved_decimals(digits, [&] {
-        auto [energy, gap] = energies<ball>(chosen.of);
-        return std::vector<ball>{std::move(energy), std::move(gap)};
+    const auto pair = printed_right(numbers.scalar, numbers.digits, [&]<class T>() {
+        auto [energy, gap] = energies<T>(chosen.of);
+        return std::vector<T>{std::move(energy), std::move(gap)};
     });
     return {pair[0].text, pair[1].text};
-}
-
-period_texts rounded_texts(const period_request& request) {
-    const auto values = period_values(request);
-    const std::string tstar = to_decimal(values[1], request.numbers.digits);
-    return {to_decimal(values[0], request.numbers.digits), tstar, error_of(tstar, request)};
 }
 
 int run_period(const period_options& options) {
     options.output.check();
     const period_request request = choose(options);
     const motion& m = request.chosen.of;
-    const long digits = request.numbers.digits;
-    const bool proved = request.numbers.scalar.kind == scalar_kind::proved;
-    const energy_texts texts =
-        proved ? proved_energy_texts(request.chosen, digits) : energy_texts_of(request.chosen, digits);
-    period_texts printed;
+    const energy_texts texts = printed_energies(request.chosen, request.numbers);
+    period_texts found;
     if (!at_critical_energy(m.regime())) {
-        printed = proved ? proved_texts(request) : rounded_texts(request);
+        found = texts_of(request);
     }
     const std::string regime(name_of(m.regime()));
     const std::string order = request.order ? std::to_string(*request.order) : "";
     const table data{
         period_columns,
-        {{texts.energy, texts.gap, options.method, order, printed.period, printed.tstar, printed.error, regime}}};
+        {{texts.energy, texts.gap, options.method, order, found.period, found.tstar, found.error, regime}}};
     std::string text;
     for (std::size_t i = 0; i < data.columns.size(); ++i) {
         if (!data.rows[0][i].empty()) {

@@ -69,7 +69,7 @@ std::vector<exact> coefficients_in_file(const std::string& path) {
         list = read_coefficients(content_of(path));
     } catch (const malformed_line& problem) {
         throw input_error("--coefficients", path,
-                          fmt::format("line {}: '{}' {}", problem.number(), quotable(problem.text()), problem.what()),
+                          fmt::format("line {}: '{}' {}", problem.number(), quotable(problem.text()), problem.reason()),
                           "write one number a line such as 0.25, 1/3 or 1e-30, or n,coefficient with growing n");
     }
     if (list.empty()) {

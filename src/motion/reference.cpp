@@ -4,7 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "motion/proved_states.hpp"
+#include "motion/typed_times.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"

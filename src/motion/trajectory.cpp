@@ -1,9 +1,7 @@
 // libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
 #include <memory>
 
-#include "libration/scalar/text/decimal.hpp"
-#include "motion/proved_trajectory.hpp"
-#include "motion/rounded_trajectory.hpp"
+#include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"
@@ -71,29 +69,13 @@ trajectory_request choose(const trajectory_options& options) {
     return {std::move(chosen), numbers, method, order, step, times_of(options.times, r)};
 }
 
-// |theta as printed - truth|.
-std::string error_of(const std::string& theta, const mpfr& truth) {
-    const precision_scope scope(decimal_digits(mpfr_get_prec(handle(truth))));
-    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(theta)) - truth)), error_digits);
-}
-
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     const trajectory_request request = choose(options);
     table data{{{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}}, {}};
-    if (request.numbers.scalar.kind == scalar_kind::proved) {
-        const auto points = proved_trajectory(request);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            data.rows.push_back({request.times[i].text, points[i].theta, points[i].omega, points[i].error});
-        }
-        options.output.write(data);
-        return 0;
-    }
-    const trajectory_values values = rounded_trajectory(request);
-    for (std::size_t i = 0; i < request.times.size(); ++i) {
-        const std::string theta = to_decimal(values.motion[2 * i], request.numbers.digits);
-        const std::string omega = to_decimal(values.motion[2 * i + 1], request.numbers.digits);
-        data.rows.push_back({request.times[i].text, theta, omega, error_of(theta, values.truth[i])});
+    const auto points = trajectory_points(request);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        data.rows.push_back({request.times[i].text, points[i].theta, points[i].omega, points[i].error});
     }
     options.output.write(data);
     return 0;

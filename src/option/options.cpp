@@ -184,7 +184,10 @@ chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
     }
     try {
         with_scalar(scalar, 0, [&]<class T>() { energies<T>(chosen.of); });
-    } catch (const std::range_error&) {
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::range) {
+            throw;
+        }
         throw input_error(chosen.option, chosen.value, "is outside the range of " + scalar.name(),
                           "use --scalar mpfr:DIGITS");
     }
@@ -312,15 +315,6 @@ void output_options::write_content(const std::string& content) const {
         throw input_error("--out", *out_, fmt::format("cannot be written ({})", problem.what()),
                           "choose a file in a folder that you may write in");
     }
-}
-
-energy_texts energy_texts_of(const chosen_motion& chosen, long digits) {
-    if (chosen.energy && chosen.gap) {
-        return {*chosen.energy, *chosen.gap};
-    }
-    const precision_scope scope(digits + 10);
-    const auto pair = energies<mpfr>(chosen.of);
-    return {to_decimal(pair.energy, digits), to_decimal(pair.gap, digits)};
 }
 
 output_folder::output_folder(const std::string& option, std::string path) : path_(std::move(path)) {

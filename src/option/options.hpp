@@ -117,13 +117,6 @@ std::vector<exact> times_of(const std::string& value, regime r);
 /// The --order N of a method.
 int order_of(const std::string& option, const std::string& value);
 
-/// Energy and gap of a motion as text: exact where they are, to the digits otherwise.
-struct energy_texts {
-    std::string energy;
-    std::string gap;
-};
-energy_texts energy_texts_of(const chosen_motion& chosen, long digits);
-
 /// A folder that a command is about to fill, made with its parents where they are missing. Unless keep() is called,
 /// what was made and is still empty is taken away again, so that a failed command leaves nothing behind.
 class output_folder {

@@ -1,5 +1,7 @@
 #include "option/sweep_energy.hpp"
 
+#include "libration/scalar/error.hpp"
+
 #include <optional>
 #include <stdexcept>
 
@@ -27,10 +29,11 @@ std::string typed_text(const exact& number) { return number.composed ? derived_t
 
 void require_energy(const exact& number, const rational& energy) {
     if (!number.is_fraction()) {
-        throw std::invalid_argument("has '" + number.text + "', which is not a decimal or a fraction");
+        throw error(error_kind::argument, "energies", "",
+                    "has '" + number.text + "', which is not a decimal or a fraction");
     }
     if (energy < 0) {
-        throw std::invalid_argument("has '" + number.text + "', which makes the energy negative");
+        throw error(error_kind::argument, "energies", "", "has '" + number.text + "', which makes the energy negative");
     }
 }
 
@@ -51,7 +54,7 @@ void refuse_limits(const std::vector<sweep_energy>& energies, const std::string&
     for (const sweep_energy& at : energies) {
         const std::string reason = at.value == 0 ? at_rest : at.value == 2 ? critical : "";
         if (!reason.empty()) {
-            throw std::domain_error("has the energy " + at.energy + ", where " + reason);
+            throw error(error_kind::argument, "energies", "", "has the energy " + at.energy + ", where " + reason);
         }
     }
 }

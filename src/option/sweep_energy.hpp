@@ -15,12 +15,12 @@ struct sweep_energy {
     rational value;      ///< E
 };
 
-/// The energy E, or the one that a gap means. Throws std::invalid_argument for what is not an energy (negative, with
+/// The energy E, or the one that a gap means. Throws error of the kind argument for what is not an energy (negative, with
 /// pi).
 sweep_energy energy_from(const exact& energy);
 sweep_energy energy_from_gap(const exact& gap);
 
-/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws std::domain_error "has the energy 0,
+/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws error "has the energy 0,
 /// where ..." with the reasons; an empty reason lets that energy pass.
 void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical);
 

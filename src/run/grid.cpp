@@ -1,5 +1,7 @@
 #include "run/grid.hpp"
 
+#include "libration/scalar/error.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
@@ -27,10 +29,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 // An item's complaint names the item, unless it is the whole text.
 [[noreturn]] void refuse(std::string_view item, std::string_view whole, const std::string& reason) {
     if (item == whole) {
-        throw std::invalid_argument(reason);
+        throw error(error_kind::argument, "list", "", reason);
     }
-    throw std::invalid_argument(item.empty() ? "has an empty item"
-                                             : "has the item '" + std::string(item) + "', which " + reason);
+    throw error(error_kind::argument, "list", "",
+                item.empty() ? "has an empty item" : "has the item '" + std::string(item) + "', which " + reason);
 }
 
 // A multiple of a unit as text that read_exact takes: 3/4 of T is 3T/4. Zero has no unit, as where it is typed.
@@ -73,7 +75,7 @@ std::vector<exact> even_range(const exact& first, const exact& last, long count)
     }
     const unit measure = first.is_zero() ? last.measure : first.measure;
     if (!last.is_zero() && !first.is_zero() && first.measure != last.measure) {
-        throw std::invalid_argument("mixes units");
+        throw error(error_kind::argument, "list", "", "mixes units");
     }
     std::vector<exact> values;
     for (long i = 0; i < count; ++i) {
@@ -88,7 +90,8 @@ exact relative_width(const exact& first, const exact& last) { return last / firs
 
 std::vector<exact> log_range(const exact& first, const exact& last, long count) {
     if (!first.is_number() || !last.is_number() || sign_of_exact(first) * sign_of_exact(last) <= 0) {
-        throw std::invalid_argument("has ends that are no numbers of one sign, as a logarithmic range needs");
+        throw error(error_kind::argument, "list", "",
+                    "has ends that are no numbers of one sign, as a logarithmic range needs");
     }
     const precision_scope rough(20);
     const mpfr relative_step = abs(from_exact<mpfr>(relative_width(first, last))) / count;
@@ -111,15 +114,16 @@ std::vector<exact> log_range(const exact& first, const exact& last, long count) 
 
 std::vector<exact> read_range(const std::vector<std::string_view>& parts) {
     if (parts.size() != 3) {
-        throw std::invalid_argument("is not a range FIRST:LAST:COUNT");
+        throw error(error_kind::argument, "list", "", "is not a range FIRST:LAST:COUNT");
     }
     const bool logarithmic = parts[2].ends_with("log");
     const std::string_view digits = parts[2].substr(0, parts[2].size() - (logarithmic ? 3 : 0));
     long count = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (error != std::errc() || end != digits.data() + digits.size() || count < 1 || count > most_grid_values) {
-        throw std::invalid_argument("has the count '" + std::string(parts[2]) + "', which is not between 1 and " +
-                                    std::to_string(most_grid_values));
+        throw error(error_kind::argument, "list", "",
+                    "has the count '" + std::string(parts[2]) + "', which is not between 1 and " +
+                        std::to_string(most_grid_values));
     }
     const exact first = read_exact(parts[0]);
     const exact last = read_exact(parts[1]);
@@ -139,8 +143,6 @@ std::vector<exact> read_grid(std::string_view text) {
             }
             const auto range = read_range(parts);
             values.insert(values.end(), range.begin(), range.end());
-        } catch (const std::invalid_argument& problem) {
-            refuse(item, text, problem.what());
         } catch (const error& problem) {
             if (problem.kind() == error_kind::undecided) {
                 throw;
@@ -149,7 +151,7 @@ std::vector<exact> read_grid(std::string_view text) {
         }
     }
     if (values.size() > static_cast<std::size_t>(most_grid_values)) {
-        throw std::invalid_argument("has more than " + std::to_string(most_grid_values) + " values");
+        throw error(error_kind::argument, "list", "", "has more than " + std::to_string(most_grid_values) + " values");
     }
     return values;
 }
@@ -158,10 +160,10 @@ int read_count(std::string_view text, int largest) {
     long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
-        throw std::invalid_argument("is not a whole number");
+        throw error(error_kind::argument, "list", "", "is not a whole number");
     }
     if (error != std::errc() || value < 0 || value > largest) {
-        throw std::invalid_argument("is not between 0 and " + std::to_string(largest));
+        throw error(error_kind::argument, "list", "", "is not between 0 and " + std::to_string(largest));
     }
     return static_cast<int>(value);
 }
@@ -171,8 +173,8 @@ std::vector<int> read_counts(std::string_view text, int largest) {
     for (const std::string_view item : split(text, ',')) {
         try {
             values.push_back(read_count(item, largest));
-        } catch (const std::invalid_argument& problem) {
-            refuse(item, text, problem.what());
+        } catch (const error& problem) {
+            refuse(item, text, problem.reason());
         }
     }
     return values;

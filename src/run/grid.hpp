@@ -16,10 +16,10 @@ inline constexpr long most_grid_values = 10'000'000;
 ///   a:b:count      count values from a to b, both included, evenly spaced and exact
 ///   a:b:COUNTlog   evenly spaced in the logarithm: a and b exact, those between rounded (to 6 digits or to
 ///                  a thousandth of a step, whichever is finer) and exact from then on
-/// Throws std::invalid_argument saying which item is wrong and why.
+/// Throws error of the kind argument saying which item is wrong and why.
 std::vector<exact> read_grid(std::string_view text);
 
-/// A whole number >= 0, at most `largest`. Throws std::invalid_argument saying what is wrong.
+/// A whole number >= 0, at most `largest`. Throws error of the kind argument saying what is wrong.
 int read_count(std::string_view text, int largest);
 
 /// A list of whole numbers.

@@ -21,7 +21,7 @@ struct sweep_period_rule {
     std::string text;
 };
 
-/// Reads one; throws std::invalid_argument saying what is wrong.
+/// Reads one; throws error of the kind argument saying what is wrong.
 sweep_period_rule read_period_rule(std::string_view text);
 
 /// What a study is asked for, parsed; what the user left out holds the study's defaults, and a parameter that the study

@@ -66,12 +66,17 @@ int run_study(const study_options& options) {
             return 0;
         }
         write_study(order, *options.out);
-    } catch (const std::range_error& problem) {
-        throw input_error("--scalar", options.words.at("--scalar").value_or("double"),
-                          std::string("cannot hold an energy of the list (") + problem.what() + ")",
-                          "use --scalar mpfr:DIGITS");
-    } catch (const std::domain_error& problem) {
-        throw input_error("study", what.name, problem.what(), "leave that value out of --energies and --gaps");
+    } catch (const error& problem) {
+        if (problem.kind() == error_kind::undecided) {
+            throw;
+        }
+        if (problem.kind() == error_kind::range) {
+            throw input_error("--scalar", options.words.at("--scalar").value_or("double"),
+                              std::string("cannot hold an energy of the list (") + problem.what() + ")",
+                              "use --scalar mpfr:DIGITS");
+        }
+        const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
+        throw input_error("study", what.name, reason, "leave that value out of --energies and --gaps");
     }
     draw_study(what, *options.out);
     fmt::print(stderr, "libration: wrote {}/{}\n", *options.out, what.name);

@@ -16,7 +16,7 @@ constexpr int most_jobs = 1024;
 
 void require_number(const exact& value) {
     if (!value.is_fraction()) {
-        throw std::invalid_argument("has '" + value.text + "', which is not a decimal or a fraction");
+        throw error(error_kind::argument, "list", "", "has '" + value.text + "', which is not a decimal or a fraction");
     }
 }
 
@@ -24,7 +24,7 @@ std::vector<exact> read_times(const std::string& words) {
     auto times = read_grid(words);
     for (const exact& time : times) {
         if (time.measure == unit::degree) {
-            throw std::invalid_argument("has the angle '" + time.text + "'");
+            throw error(error_kind::argument, "list", "", "has the angle '" + time.text + "'");
         }
     }
     return times;
@@ -35,7 +35,7 @@ std::vector<exact> read_points(const std::string& words) {
     for (const exact& point : points) {
         require_number(point);
         if (point.coefficient < 0 || point.coefficient > 1) {
-            throw std::invalid_argument("has '" + point.text + "', which is not between 0 and 1");
+            throw error(error_kind::argument, "list", "", "has '" + point.text + "', which is not between 0 and 1");
         }
     }
     return points;
@@ -44,7 +44,7 @@ std::vector<exact> read_points(const std::string& words) {
 std::vector<int> read_digit_counts(const std::string& words) {
     auto digits = read_counts(words, largest_digits);
     if (std::find(digits.begin(), digits.end(), 0) != digits.end()) {
-        throw std::invalid_argument("asks for less than one digit");
+        throw error(error_kind::argument, "list", "", "asks for less than one digit");
     }
     return digits;
 }
@@ -54,7 +54,7 @@ std::vector<integer> read_periods(const std::string& words) {
     for (const exact& count : read_grid(words)) {
         require_number(count);
         if (denominator(count.coefficient) != 1 || count.coefficient < 0) {
-            throw std::invalid_argument("has '" + count.text + "', which is not a whole number");
+            throw error(error_kind::argument, "list", "", "has '" + count.text + "', which is not a whole number");
         }
         periods.push_back(numerator(count.coefficient));
     }
@@ -74,7 +74,7 @@ std::vector<sweep_period_rule> read_period_rules(const std::string& words) {
 exact read_step(const std::string& words) {
     exact step = read_exact(words);
     if (!step.is_fraction() || step.coefficient <= 0) {
-        throw std::invalid_argument("is not a positive number");
+        throw error(error_kind::argument, "list", "", "is not a positive number");
     }
     return step;
 }

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "option/options.hpp"
 #include "run/grid.hpp"
-#include "run/proofs.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -122,14 +121,6 @@ elliptic_request read_elliptic(const std::vector<std::string>& functions, const 
     return request;
 }
 
-long digits_before_point(const exact& argument) {
-    if (argument.is_zero()) {
-        return 0;
-    }
-    const precision_scope rough(20);
-    return decimal_digits(std::max(0L, binary_exponent(from_exact<mpfr>(argument))));
-}
-
 bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p) {
     return (function == "K" && p.complement().is_zero()) || (function == "F" && infinite_sign(at, p) != 0);
 }
@@ -138,7 +129,7 @@ ball function_ball(const std::string& function, const exact& at, const exact_par
     const precision_scope wider(working_digits() + digits_before_point(at));
     const auto jacobi = jacobi_of(function);
     return jacobi            ? jacobi_value(*jacobi, at, p)
-           : function == "K" ? complete_integral(p.shape())
+           : function == "K" ? complete_integral(p.shape<ball>())
                              : incomplete_value(at, p);
 }
 
@@ -146,7 +137,7 @@ std::string function_text(const std::string& function, const exact& at, const ex
     if (is_infinite(function, at, p)) {
         return function == "F" && infinite_sign(at, p) < 0 ? "-inf" : "inf";
     }
-    return proved_decimals(digits, [&] { return std::vector<ball>{function_ball(function, at, p)}; }).front().text;
+    return proved_value(digits, [&] { return function_ball(function, at, p); }).text;
 }
 
 }  // namespace libration

@@ -40,14 +40,11 @@ enum class elliptic_grid { one, lists };
 elliptic_request read_elliptic(const std::vector<std::string>& functions, const said_words& said, elliptic_grid grid);
 
 /// The function as a ball, in the working precision and as many digits more as the argument has before its point.
-/// Throws precision_exhausted as jacobi_value does, and std::domain_error where the function is infinite.
+/// Throws precision_exhausted as jacobi_value does, and error where the function is infinite.
 ball function_ball(const std::string& function, const exact& at, const exact_parameter& p);
 
 /// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0.
 std::string function_text(const std::string& function, const exact& at, const exact_parameter& p, long digits);
-
-/// The digits that an argument loses before its point.
-long digits_before_point(const exact& argument);
 
 /// Whether K or F is infinite there.
 bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <sstream>
-#include <utility>
 
+#include "libration/digits/agreed_values.hpp"
 #include "libration/elliptic/proved/function_condition.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
@@ -24,23 +26,12 @@ std::string condition_text(const std::string& function, const exact& at, const t
         return "inf";
     }
     const auto value = [&](const exact& u, const exact& x) { return function_ball(function, u, parameter.from(x)); };
-    std::string before;
-    constexpr long most_digits = 100'000;
-    for (long digits = 40 + digits_before_point(at); digits <= most_digits; digits *= 2) {
-        const precision_scope scope(digits);
-        try {
-            const auto condition = function_condition(value, at, parameter.typed);
-            std::string now = condition ? to_decimal(*condition, 3) : "inf";
-            if (now == before) {
-                return now;
-            }
-            before = std::move(now);
-        } catch (const precision_exhausted&) {
-            continue;
-        }
-    }
-    throw std::runtime_error(
-        fmt::format("the condition of {}({}) is not decided by {} digits", function, at.text, most_digits));
+    const auto compute = [&](const precision_run& /*run*/) -> std::optional<std::string> {
+        const auto condition = function_condition(value, at, parameter.typed);
+        return condition ? to_decimal(*condition, 3) : "inf";
+    };
+    return until_two_agree({0, 40 + digits_before_point(at), most_agreement_digits},
+                           fmt::format("the condition of {}({})", function, at.text), compute, std::equal_to<>());
 }
 
 std::vector<column> columns_of(const elliptic_request& request, input_style style) {

@@ -1,16 +1,15 @@
 #include "table/motion_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
+#include <optional>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/proved/condition.hpp"
-#include "motion/proved_states.hpp"
+#include "motion/typed_times.hpp"
 #include "option/motion_grid.hpp"
 #include "run/parallel.hpp"
-#include "run/proofs.hpp"
 
 namespace libration {
 
@@ -29,18 +28,13 @@ public:
         const long bits = conditioned_motion::bits_for(of_.of, exponent_of(time));
         const long start = (decimal_digits(bits) + 9) / 10 * 10;
         constexpr int attempts = 5;
-        for (long digits = start; digits <= attempts * start; digits += start) {
-            const precision_scope scope(digits);
-            try {
-                const auto& here = made_.try_emplace(digits, of_.typed, of_.of).first->second;
+        return with_growing_precision(
+            {0, start, attempts * start, digit_growth::by_first}, "the condition at time " + time.text,
+            [&](const precision_run& run) -> std::optional<std::string> {
+                const auto& here = made_.try_emplace(run.more, of_.typed, of_.of).first->second;
                 const auto condition = here.at(time, here.of().at(time));
                 return condition ? to_decimal(*condition, 3) : "inf";
-            } catch (const precision_exhausted&) {
-                continue;
-            }
-        }
-        throw std::runtime_error(
-            fmt::format("the condition at time {} is not decided by {} digits", time.text, attempts * start));
+            });
     }
 
 private:
@@ -170,7 +164,7 @@ std::string decimal_text(const exact& number, long digits) {
             return *finite;
         }
     }
-    return proved_decimals(digits, [&] { return std::vector<ball>{from_exact<ball>(number)}; }).front().text;
+    return proved_value(digits, [&] { return from_exact<ball>(number); }).text;
 }
 
 table motion_table(const said_words& said, long digits, input_style style, int jobs) {

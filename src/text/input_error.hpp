@@ -19,16 +19,12 @@ public:
     explicit input_error(const std::string& line) : std::runtime_error(line) {}
 };
 
-/// read(value), its std::invalid_argument, std::domain_error or libration::error turned into an input_error of the
-/// option; what no precision decides is no bad input and stays a libration::error, which then names the option.
+/// read(value), the library's error turned into an input_error of the option, which is the name that the user knows the
+/// quantity by. What no precision decides is nothing that was typed wrong, and passes.
 template <class Read>
 auto reading(const std::string& option, const std::string& value, const std::string& remedy, const Read& read) {
     try {
         return read();
-    } catch (const std::invalid_argument& problem) {
-        throw input_error(option, value, problem.what(), remedy);
-    } catch (const std::domain_error& problem) {
-        throw input_error(option, value, problem.what(), remedy);
     } catch (const error& problem) {
         if (problem.kind() == error_kind::undecided) {
             throw error(error_kind::undecided, option, value, problem.reason());

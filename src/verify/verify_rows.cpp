@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "libration/digits/growing_precision.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
@@ -23,19 +24,15 @@ auto reading_cell(const char* column, const std::string& text, const Read& read)
     const auto quoted = [&] { return text.size() > 60 ? text.substr(0, 60) + "..." : text; };
     try {
         return read(text);
-    } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.what()));
-    } catch (const std::domain_error& problem) {
-        throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.what()));
     } catch (const error& problem) {
-        throw std::invalid_argument(fmt::format("{} '{}' {}", column, quoted(), problem.reason()));
+        throw error(problem.kind(), column, quoted(), problem.reason());
     }
 }
 
 exact pure_number(const std::string& text) {
     exact number = read_typed(text);
     if (!number.is_number()) {
-        throw std::invalid_argument("has a unit");
+        throw error(error_kind::argument, "number", text, "has a unit");
     }
     return number;
 }
@@ -43,7 +40,7 @@ exact pure_number(const std::string& text) {
 exact angle(const std::string& text) {
     exact number = read_typed(text);
     if (number.has_periods()) {
-        throw std::invalid_argument("is a time");
+        throw error(error_kind::argument, "angle", text, "is a time");
     }
     return number;
 }
@@ -51,7 +48,7 @@ exact angle(const std::string& text) {
 exact time_of(const std::string& text, bool as_double) {
     exact number = read_typed(text);
     if (number.measure == unit::degree) {
-        throw std::invalid_argument("is an angle");
+        throw error(error_kind::argument, "time", text, "is an angle");
     }
     return as_double ? nearest_double(number) : number;
 }
@@ -61,7 +58,7 @@ int direction_of(const std::string& text) {
         return 1;
     }
     if (text != "-" && text != "-1") {
-        throw std::invalid_argument("is neither + nor -");
+        throw error(error_kind::argument, "direction", text, "is neither + nor -");
     }
     return -1;
 }
@@ -71,7 +68,7 @@ typed_motion typed_of(const motion_cells& cells) {
     typed_motion typed;
     const bool by_state = !cells.theta0.empty() && !cells.omega0.empty();
     if (!by_state && cells.gap.empty() && cells.energy.empty()) {
-        throw std::invalid_argument("has no motion: theta0 and omega0, a gap or an energy");
+        throw error(error_kind::argument, "row", "", "has no motion: theta0 and omega0, a gap or an energy");
     }
     if (!cells.theta0.empty()) {
         typed.theta0 = reading_cell("theta0", cells.theta0, angle);
@@ -152,9 +149,7 @@ judged_row row_judge::operator()(const csv_record& record) {
     }
     try {
         return judged(record, *cells);
-    } catch (const std::logic_error& problem) {  // what cannot be read, and motions that there are not
-        return malformed(record, *cells, problem.what());
-    } catch (const std::runtime_error& problem) {  // what cannot be proved
+    } catch (const error& problem) {  // what cannot be read, motions that there are not, and what cannot be proved
         return malformed(record, *cells, problem.what());
     }
 }
@@ -237,20 +232,15 @@ std::optional<judgement> row_judge::judge_value(const std::string& text, const b
 
 std::optional<row_judge::value_verdicts> row_judge::try_verdicts(const asked_row& row, known_motion& known, long digits,
                                                                  bool last_attempt) const {
-    const precision_scope scope(digits);
-    try {
-        const conditioned_motion& motion = in_precision(known, digits);
-        const enclosed_state state = motion.of().at(row.time);
-        const auto theta = judge_value(row.theta, state.theta, last_attempt);
-        const auto omega = row.omega.empty() ? std::nullopt : judge_value(row.omega, state.omega, last_attempt);
-        if (!theta || (!row.omega.empty() && !omega)) {
-            return std::nullopt;
-        }
-        const auto condition = motion.at(row.time, state);
-        return value_verdicts{*theta, omega, condition ? to_decimal(*condition, 3) : "inf"};
-    } catch (const precision_exhausted&) {
+    const conditioned_motion& motion = in_precision(known, digits);
+    const enclosed_state state = motion.of().at(row.time);
+    const auto theta = judge_value(row.theta, state.theta, last_attempt);
+    const auto omega = row.omega.empty() ? std::nullopt : judge_value(row.omega, state.omega, last_attempt);
+    if (!theta || (!row.omega.empty() && !omega)) {
         return std::nullopt;
     }
+    const auto condition = motion.at(row.time, state);
+    return value_verdicts{*theta, omega, condition ? to_decimal(*condition, 3) : "inf"};
 }
 
 row_judge::value_verdicts row_judge::verdicts(const asked_row& row, known_motion& known) {
@@ -266,22 +256,18 @@ row_judge::value_verdicts row_judge::verdicts(const asked_row& row, known_motion
     const long for_condition = decimal_digits(conditioned_motion::bits_for(known.exactly, time_exponent));
     const long start = (std::max(for_truth, for_condition) + 9) / 10 * 10;
     constexpr int attempts = 5;
-    long digits = start;
-    for (int attempt = 1; attempt <= attempts; ++attempt, digits += start) {
-        if (auto result = try_verdicts(row, known, digits, attempt == attempts)) {
-            return *result;
-        }
-    }
-    throw std::runtime_error(fmt::format("is not decided by {} digits", attempts * start));
+    return with_growing_precision(
+        {0, start, attempts * start, digit_growth::by_first}, "theta",
+        [&](const precision_run& run) { return try_verdicts(row, known, run.more, run.last); });
 }
 
 judged_row row_judge::judged(const csv_record& record, const std::vector<std::string>& cells) {
     const asked_row row = read(cells);
     if (row.theta.empty()) {
-        throw std::invalid_argument("has no theta");
+        throw error(error_kind::argument, "row", "", "has no theta");
     }
     if (columns_.omega && row.omega.empty()) {
-        throw std::invalid_argument("has no omega");
+        throw error(error_kind::argument, "row", "", "has no omega");
     }
     const value_verdicts at = verdicts(row, motion_for(row.motion));
     const bool theta_ok = at.theta.within;

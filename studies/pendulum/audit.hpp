@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "libration/pendulum/proved/proved_theta.hpp"
+
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/error.hpp"
 #include "run/parallel.hpp"
 #include "sweep/study.hpp"
 
@@ -126,7 +128,7 @@ inline std::vector<std::vector<std::string>> judged_rows(const audit_case& one, 
             judged_row(one, library, theta, reference, &received, condition)};
 }
 
-/// The table of an audit. Throws std::domain_error for E = 0 and E >= 2, where there is no k below 1.
+/// The table of an audit. Throws error for E = 0 and E >= 2, where there is no k below 1.
 inline std::vector<study_table> run_audit(const std::string& name, const std::string& library, const audited_peer& peer,
                                           const study_request& request) {
     refuse_limits(request.energies, "the motion is the constant 0", "the motion has no period");
@@ -134,7 +136,8 @@ inline std::vector<study_table> run_audit(const std::string& name, const std::st
     cases.reserve(request.energies.size() * request.times.size());
     for (const sweep_energy& at : request.energies) {
         if (at.value > 2) {
-            throw std::domain_error("has the energy " + at.energy + ", where 2 asin(k cd) is not the solution");
+            throw error(error_kind::argument, "energies", "",
+                        "has the energy " + at.energy + ", where 2 asin(k cd) is not the solution");
         }
         for (const exact& time : request.times) {
             cases.push_back(case_of(at, time));

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "libration/digits/growing_precision.hpp"
 #include "libration/scalar/enclose.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
@@ -40,12 +40,11 @@ inline long digits_to_resolve(const judged& value, long digits) {
 }
 
 /// compute(), which returns judged values, in a working precision of `digits` and `more` to begin with and then in what
-/// the smallest value or error asks for. Throws std::runtime_error where 100000 digits do not resolve an error.
+/// the smallest value or error asks for. Throws error of the kind undecided where 100000 digits do not resolve one.
 template <class Compute>
 std::vector<judged> resolved(long digits, long more, const Compute& compute) {
     constexpr long most_working_digits = 100'000;
-    for (long working = digits + more + guard_digits; working <= most_working_digits;) {
-        const precision_scope scope(working);
+    const auto attempt = [&](long& working) -> std::optional<std::vector<judged>> {
         std::vector<judged> values = compute();
         long needed = 0;
         for (const judged& value : values) {
@@ -55,8 +54,9 @@ std::vector<judged> resolved(long digits, long more, const Compute& compute) {
             return values;
         }
         working = needed + guard_digits;
-    }
-    throw std::runtime_error("an error is not resolved by " + std::to_string(most_working_digits) + " digits");
+        return std::nullopt;
+    };
+    return with_asked_precision(digits + more + guard_digits, most_working_digits, "an error", attempt);
 }
 
 }  // namespace libration::studies

@@ -1,6 +1,8 @@
 // How do the resummations compare at the same number of coefficients, and which of them survive the separatrix?
 #include <algorithm>
+#include <optional>
 
+#include "libration/digits/growing_precision.hpp"
 #include "libration/pendulum/error/descent_approximations.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
@@ -90,13 +92,13 @@ energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
 // it.
 std::vector<std::vector<std::string>> rows_at(const sweep_energy& at, const std::vector<int>& counts) {
     const int most = *std::max_element(counts.begin(), counts.end());
-    for (long digits = 60 + most;; digits *= 2) {
-        const precision_scope scope(digits);
+    constexpr long most_digits = 20'000;
+    const auto attempt = [&](const precision_run& run) -> std::optional<std::vector<std::vector<std::string>>> {
         auto found = rows_in(at, counts);
-        if (found.least > pow(mpfr(10), static_cast<int>(2 * printed_digits - digits))) {
-            return std::move(found.rows);
-        }
-    }
+        const bool enough = found.least > pow(mpfr(10), static_cast<int>(2 * printed_digits - run.more));
+        return enough ? std::optional(std::move(found.rows)) : std::nullopt;
+    };
+    return with_growing_precision({0, 60 + most, most_digits}, "a norm at energy " + at.energy, attempt);
 }
 
 std::vector<int> read_counts_of(const study_request& request) {

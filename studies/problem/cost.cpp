@@ -157,7 +157,7 @@ power_series<T> by(route which, const given<T>& from, int order) {
 std::optional<std::string> refusal(route which, const given<mpfr>& from) {
     try {
         by(which, from, 2);
-    } catch (const std::domain_error& problem) {
+    } catch (const error& problem) {
         return problem.what();
     }
     return std::nullopt;

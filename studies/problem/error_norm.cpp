@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/error/march_error.hpp"
 #include "libration/pendulum/error/proved/proved_norm.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
-#include "run/proofs.hpp"
 #include "sweep/study.hpp"
 #include "text/input_error.hpp"
 

@@ -1,7 +1,6 @@
 #include "run/grid.hpp"
 
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,7 @@ template <class Read>
 std::string complaint(const Read& read) {
     try {
         read();
-    } catch (const std::invalid_argument& problem) {
-        return problem.what();
-    } catch (const error& problem) {
+    } catch (const libration::error& problem) {
         return problem.reason();
     }
     return "accepted";

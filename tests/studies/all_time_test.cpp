@@ -84,8 +84,8 @@ TEST_CASE("time reduced exactly keeps the rounding of the scalar, the remainder 
 }
 
 TEST_CASE("late times have no meaning at E = 0 and E = 2", "[studies][all_time]") {
-    CHECK_THROWS_AS(rows_for({{"--energies", "0"}}), std::domain_error);
-    CHECK_THROWS_AS(rows_for({{"--energies", "1,2"}}), std::domain_error);
+    CHECK_THROWS_AS(rows_for({{"--energies", "0"}}), libration::error);
+    CHECK_THROWS_AS(rows_for({{"--energies", "1,2"}}), libration::error);
 }
 
 }  // namespace studies_all_time_test

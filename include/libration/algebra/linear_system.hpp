@@ -2,8 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,10 +11,10 @@
 namespace libration {
 
 /// The solution of a square system A x = b by Gaussian elimination; rows are scaled by their largest entry to choose
-/// the pivot. O(n^3). Throws std::domain_error where no pivot is above `negligible` times the largest entry of its row:
+/// the pivot. O(n^3). std::nullopt where no pivot is above `negligible` times the largest entry of its row:
 /// the system is singular as far as can be told.
 template <rounding_scalar T>
-std::vector<T> solve_linear(std::vector<std::vector<T>> a, std::vector<T> b, const T& negligible) {
+std::optional<std::vector<T>> solve_linear(std::vector<std::vector<T>> a, std::vector<T> b, const T& negligible) {
     using std::abs;
     const std::size_t n = b.size();
     std::vector<T> largest(n, T(0));
@@ -30,8 +29,7 @@ std::vector<T> solve_linear(std::vector<std::vector<T>> a, std::vector<T> b, con
             pivot = abs(a[i][k]) * largest[pivot] > abs(a[pivot][k]) * largest[i] ? i : pivot;
         }
         if (abs(a[pivot][k]) <= largest[pivot] * negligible) {
-            throw std::domain_error("a system of " + std::to_string(n) + " equations that is singular in " +
-                                    std::to_string(digits<T>()) + " bits");
+            return std::nullopt;
         }
         std::swap(a[k], a[pivot]);
         std::swap(b[k], b[pivot]);

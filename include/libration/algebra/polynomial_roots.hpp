@@ -10,10 +10,10 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 #include "libration/scalar/complex_number.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/power_series.hpp"
 
 namespace libration {
@@ -127,11 +127,11 @@ void improve_root(const power_series<T>& p, std::vector<polynomial_root<T>>& roo
 
 /// The n roots of a_0 + ... + a_n z^n with multiplicity; roots 0 are exact. At most `steps` rounds of O(n^2)
 /// operations; without it 100 and four for each bit, which double roots need. Powers |a_i| |z|^i have to be in range of
-/// a fixed scalar. Throws std::domain_error when a_n = 0.
+/// a fixed scalar. Throws error when a_n = 0.
 template <rounding_scalar T>
 polynomial_roots<T> roots_of(const power_series<T>& polynomial, int steps = 100 + 4 * digits<T>()) {
     if (polynomial[polynomial.order()] == 0) {
-        throw std::domain_error("a polynomial whose leading coefficient is 0");
+        throw error(error_kind::argument, "leading coefficient", "0", "lowers the degree of the polynomial");
     }
     int zeros = 0;
     while (polynomial[zeros] == 0) {

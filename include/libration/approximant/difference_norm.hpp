@@ -8,11 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "libration/series/arithmetic.hpp"
 
@@ -32,10 +32,11 @@ concept bracketed_scalar = rounding_scalar<T> && !std::same_as<T, quad>;
 
 /// count >= 2 Chebyshev points of [0, 1], ends included: (1 - cos(j pi/(count-1)))/2 rounded to double, so that every
 /// scalar holds them exactly.
-/// Throws std::invalid_argument when count < 2.
+/// Throws error when count < 2.
 inline std::vector<double> chebyshev_points(int count) {
     if (count < 2) {
-        throw std::invalid_argument(std::to_string(count) + " points between two ends");
+        throw error(error_kind::argument, "number of points", std::to_string(count),
+                    "is too small: the two ends are among them");
     }
     std::vector<double> points;
     for (int j = 0; j < count; ++j) {
@@ -104,7 +105,7 @@ bool may_exceed(const T& level, const jet<T>& left, const jet<T>& right, const T
 }
 
 /// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
-/// them that may exceed it. Throws std::domain_error where the difference is not finite.
+/// them that may exceed it. Throws error where the difference is not finite.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
                            const std::vector<jet<T>>& at_points) {
@@ -113,7 +114,7 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
     norm_at<T> largest{T(0), T(points.front())};
     const auto consider = [&](const T& value, const T& place) {
         if (!isfinite(value)) {
-            throw std::domain_error("the difference is not finite at " + to_decimal(place, 20));
+            throw error(error_kind::argument, "difference", "", "is not finite at " + to_decimal(place, 20));
         }
         if (abs(value) > largest.norm) {
             largest = {abs(value), place};

@@ -2,10 +2,10 @@
 // the complete integral, the Jacobi functions and the incomplete integral rest [DLMF 19.8(i), 19.8(ii), 22.7(i)].
 #pragma once
 
-#include <stdexcept>
 #include <vector>
 
 #include "libration/elliptic/modulus.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -17,12 +17,12 @@ namespace libration {
 template <scalar T>
 class landen_chain {
 public:
-    /// Throws std::domain_error when k' = 0: the chain has no end and K is infinite.
+    /// Throws error when k' = 0: the chain has no end and K is infinite.
     explicit landen_chain(const modulus<T>& m) : modulus_(m) {
         using std::sqrt;
         const long exponent = binary_exponent(m.complement);
         if (exponent == exponent_of_zero) {
-            throw std::domain_error("the complementary modulus k' = 0: K(1) is infinite");
+            throw error(error_kind::argument, "complementary modulus", "0", "makes K(1) infinite");
         }
         const int levels = doublings(1 - exponent) + doublings(digits<T>() / 2 + 4) + 1;
         a_.reserve(static_cast<std::size_t>(levels) + 1);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "libration/scalar/concept.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/jet.hpp"
 
 namespace libration {
@@ -36,12 +36,13 @@ public:
     runge_kutta_march(jet<T> start, T step) : y_(std::move(start)), step_(std::move(step)) {}
 
     /// The state at dimensionless time t, from the state at the time of the last call (0 at first).
-    /// Throws std::domain_error when that takes more than most_steps steps.
+    /// Throws error when that takes more than most_steps steps.
     const jet<T>& advance_to(const T& t) {
         const integer steps = nearest_integer(widen(T((t - now_) / step_)));
         if (abs(steps) > most_steps) {
-            throw std::domain_error("takes " + integer(abs(steps)).str() + " Runge-Kutta steps, more than " +
-                                    std::to_string(most_steps));
+            throw error(
+                error_kind::argument, "time", "",
+                "takes " + integer(abs(steps)).str() + " Runge-Kutta steps, more than " + std::to_string(most_steps));
         }
         const long count = steps.convert_to<long>();
         const T h = count < 0 ? T(-step_) : step_;

@@ -38,6 +38,9 @@ T from_rational(const rational& q) {
     return scalar_traits<T>::from_rational(q);
 }
 
+/// The integer nearest to q, ties to even.
+integer nearest_integer(const rational& q);
+
 /// The integer nearest to x, ties to even.
 inline integer nearest_integer(const mpfr& x) {
     integer result;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "libration/scalar/convert.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/expression.hpp"
 
 namespace libration {
@@ -60,7 +61,7 @@ exact operator-(const exact& a, const exact& b);
 exact operator*(const exact& a, const exact& b);
 exact operator/(const exact& a, const exact& b);
 
-/// -1, 0 or 1. Throws libration::error of kind undecided where no precision decides, std::domain_error for multiples
+/// -1, 0 or 1. Throws error of the kind undecided where no precision decides, error for multiples
 /// of the period.
 int sign_of_exact(const exact& number);
 
@@ -68,7 +69,7 @@ int sign_of_exact(const exact& number);
 mpfr mpfr_from_exact(const exact& number);
 
 /// The exact number in T, rounded once: pi enters with 64 more bits than T has.
-/// Throws std::domain_error for multiples of the period, which only a motion knows.
+/// Throws error for multiples of the period, which only a motion knows.
 template <rounding_scalar T>
 T from_exact(const exact& number) {
     if (number.measure == unit::one) {

@@ -1,9 +1,9 @@
 // The one scoped object that sets the working precision where it is a run-time choice: of mpfr, and of balls.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {
@@ -12,13 +12,13 @@ namespace libration {
 ///
 /// MPFR's default precision is thread-local state: every worker thread opens a scope of its own. The precision in bits
 /// is the smallest that Boost gives for that many digits, never less than digits * log2(10).
-/// Throws std::invalid_argument when digits is outside 1 .. 10^8.
+/// Throws error when digits is outside 1 .. 10^8.
 class precision_scope {
 public:
     explicit precision_scope(long digits) : previous_(mpfr::thread_default_precision()) {
         if (digits < 1 || digits > maximum) {
-            throw std::invalid_argument("working precision of " + std::to_string(digits) +
-                                        " digits is outside 1 .. 10^8");
+            throw error(error_kind::argument, "working precision", std::to_string(digits),
+                        "is outside 1 .. 10^8 digits");
         }
         mpfr::thread_default_precision(static_cast<unsigned>(digits));
     }

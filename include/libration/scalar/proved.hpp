@@ -2,9 +2,9 @@
 // decision that is not proved.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/traits.hpp"
 
 namespace libration {
@@ -13,10 +13,10 @@ class ball;
 struct exact;
 
 /// A decision (a sign, a branch, a digit) that the enclosures at hand do not prove: repeat with more digits.
-class precision_exhausted : public std::runtime_error {
+class precision_exhausted : public error {
 public:
     explicit precision_exhausted(const std::string& what)
-        : std::runtime_error(what + " is not decided by this many digits") {}
+        : error(error_kind::undecided, what, "", "is not decided by this many digits") {}
 };
 
 /// The exact number as an enclosure (scalar/ball/ball.hpp).

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/scalar/concept.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -18,14 +18,15 @@ public:
     power_series() : coefficients_{T(0)} {}
     explicit power_series(std::vector<T> coefficients) : coefficients_(std::move(coefficients)) {
         if (coefficients_.empty()) {
-            throw std::invalid_argument("a power series needs at least the coefficient of degree 0");
+            throw error(error_kind::argument, "list of coefficients", "",
+                        "is empty: a power series has one of degree 0 at least");
         }
     }
 
-    /// The zero series of order N. Throws std::invalid_argument when N < 0.
+    /// The zero series of order N. Throws error when N < 0.
     static power_series zero(int order) {
         if (order < 0) {
-            throw std::invalid_argument("a power series of order " + std::to_string(order));
+            throw error(error_kind::argument, "order", std::to_string(order), "of a power series is negative");
         }
         return power_series(std::vector<T>(static_cast<std::size_t>(order) + 1, T(0)));
     }
@@ -40,11 +41,11 @@ public:
     const T* data() const { return coefficients_.data(); }
     T* data() { return coefficients_.data(); }
 
-    /// The first degrees 0 .. N of this series. Throws std::invalid_argument when it holds fewer.
+    /// The first degrees 0 .. N of this series. Throws error when it holds fewer.
     power_series truncated(int order) const {
         if (order < 0 || order > this->order()) {
-            throw std::invalid_argument("order " + std::to_string(order) + " of a series of order " +
-                                        std::to_string(this->order()));
+            throw error(error_kind::argument, "order", std::to_string(order),
+                        "is not between 0 and the " + std::to_string(this->order()) + " of the series");
         }
         return power_series(std::vector<T>(coefficients_.begin(), coefficients_.begin() + order + 1));
     }

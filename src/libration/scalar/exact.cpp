@@ -75,12 +75,12 @@ int sign_of_exact(const exact& number) {
 mpfr mpfr_from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<mpfr>(number.coefficient);
-        case unit::period: throw std::domain_error(number.text + " is a multiple of a period, not a number");
+        case unit::period: throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         case unit::expression: break;
         default: return from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
     }
     if (number.has_periods()) {
-        throw std::domain_error(number.text + " is a multiple of a period, not a number");
+        throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
     }
     try {
         return rounded_value(*number.formula);

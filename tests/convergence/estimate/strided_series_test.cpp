@@ -17,9 +17,9 @@ TEST_CASE("a class of indices is a series of its own", "[convergence][strided_se
     CHECK(c[1] == 5);
     CHECK(c[2] == 8);
     CHECK(c.power(2) == 8);
-    CHECK_THROWS_AS(strided_series<double>(power_series<double>({1, 2}), 2, 1), std::invalid_argument);
-    CHECK_THROWS_AS(strided_series<double>(power_series<double>({1, 2}), 0, 0), std::invalid_argument);
-    CHECK_THROWS_AS(strided_series<double>(power_series<double>({1, 2}), -1, 1), std::invalid_argument);
+    CHECK_THROWS_AS(strided_series<double>(power_series<double>({1, 2}), 2, 1), libration::error);
+    CHECK_THROWS_AS(strided_series<double>(power_series<double>({1, 2}), 0, 0), libration::error);
+    CHECK_THROWS_AS(strided_series<double>(power_series<double>({1, 2}), -1, 1), libration::error);
 }
 
 TEST_CASE("ratios leave out what would divide by 0", "[convergence][coefficient_ratios]") {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,7 +27,7 @@ known_series<T> known(const std::string& name) {
             return each;
         }
     }
-    throw std::invalid_argument("no series " + name);
+    throw libration::error("no series " + name);
 }
 
 // Coefficients are narrowed from guard digits: half an eps, and one for the fraction that they are compared with.

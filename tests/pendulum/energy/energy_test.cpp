@@ -1,7 +1,6 @@
 #include "libration/pendulum/energy/energy.hpp"
 
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -101,13 +100,13 @@ TEMPLATE_LIST_TEST_CASE("a scalar says when it cannot hold the energy", "[energy
     for (const motion& m : {with_gap("1e-400"), with_gap("-1e-400"), with_energy("1e-400"), with_energy("1e400"),
                             with_state("1e-200", "0")}) {
         if constexpr (std::is_same_v<T, double>) {
-            CHECK_THROWS_AS(energies<T>(m), std::range_error);
+            CHECK_THROWS_AS(energies<T>(m), libration::error);
         } else {
             CHECK_NOTHROW(energies<T>(m));
         }
     }
     if constexpr (!std::is_same_v<T, mpfr>) {
-        CHECK_THROWS_AS(energies<T>(with_gap("1e-5000")), std::range_error);
+        CHECK_THROWS_AS(energies<T>(with_gap("1e-5000")), libration::error);
     }
 }
 
@@ -131,9 +130,9 @@ TEMPLATE_LIST_TEST_CASE("the modulus of an orbit is a pair of full precision", "
 TEMPLATE_LIST_TEST_CASE("E = 2 has no orbit", "[energy]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    CHECK_THROWS_AS(orbit_of<T>(with_energy("2")), std::domain_error);
-    CHECK_THROWS_AS(orbit_of<T>(with_state("120deg", "1")), std::domain_error);
-    CHECK_THROWS_AS(orbit_of<T>(with_state("pi", "0")), std::domain_error);
+    CHECK_THROWS_AS(orbit_of<T>(with_energy("2")), libration::error);
+    CHECK_THROWS_AS(orbit_of<T>(with_state("120deg", "1")), libration::error);
+    CHECK_THROWS_AS(orbit_of<T>(with_state("pi", "0")), libration::error);
 }
 
 TEMPLATE_LIST_TEST_CASE("the unit of time is sqrt(length/gravity)", "[energy]", all_scalars) {

@@ -1,7 +1,6 @@
 #include "libration/pendulum/energy/period.hpp"
 
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "pendulum/typed.hpp"
@@ -85,14 +84,14 @@ TEMPLATE_LIST_TEST_CASE("at E = 0 the period is 2 pi", "[period]", all_scalars) 
     const typename TestType::precision precision;
     const auto o = orbit_of<T>(with_energy("0"));
     CHECK_THAT(T(effective_period(o) * 4), near<T>(T(pi<T>() * 2), 1));  // the mean of 1 and 1 is exact
-    CHECK_THROWS_AS(singularity_height(o), std::domain_error);
+    CHECK_THROWS_AS(singularity_height(o), libration::error);
 }
 
 TEMPLATE_LIST_TEST_CASE("the period is infinite at E = 2", "[period]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    CHECK_THROWS_AS(period_of<T>(with_energy("2")), std::domain_error);
-    CHECK_THROWS_AS(period_of<T>(with_state("180deg", "0")), std::domain_error);
+    CHECK_THROWS_AS(period_of<T>(with_energy("2")), libration::error);
+    CHECK_THROWS_AS(period_of<T>(with_state("180deg", "0")), libration::error);
 }
 
 TEMPLATE_LIST_TEST_CASE("periods agree with the table", "[period][reference]", all_scalars) {
@@ -134,8 +133,8 @@ TEMPLATE_LIST_TEST_CASE("partial sums of both series of K are the sums of fracti
             CHECK_THAT(effective_period_resummed(o, order), near<T>(new_sum, 3 + order / 4));
         }
     }
-    CHECK_THROWS_AS(effective_period_series(orbit_of<T>(with_energy("1")), -1), std::invalid_argument);
-    CHECK_THROWS_AS(effective_period_resummed(orbit_of<T>(with_energy("1")), -1), std::invalid_argument);
+    CHECK_THROWS_AS(effective_period_series(orbit_of<T>(with_energy("1")), -1), libration::error);
+    CHECK_THROWS_AS(effective_period_resummed(orbit_of<T>(with_energy("1")), -1), libration::error);
 }
 
 }  // namespace pendulum_period_test

@@ -1,7 +1,6 @@
 #include "libration/pendulum/error/descent_tails.hpp"
 
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -52,8 +51,8 @@ TEST_CASE("errors from the omitted terms are those of the approximations in many
 }
 
 TEST_CASE("points outside of the way down are refused", "[descent_tails]") {
-    CHECK_THROWS_AS(descent_tails<double>({1, 2}, {0}), std::invalid_argument);
-    CHECK_THROWS_AS(descent_tails<double>({1, 2}, {1.5}), std::invalid_argument);
+    CHECK_THROWS_AS(descent_tails<double>({1, 2}, {0}), libration::error);
+    CHECK_THROWS_AS(descent_tails<double>({1, 2}, {1.5}), libration::error);
 }
 
 }  // namespace pendulum_descent_tails_test

@@ -1,7 +1,6 @@
 #include "libration/pendulum/error/folding_error.hpp"
 
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "pendulum/typed.hpp"
@@ -51,7 +50,7 @@ TEMPLATE_LIST_TEST_CASE("an exact T* folds without error, another one with its e
             CHECK(abs(T(pair.found - pair.expected)) == pair.error);
         }
     }
-    CHECK_THROWS_AS(folding_error<T>(2, by, 1, 4), std::domain_error);
+    CHECK_THROWS_AS(folding_error<T>(2, by, 1, 4), libration::error);
 }
 
 }  // namespace pendulum_folding_error_test

@@ -1,7 +1,6 @@
 #include "libration/pendulum/error/march_error.hpp"
 
 #include <catch2/catch.hpp>
-#include <stdexcept>
 
 namespace pendulum_march_error_test {
 
@@ -25,8 +24,8 @@ TEST_CASE("the march on the separatrix misses by its truncation where the step i
 TEST_CASE("a march has at least one step and not too many", "[march_error]") {
     CHECK(march_steps(rational(1, 100'000), 10) == 1'000'000);
     CHECK(march_steps(rational(3), 10) == 3);
-    CHECK_THROWS_AS(march_steps(rational(100), 10), std::domain_error);
-    CHECK_THROWS_AS(march_steps(rational(1, integer("1000000000000")), 10), std::domain_error);
+    CHECK_THROWS_AS(march_steps(rational(100), 10), libration::error);
+    CHECK_THROWS_AS(march_steps(rational(1, integer("1000000000000")), 10), libration::error);
 }
 
 }  // namespace pendulum_march_error_test

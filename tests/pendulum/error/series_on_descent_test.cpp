@@ -99,9 +99,9 @@ TEST_CASE("the nearest singularity is R away, and there are four about the top",
 }
 
 TEST_CASE("there is no list at rest, on the separatrix, or of a negative order", "[pendulum][series_on_descent]") {
-    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(0), 0, 4), std::domain_error);
-    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(2), 1, 4), std::domain_error);
-    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(1), 1, -1), std::invalid_argument);
+    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(0), 0, 4), libration::error);
+    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(2), 1, 4), libration::error);
+    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(1), 1, -1), libration::error);
 }
 
 }  // namespace pendulum_series_on_descent_test

@@ -81,7 +81,7 @@ TEST_CASE("the sign and the size of a difference of forty equal digits are prove
 
 TEST_CASE("what is zero is never decided by precision", "[decision]") {
     const auto nothing = [] { return bounded_value{mpfr(0), epsilon<mpfr>()}; };
-    CHECK_THROWS_AS(decide_sign(nothing, "nothing"), error);
+    CHECK_THROWS_AS(decide_sign(nothing, "nothing"), libration::error);
 }
 
 TEST_CASE("a sign is believed when the value exceeds its error, not before", "[decision]") {

@@ -225,22 +225,22 @@ TEST_CASE("the sampler refuses what it cannot sample", "[pendulum][sampler]") {
     const sampler<double> sample(with_energy("1.71"));
     std::vector<double> three(3);
     std::vector<double> two(2);
-    CHECK_THROWS_AS(sample(three, two, three), std::invalid_argument);
-    CHECK_THROWS_AS(sample(three, three, two), std::invalid_argument);
-    CHECK_THROWS_AS(sample(two, three, three), std::invalid_argument);
+    CHECK_THROWS_AS(sample(three, two, three), libration::error);
+    CHECK_THROWS_AS(sample(three, three, two), libration::error);
+    CHECK_THROWS_AS(sample(two, three, three), libration::error);
     CHECK_NOTHROW(sample({}, {}, {}));
     for (const std::string energy : {"0", "1.71", "2", "3"}) {
         const sampler<double> other(with_energy(energy));
-        CHECK_THROWS_AS(other(std::numeric_limits<double>::infinity()), std::domain_error);
-        CHECK_THROWS_AS(other(std::numeric_limits<double>::quiet_NaN()), std::domain_error);
+        CHECK_THROWS_AS(other(std::numeric_limits<double>::infinity()), libration::error);
+        CHECK_THROWS_AS(other(std::numeric_limits<double>::quiet_NaN()), libration::error);
         std::vector<double> times(20);
         times[17] = -std::numeric_limits<double>::infinity();
         std::vector<double> theta(20);
-        CHECK_THROWS_AS(other(times, theta, theta), std::domain_error);
+        CHECK_THROWS_AS(other(times, theta, theta), libration::error);
     }
-    CHECK_THROWS_AS(sampler<double>(with_energy("1e308")), std::range_error);
-    CHECK_THROWS_AS(sampler<double>(with_energy("1e300"))(1e300), std::range_error);
-    CHECK_THROWS_AS(sampler<double>(with_gap("1e-5000")), std::range_error);
+    CHECK_THROWS_AS(sampler<double>(with_energy("1e308")), libration::error);
+    CHECK_THROWS_AS(sampler<double>(with_energy("1e300"))(1e300), libration::error);
+    CHECK_THROWS_AS(sampler<double>(with_gap("1e-5000")), libration::error);
 }
 
 TEST_CASE("a motion has fewer than 110 panels", "[pendulum][sampler]") {

@@ -30,7 +30,7 @@ TEST_CASE("digits of a ball are printed where all of it is within a unit of the 
     CHECK(to_proved_decimal(ball(5), 3)->uncertainty == "0");
     CHECK_FALSE(to_proved_decimal(ball(1) / ball(0), 1));
     CHECK_FALSE(to_proved_decimal(enclose(ball(0), epsilon<ball>()), 1));
-    CHECK_THROWS_AS(to_proved_decimal(ball(1), 0), std::invalid_argument);
+    CHECK_THROWS_AS(to_proved_decimal(ball(1), 0), libration::error);
 }
 
 TEST_CASE("a unit is that of the digits printed", "[scalar][ball]") {

@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/algebra/linear_system.hpp"
 #include "libration/convergence/estimate/settling.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -62,10 +62,11 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
-/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0. In the variable u with u = -+1 at
+/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0, std::nullopt where the equations are singular. In the variable u with u = -+1 at
 /// the ends n = m and n = m/2, so that the normal equations are well conditioned.
 template <rounding_scalar T>
-T fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last, std::size_t degree) {
+std::optional<T> fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last,
+                              std::size_t degree) {
     std::vector<std::vector<T>> normal(degree + 1, std::vector<T>(degree + 1, T(0)));
     std::vector<T> right(degree + 1, T(0));
     std::vector<T> powers(degree + 1, T(1));
@@ -83,11 +84,14 @@ T fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::
             right[i] += powers[i] * s[e].value;
         }
     }
-    const std::vector<T> solution = solve_linear(std::move(normal), std::move(right), T(epsilon<T>() * 64));
+    const auto solution = solve_linear(std::move(normal), std::move(right), T(epsilon<T>() * 64));
+    if (!solution) {
+        return std::nullopt;
+    }
     fill(T(-3));
     T value(0);
     for (std::size_t i = 0; i <= degree; ++i) {
-        value += solution[i] * powers[i];
+        value += (*solution)[i] * powers[i];
     }
     return value;
 }
@@ -96,13 +100,14 @@ T fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::
 
 /// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n grows from entry to entry; four entries at
 /// least, of size about 1 or scaled alike. On a power law in 1/n the uncertainty is about the error. O(N log N) for
-/// each column. Throws std::invalid_argument for fewer entries.
+/// each column. Throws error for fewer entries.
 template <rounding_scalar T>
 sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
     constexpr std::size_t fewest = 4;
     constexpr std::size_t most_columns = 40;
     if (s.size() < fewest) {
-        throw std::invalid_argument("a sequence of " + std::to_string(s.size()) + " entries to extrapolate");
+        throw error(error_kind::argument, "number of entries", std::to_string(s.size()),
+                    "is below the 4 that an extrapolation needs");
     }
     std::optional<sequence_limit<T>> best;
     for (std::size_t h = 1; h == 1 || h * 16 <= s.size(); h *= 2) {
@@ -136,25 +141,25 @@ sequence_limit<T> fitted_limit(const std::vector<sequence_entry<T>>& s) {
     using std::abs;
     constexpr std::size_t most_degree = 4;
     if (s.size() < 4) {
-        throw std::invalid_argument("a sequence of " + std::to_string(s.size()) + " entries to fit");
+        throw error(error_kind::argument, "number of entries", std::to_string(s.size()),
+                    "is below the 4 that a fit needs");
     }
     const std::size_t last = s.size() - 1;
     std::optional<sequence_limit<T>> best;
     for (std::size_t degree = 0; degree <= most_degree && (degree == 0 || 8 * (degree + 1) <= s.size()); ++degree) {
-        try {
-            const T value = fitting::fitted_value(s, last / 2, last, degree);
-            T moved(0);
-            for (const std::size_t less :
-                 {std::size_t(1), std::size_t(2), std::size_t(3), s.size() / 8, s.size() / 4}) {
-                const std::size_t end = last - std::min(less, last / 2);
-                const T other = fitting::fitted_value(s, end / 2, end, degree);
-                moved = abs(other - value) > moved ? T(abs(other - value)) : moved;
-            }
-            if (is_a_number(value) && (!best || moved * 2 < best->uncertainty)) {
-                best = sequence_limit<T>{value, T(moved * 2), static_cast<int>(degree)};
-            }
-        } catch (const std::domain_error&) {
+        const auto value = fitting::fitted_value(s, last / 2, last, degree);
+        std::optional<T> moved(T(0));
+        for (const std::size_t less : {std::size_t(1), std::size_t(2), std::size_t(3), s.size() / 8, s.size() / 4}) {
+            const std::size_t end = last - std::min(less, last / 2);
+            const auto other = value && moved ? fitting::fitted_value(s, end / 2, end, degree) : std::nullopt;
+            moved = other ? std::optional<T>(abs(*other - *value) > *moved ? T(abs(*other - *value)) : *moved)
+                          : std::nullopt;
+        }
+        if (!moved) {
             break;
+        }
+        if (is_a_number(*value) && (!best || *moved * 2 < best->uncertainty)) {
+            best = sequence_limit<T>{*value, T(*moved * 2), static_cast<int>(degree)};
         }
     }
     if (!best) {

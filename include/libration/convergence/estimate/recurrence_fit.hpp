@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -84,8 +83,8 @@ inline std::optional<leading_polynomials> fit_recurrence(const wide_series& seri
         }
         a.push_back(std::move(row));
     }
-    try {
-        const auto q = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * (8 * (unknowns + 1))));
+    if (const auto solution = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * (8 * (unknowns + 1))))) {
+        const std::vector<mpfr>& q = *solution;
         leading_polynomials found{power_series<mpfr>::zero(degree), power_series<mpfr>::zero(degree)};
         found.top[0] = 1;
         const auto at = [&](int j, int i) {
@@ -100,9 +99,8 @@ inline std::optional<leading_polynomials> fit_recurrence(const wide_series& seri
             }
         }
         return found;
-    } catch (const std::domain_error&) {
-        return std::nullopt;
     }
+    return std::nullopt;
 }
 
 }  // namespace fitting

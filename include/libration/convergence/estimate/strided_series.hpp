@@ -5,12 +5,12 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/convergence/estimate/radius_estimate.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/power_series.hpp"
 
 namespace libration {
@@ -19,11 +19,12 @@ namespace libration {
 template <rounding_scalar T>
 class strided_series {
 public:
-    /// The coefficients of that class of indices. Throws std::invalid_argument where there is none.
+    /// The coefficients of that class of indices. Throws error where there is none.
     strided_series(const power_series<T>& a, int first, int stride) : first_(first), stride_(stride) {
         if (first < 0 || stride < 1 || first > a.order()) {
-            throw std::invalid_argument("every " + std::to_string(stride) + "th coefficient from " +
-                                        std::to_string(first) + " of a series of order " + std::to_string(a.order()));
+            throw error(error_kind::argument, "stride", std::to_string(stride),
+                        "from " + std::to_string(first) + " takes no coefficients of a series of order " +
+                            std::to_string(a.order()));
         }
         for (int n = first; n <= a.order(); n += stride) {
             coefficients_.push_back(a[n]);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "libration/algebra/linear_system.hpp"
@@ -34,9 +35,9 @@ struct size_point {
     T log_size;
 };
 
-/// alpha, beta, gamma by least squares.
+/// alpha, beta, gamma by least squares; std::nullopt where the equations are singular.
 template <rounding_scalar T>
-std::vector<T> fit_sizes(const std::vector<size_point<T>>& points, const T& last) {
+std::optional<std::vector<T>> fit_sizes(const std::vector<size_point<T>>& points, const T& last) {
     using std::log;
     constexpr std::size_t unknowns = 3;
     std::vector<std::vector<T>> normal(unknowns, std::vector<T>(unknowns, T(0)));
@@ -74,7 +75,11 @@ coefficient_growth<T> growth_of(const strided_series<T>& c) {
     if (points.size() < fewest) {
         return {};
     }
-    const auto first_fit = fitting::fit_sizes(points, last);
+    const auto all = fitting::fit_sizes(points, last);
+    if (!all) {
+        return {};
+    }
+    const std::vector<T>& first_fit = *all;
     std::vector<fitting::size_point<T>> upper;
     for (const auto& p : points) {
         const T x = p.k / last;
@@ -83,7 +88,11 @@ coefficient_growth<T> growth_of(const strided_series<T>& c) {
         }
     }
     // beta x + gamma' x log x with x = k/K: gamma = gamma'/K.
-    const T gamma = fitting::fit_sizes(upper.size() < fewest / 2 ? points : upper, last)[2] / last;
+    const auto fit = fitting::fit_sizes(upper.size() < fewest / 2 ? points : upper, last);
+    if (!fit) {
+        return {};
+    }
+    const T gamma = (*fit)[2] / last;
     const T falling = -T(1) / 8 - T(12) / last;
     const T growing = T(1) / 4 + T(16) / last;
     const growth kind = gamma < falling ? growth::entire : gamma > growing ? growth::divergent : growth::geometric;

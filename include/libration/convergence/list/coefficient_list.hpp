@@ -12,7 +12,6 @@
 #include <cctype>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,17 +22,16 @@
 
 namespace libration {
 
-/// A line that is no coefficient: its number from 1 on, its text, and in what() what is wrong with it.
-class malformed_line : public std::invalid_argument {
+/// A line that is no coefficient: its number from 1 on, its text, and in reason() what is wrong with it.
+class malformed_line : public error {
 public:
     malformed_line(std::size_t number, std::string text, const std::string& reason)
-        : std::invalid_argument(reason), number_(number), text_(std::move(text)) {}
+        : error(error_kind::argument, "line " + std::to_string(number), std::move(text), reason), number_(number) {}
     std::size_t number() const { return number_; }
-    const std::string& text() const { return text_; }
+    const std::string& text() const { return value(); }
 
 private:
     std::size_t number_;
-    std::string text_;
 };
 
 /// Reads a whole text. n has to grow from line to line; a missing n is a coefficient 0.

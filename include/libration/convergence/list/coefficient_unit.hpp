@@ -7,10 +7,10 @@
 
 #include <cstddef>
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "libration/series/power_series.hpp"
 
@@ -115,7 +115,7 @@ coefficient_unit unit_of(const power_series<T>& a) {
     return unit;
 }
 
-/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws std::range_error where T
+/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws error of the kind range where T
 /// cannot hold one of them.
 template <rounding_scalar T>
 power_series<T> in_unit_of(const power_series<mpfr>& a, const coefficient_unit& unit) {
@@ -135,8 +135,10 @@ power_series<T> in_unit_of(const power_series<mpfr>& a, const coefficient_unit& 
         // One exponent is left for rounding up.
         const long exponent = value == 0 ? 0 : mpfr_get_exp(handle(value));
         if (!holds_exponent<T>(exponent) || !holds_exponent<T>(exponent + 1)) {
-            throw std::range_error("coefficient " + std::to_string(rounded.size()) + " in the unit " +
-                                   to_decimal(unit.length, 4) + " of the list is outside the range of the scalar");
+            throw error(error_kind::range,
+                        "coefficient " + std::to_string(rounded.size()) + " in the unit " + to_decimal(unit.length, 4) +
+                            " of the list",
+                        "", "is outside the range of the scalar");
         }
         rounded.push_back(narrow<T>(value));
     }

@@ -1,9 +1,9 @@
 // The radius of convergence of a series whose nearest singularities are logarithmic, from its coefficients alone.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "libration/scalar/error.hpp"
 #include "libration/series/power_series.hpp"
 
 namespace libration {
@@ -12,8 +12,8 @@ namespace libration {
 template <scalar T>
 void require_terms(const power_series<T>& a, int first, int last) {
     if (first < 1 || last > a.order()) {
-        throw std::invalid_argument("coefficients " + std::to_string(first) + " to " + std::to_string(last) +
-                                    " of a series of order " + std::to_string(a.order()));
+        throw error(error_kind::argument, "coefficients", std::to_string(first) + " to " + std::to_string(last),
+                    "are not those of a series of order " + std::to_string(a.order()));
     }
 }
 
@@ -22,7 +22,7 @@ void require_terms(const power_series<T>& a, int first, int last) {
 ///     q = (u_2^2 - u_1 u_3)/(u_1^2 - u_0 u_2).
 /// The stride is 2 for series in even or odd powers, whose singularities come in opposite pairs. What further
 /// singularities at distance R2 contribute is of relative size (R/R2)^n.
-/// A heuristic: it takes four coefficients at their word. Throws std::invalid_argument for missing coefficients.
+/// A heuristic: it takes four coefficients at their word. Throws error for missing coefficients.
 template <scalar T>
 T pole_pair_radius(const power_series<T>& a, int first, int stride) {
     using std::exp;

@@ -7,25 +7,25 @@
 
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/convergence/estimate/settling.hpp"
 #include "libration/convergence/estimate/strided_series.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
 /// The least |a_n|^(-1/n) of the last four n, in the unit of the variable; four, because symmetries leave only every
 /// second or fourth coefficient. Its error falls like log(n)/n, the coefficients being R^-n times a power of n. O(1).
-/// Throws std::domain_error below order 4, or where all four are 0.
+/// Throws error below order 4, or where all four are 0.
 template <rounding_scalar T>
 T radius_by_root_test(const power_series<T>& a) {
     using std::abs;
     using std::pow;
     if (a.order() < 4) {
-        throw std::domain_error("the root test of a series of order " + std::to_string(a.order()));
+        throw error(error_kind::argument, "order", std::to_string(a.order()), "is below 4, which the root test needs");
     }
     T largest(0);
     for (int n = a.order() - 3; n <= a.order(); ++n) {
@@ -33,7 +33,7 @@ T radius_by_root_test(const power_series<T>& a) {
         largest = root > largest ? root : largest;
     }
     if (largest == 0) {
-        throw std::domain_error("the root test of four coefficients 0");
+        throw error(error_kind::argument, "coefficients", "", "are 0: the root test needs one of the last four");
     }
     return 1 / largest;
 }

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,8 +43,8 @@ std::optional<six_term_solution<T>> solve_six_terms(const strided_series<T>& ser
         a.push_back({T(c[k - 1] * m), T(-c[k - 1]), T(-c[k - 2] * m), c[k - 2]});
         b.push_back(T(c[k] * m));
     }
-    try {
-        const auto x = solve_linear(std::move(a), std::move(b), T(epsilon<T>() * 64));
+    if (const auto solution = solve_linear(std::move(a), std::move(b), T(epsilon<T>() * 64))) {
+        const std::vector<T>& x = *solution;
         if (x[2] == 0 || !is_a_number(x[3])) {
             return std::nullopt;
         }
@@ -55,9 +54,8 @@ std::optional<six_term_solution<T>> solve_six_terms(const strided_series<T>& ser
         const auto above = complex_number<T>{x[0] - x[1], T(0)} - w * T(x[2] * 2 - x[3]);
         const auto below = w * T(x[2] * 2) - complex_number<T>{x[0], T(0)};
         return six_term_solution<T>{pair, w, modulus_of(w), (above / below).re};
-    } catch (const std::domain_error&) {
-        return std::nullopt;
     }
+    return std::nullopt;
 }
 
 }  // namespace fitting

@@ -18,10 +18,10 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 #include "libration/scalar/ball/ball.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -30,11 +30,11 @@ namespace libration {
 /// to a: a few units of the working precision in M; of the sums, few units. The precision is that of the scope.
 class landen_nome {
 public:
-    /// quarter_square is c_0^2/4 = (a_0^2 - b_0^2)/4. Throws std::domain_error unless a_0 and b_0 are positive, and
+    /// quarter_square is c_0^2/4 = (a_0^2 - b_0^2)/4. Throws error unless a_0 and b_0 are positive, and
     /// precision_exhausted where they are too wide for a nome.
     landen_nome(const ball& a, const ball& b, const ball& quarter_square) : bits_(ball::working_bits()), a_(a), b_(b) {
         if (arb_is_positive(a.handle()) == 0 || arb_is_positive(b.handle()) == 0) {
-            throw std::domain_error("a mean of numbers that are not proved positive");
+            throw error(error_kind::argument, "mean", "", "is that of numbers that are not proved positive");
         }
         steps_.reserve(16);
         steps_.push_back(quarter_square);

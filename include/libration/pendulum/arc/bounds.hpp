@@ -15,10 +15,10 @@
 // that of u <= 1 in each term, and j(j-1)/2 rho^j sums to rho^2/(1-rho)^3.)
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "libration/pendulum/energy/period.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -42,10 +42,10 @@ struct top_bounds {
         return {period, radius, period / radius, mean * mean, o.regime == regime::rotation ? 1 : 0};
     }
 
-    /// Bound of |a_n| R^n. Throws std::domain_error for n < 4, where the theorem says nothing.
+    /// Bound of |a_n| R^n. Throws error for n < 4, where the theorem says nothing.
     T coefficient(int n) const {
         if (n < 4) {
-            throw std::domain_error("theorem A bounds coefficients from n = 4 on, not n = " + std::to_string(n));
+            throw error(error_kind::argument, "power", std::to_string(n), "is below 4, where theorem A begins");
         }
         return prefactor * 8 / n;
     }
@@ -53,18 +53,18 @@ struct top_bounds {
     /// The first power after N that the series has.
     int first_omitted(int order) const { return order + 1 + ((order + 1) % 2 == parity ? 0 : 1); }
 
-    /// Bound of |theta - sigma_N| on [0, T*]. Throws std::domain_error when the first omitted power is below 4.
+    /// Bound of |theta - sigma_N| on [0, T*]. Throws error when the first omitted power is below 4.
     T series_norm(int order) const {
         using std::pow;
         const int first = first_omitted(order);
         return coefficient(first) * pow(rho, first) / (1 - rho * rho);
     }
 
-    /// Bound of |theta - theta_N| on [0, T*]. Throws std::domain_error when N < 1.
+    /// Bound of |theta - theta_N| on [0, T*]. Throws error when N < 1.
     T resummation_norm(int order) const {
         using std::pow;
         if (order < 1) {
-            throw std::domain_error("theorem A2 holds from N = 1 on, not N = " + std::to_string(order));
+            throw error(error_kind::argument, "order", std::to_string(order), "is below 1, where theorem A2 begins");
         }
         const T gap = 1 - rho;
         const T largest = pow(T(T(order + 1) / (order + 3)), order + 1) * 4 / (order + 3) / (order + 3);

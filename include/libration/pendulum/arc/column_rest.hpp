@@ -24,17 +24,17 @@
 // For P = 1 and N' = 34 (33 in rotation) that is 4.5e-17 (1.4e-16) whatever E.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "libration/pendulum/energy/period.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/jet.hpp"
 #include "libration/series/power_series.hpp"
 
 namespace libration {
 
 /// y = pi T*/(2 K~'): half the distance of two columns in the time of the separatrix. It tends to 0 at E = 0 and for
-/// large E, to infinity at E = 2. Throws std::domain_error at E = 0.
+/// large E, to infinity at E = 2. Throws error at E = 0.
 template <scalar T>
 T half_column_distance(const orbit<T>& o) {
     return pi<T>() * complete_integral(o.shape) / (complete_integral(o.shape.swapped()) * 2);
@@ -49,12 +49,12 @@ struct uniform_bounds {
     int parity;   ///< 0 for libration, 1 for rotation
     int columns;  ///< P
 
-    /// B_n. Throws std::domain_error for n < 2, where the theorem says nothing.
+    /// B_n. Throws error for n < 2, where the theorem says nothing.
     T coefficient(int n) const {
         using std::pow;
         using std::sqrt;
         if (n < 2) {
-            throw std::domain_error("theorem U bounds coefficients from n = 2 on, not n = " + std::to_string(n));
+            throw error(error_kind::argument, "power", std::to_string(n), "is below 2, where theorem U begins");
         }
         const int m = 2 * columns + 1;
         const T further = pow(1 / T(m + 2), n) * (1 + T(m + 2) / (2 * (n - 1)));
@@ -64,7 +64,7 @@ struct uniform_bounds {
     /// The first power after N that the series has.
     int first_omitted(int order) const { return order + ((order + 1) % 2 == parity ? 1 : 2); }
 
-    /// Bounds of the remainder after x^N and of its slope for |x| <= 1. Throws std::domain_error when the first omitted
+    /// Bounds of the remainder after x^N and of its slope for |x| <= 1. Throws error when the first omitted
     /// power is below 2.
     jet<T> remainder(int order, const T& x) const {
         using std::abs;
@@ -84,14 +84,14 @@ struct uniform_bounds {
 
 /// b_n, n = 0 .. N, for P >= 1, without the multiple of pi. Absolute error a few epsilon B_n for n >= 2, a few
 /// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up
-/// to a smooth function. O(N digits/(P y)). Throws std::invalid_argument when P < 1 or N < 0.
+/// to a smooth function. O(N digits/(P y)). Throws error when P < 1 or N < 0.
 template <scalar T>
 power_series<T> column_rest(regime r, const T& half_distance, int columns, int order) {
     using std::cosh;
     using std::exp;
     using std::sinh;
     if (columns < 1) {
-        throw std::invalid_argument("a sum over " + std::to_string(columns) + " pairs of columns");
+        throw error(error_kind::argument, "number of pairs of columns", std::to_string(columns), "is negative");
     }
     auto rest = power_series<T>::zero(order);
     const bool rotates = r == regime::rotation;

@@ -8,12 +8,12 @@
 // and nothing bounds the error.
 #pragma once
 
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "libration/approximant/pade.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -45,11 +45,12 @@ private:
 /// The approximant from `count` coefficients of powers of t that are not 0 by symmetry: [L/M] with M as large as
 /// possible up to half of the degrees in s, or the next smaller M for which it exists (at E = 1 every second
 /// coefficient is 0); M = 0 is the series. The system loses about 3/2 digits a degree of Q. O(count^3). Throws
-/// std::invalid_argument when count < 1.
+/// error when count < 1.
 template <rounding_scalar T>
 descent_pade<T> pade_from_top(const descent<T>& d, int count) {
     if (count < 1) {
-        throw std::invalid_argument("a Pade approximant from " + std::to_string(count) + " coefficients");
+        throw error(error_kind::argument, "number of coefficients", std::to_string(count),
+                    "of a Pade approximant is below 1");
     }
     const int parity = d.o.regime == regime::rotation ? 1 : 0;
     const power_series<T> a = descent_series(d, 2 * count - parity);
@@ -60,13 +61,11 @@ descent_pade<T> pade_from_top(const descent<T>& d, int count) {
     }
     const power_series<T> in_square(std::move(g));
     for (int down = in_square.order() / 2; down > 0; --down) {
-        try {
-            return {a[0], parity, pade(in_square, in_square.order() - down, down)};
-        } catch (const std::domain_error&) {
-            continue;
+        if (auto found = pade(in_square, in_square.order() - down, down)) {
+            return {a[0], parity, *std::move(found)};
         }
     }
-    return {a[0], parity, pade(in_square, in_square.order(), 0)};
+    return {a[0], parity, *pade(in_square, in_square.order(), 0)};
 }
 
 }  // namespace libration

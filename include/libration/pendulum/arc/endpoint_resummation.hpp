@@ -17,21 +17,22 @@
 // and the maximum is (N+1)^(N+1) m^m/(N+1+m)^(N+1+m), with 0^0 = 1.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "libration/pendulum/arc/bounds.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
 /// theta^(j)(T*) T*^j/j!, j = 0 .. m-1, from the series about the bottom, where theta is odd but for its constant. They
-/// grow like (T*/K~')^j. O(m^2). Throws std::invalid_argument for a negative m.
+/// grow like (T*/K~')^j. O(m^2). Throws error for a negative m.
 template <scalar T>
 std::vector<T> descent_endpoint(const descent<T>& d, int conditions) {
     if (conditions < 0) {
-        throw std::invalid_argument(std::to_string(conditions) + " conditions at the bottom");
+        throw error(error_kind::argument, "number of conditions", std::to_string(conditions),
+                    "at the bottom is not one that there is");
     }
     if (conditions == 0) {
         return {};
@@ -61,7 +62,7 @@ T two_point_rate(const top_bounds<T>& b) {
     return b.effective_period * b.rho / (height * 4);
 }
 
-/// The bound above of the norm of theta - theta_N,m on [0, T*]. Throws std::domain_error when N + 1 + m < 4 or m < 0.
+/// The bound above of the norm of theta - theta_N,m on [0, T*]. Throws error when N + 1 + m < 4 or m < 0.
 template <scalar T>
 T endpoint_norm(const top_bounds<T>& b, int order, int conditions) {
     using std::pow;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,7 +93,7 @@ std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>
 
 /// The approximant [L/M] from the series to t^N, L + M + 1 the number of its coefficients and M <= L + 1 as large as
 /// possible, or the next smaller M for which it exists up to `negligible` (at E = 1 every second coefficient is 0);
-/// M = 0 is the series itself, which has no pole. Nothing as poles_in_time(). Throws std::domain_error at E = 2.
+/// M = 0 is the series itself, which has no pole. Nothing as poles_in_time(). Throws error at E = 2.
 template <rounding_scalar T>
 std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T& negligible) {
     const descent<T> way = descent_of<T>(m);
@@ -104,11 +103,9 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
     const auto speed = order < 2 ? power_series<T>() : speed_in_square(theta, way.o.regime);
     for (int down = (speed.order() + 1) / 2; down >= 1; --down) {
         const int up = speed.order() - down;
-        try {
-            const auto found = poles_in_time(pade(speed, up, down, negligible), way.o.regime, radius, lattice);
+        if (const auto approximant = pade(speed, up, down, negligible)) {
+            const auto found = poles_in_time(*approximant, way.o.regime, radius, lattice);
             return found ? std::optional(pade_poles<T>{up, down, *found}) : std::nullopt;
-        } catch (const std::domain_error&) {
-            continue;
         }
     }
     return pade_poles<T>{speed.order(), 0, {}};

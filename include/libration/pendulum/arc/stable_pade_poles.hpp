@@ -2,11 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 
+#include "libration/digits/agreed_values.hpp"
 #include "libration/pendulum/arc/pade_poles.hpp"
 
 namespace libration {
@@ -36,23 +34,20 @@ complex_number<T> without_noise(const complex_number<T>& z, const T& negligible)
 
 /// The poles with `digits` correct digits: computed again with more working digits until nothing changes. What is
 /// below 10^-(half of the working digits) of its scale, a pivot or a part of a complex number, counts as 0. Throws
-/// std::runtime_error when 20000 working digits do not do.
+/// error of the kind undecided when 20000 working digits do not do.
 inline pade_poles<mpfr> stable_pade_poles(const motion& m, int order, long digits) {
-    std::optional<pade_poles<mpfr>> before;
-    for (long working = digits + 40 + 2L * order; working <= 20'000; working += working / 2) {
-        const precision_scope scope(working);
-        const mpfr negligible = pow(mpfr(10), static_cast<int>(-working / 2));
+    const auto compute = [&](const precision_run& run) {
+        const mpfr negligible = pow(mpfr(10), static_cast<int>(-run.more / 2));
         auto now = poles_of_speed<mpfr>(m, order, negligible);
         for (std::size_t i = 0; now && i < now->poles.size(); ++i) {
             now->poles[i].time = without_noise(now->poles[i].time, negligible);
             now->poles[i].residue = without_noise(now->poles[i].residue, negligible);
         }
-        if (before && now && same_poles(*before, *now, digits)) {
-            return *std::move(now);
-        }
-        before = std::move(now);
-    }
-    throw std::runtime_error("the Pade poles of order " + std::to_string(order) + " do not settle in 20000 digits");
+        return now;
+    };
+    const auto same = [&](const pade_poles<mpfr>& a, const pade_poles<mpfr>& b) { return same_poles(a, b, digits); };
+    return until_two_agree({0, digits + 40 + 2L * order, 20'000, digit_growth::by_half},
+                           "a Pade pole of order " + std::to_string(order), compute, same);
 }
 
 }  // namespace libration

@@ -13,12 +13,12 @@
 // stake.
 #pragma once
 
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "libration/pendulum/arc/column_rest.hpp"
 #include "libration/scalar/compiled.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {
@@ -112,7 +112,7 @@ private:
     jet<T> proved_remainder(const T& x) const {
         using std::abs;
         if (certainly_less(T(1), T(abs(x)))) {
-            throw std::domain_error("theorem U is not proved beyond x = 1");
+            throw error(error_kind::argument, "fraction of T*", "", "is beyond 1, where theorem U ends");
         }
         return bounds_.remainder(order_, x);
     }
@@ -136,13 +136,13 @@ private:
 };
 
 /// The uniform resummation of a motion to the power N. y and all b_n are computed in more digits and rounded once.
-/// O(N digits/(P y)) for the coefficients. Throws std::domain_error at E = 0, where the columns are infinitely many,
-/// and at E = 2, where there is no top, and std::invalid_argument when P < 1 or N < 0.
+/// O(N digits/(P y)) for the coefficients. Throws error at E = 0, where the columns are infinitely many,
+/// and at E = 2, where there is no top, and error when P < 1 or N < 0.
 template <scalar T>
 uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns = 1) {
     using W = wide_t<T>;
     if (m.regime() == regime::stable_equilibrium) {
-        throw std::domain_error("E = 0: infinitely many columns of singularities");
+        throw error(error_kind::argument, "energy", "0", "has infinitely many columns of singularities");
     }
     W half_distance;
     power_series<W> wide;

@@ -1,11 +1,11 @@
 // The energy of a motion as a conditioned pair, and the modulus and time scale that follow from it.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "libration/elliptic/modulus.hpp"
 #include "libration/pendulum/motion/motion.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -22,12 +22,12 @@ template <scalar T>
 void require_in_range(const wide_t<T>& value, const char* what) {
     const long exponent = binary_exponent(value);
     if (exponent != exponent_of_zero && !holds_exponent<T>(exponent)) {
-        throw std::range_error(std::string(what) + " is outside the range of this scalar");
+        throw error(error_kind::range, what, "", "is outside the range of this scalar");
     }
 }
 
 /// E = 1 - cos theta0 + omega0^2/2 and 2-E = 1 + cos theta0 - omega0^2/2 of the motion (dimensionless, units of m g l),
-/// with as many extra digits as the motion cancels. Within an ulp. Throws std::range_error where E or 2-E is below the
+/// with as many extra digits as the motion cancels. Within an ulp. Throws error of the kind range where E or 2-E is below the
 /// range of a fixed scalar.
 template <scalar T>
 energy_pair<T> energies(const motion& m) {
@@ -67,12 +67,12 @@ struct orbit {
     T rate;
 };
 
-/// Throws std::domain_error at E = 2, where there is no modulus below 1.
+/// Throws error at E = 2, where there is no modulus below 1.
 template <scalar T>
 orbit<T> orbit_of(const motion& m) {
     using std::sqrt;
     if (at_critical_energy(m.regime())) {
-        throw std::domain_error("E = 2: the period is infinite");
+        throw error(error_kind::argument, "energy", "2", "makes the period infinite");
     }
     energy_pair<T> pair = energies<T>(m);
     if (m.regime() == regime::rotation) {

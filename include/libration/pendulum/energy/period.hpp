@@ -47,7 +47,7 @@ T effective_period_by(const period_rule& rule, const orbit<T>& o) {
 /// How many T* make a period: 4 for libration (and the limit E = 0), 2 for rotation.
 constexpr int quarters_per_period(regime r) { return r == regime::rotation ? 2 : 4; }
 
-/// K~' = K'(k)/rate, the height of the singularities over the real time axis. Throws std::domain_error at E = 0, where
+/// K~' = K'(k)/rate, the height of the singularities over the real time axis. Throws error at E = 0, where
 /// it is infinite.
 template <scalar T>
 T singularity_height(const orbit<T>& o) {

@@ -8,11 +8,11 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "libration/pendulum/error/error_norm.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -20,14 +20,14 @@ namespace libration {
 template <fixed_scalar T>
 class descent_tails {
 public:
-    /// a: a_n T*^n. Throws std::invalid_argument for a point outside (0, 1].
+    /// a: a_n T*^n. Throws error for a point outside (0, 1].
     descent_tails(std::vector<T> a, const std::vector<double>& points)
         : a_(std::move(a)), order_(static_cast<int>(a_.size()) - 1) {
         using std::pow;
         places_.reserve(points.size());
         for (const double x : points) {
             if (!(x > 0 && x <= 1)) {
-                throw std::invalid_argument("a point outside (0, 1]");
+                throw error(error_kind::argument, "point", "", "is outside (0, 1]");
             }
             places_.push_back({T(x), 1 / T(x), pow(T(x), order_ + 1), T(0)});
         }

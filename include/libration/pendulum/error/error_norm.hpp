@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/pendulum/arc/bounds.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/error/descent_method.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 
 namespace libration {
-
-/// The approximations of theta on [0, T*] that the paper compares.
-enum class descent_method { series, resummed };
 
 /// Decimal digits by which the error of order N is below theta itself, from its rate (T*/R)^N: what a computation has
 /// to carry beyond the digits wanted in the norm. N^-2 and a few digits for the constants are added.
@@ -33,7 +30,7 @@ inline long digits_below(const motion& m, int order) {
 /// hold the wanted digits of the norm below theta: add digits_below().
 class descent_errors {
 public:
-    /// Throws std::domain_error for E = 0 (theta is constant) and E = 2.
+    /// Throws error for E = 0 (theta is constant) and E = 2.
     explicit descent_errors(const motion& m)
         : truth_(m), second_route_(m), descent_(descent_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(descent_.o)) {}
 

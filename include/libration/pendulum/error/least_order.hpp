@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/pendulum/error/descent_tails.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -23,7 +23,7 @@ inline int proved_order(const top_bounds<mpfr>& bounds, descent_method method, l
     int high = 4;
     while (!enough(high)) {
         if (high > 10'000'000) {
-            throw std::domain_error("needs an order above 10^7 for " + std::to_string(digits) + " digits");
+            throw error(error_kind::argument, "number of digits", std::to_string(digits), "needs an order above 10^7");
         }
         high *= 2;
     }
@@ -65,12 +65,12 @@ class descent_orders {
 public:
     static constexpr long most_digits = 4000;
 
-    /// Throws std::domain_error for E = 0, E = 2 and more than most_digits digits, which long double cannot hold.
+    /// Throws error for E = 0, E = 2 and more than most_digits digits, which long double cannot hold.
     descent_orders(const motion& m, long digits)
         : truth_(m), way_(descent_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(way_.o)) {
         if (digits > most_digits) {
-            throw std::domain_error("asks for " + std::to_string(digits) + " digits, more than " +
-                                    std::to_string(most_digits));
+            throw error(error_kind::argument, "number of digits", std::to_string(digits),
+                        "is more than " + std::to_string(most_digits));
         }
         // 5 digits more make what the sampling leaves out 1e-5 of what it sees.
         const int highest = std::max(proved_order(bounds_, descent_method::series, digits + 5),

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 #include "libration/ode/runge_kutta.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -20,14 +20,15 @@ struct march_error {
     mpfr undone;  ///< largest |theta - (critical)| e^-t, radians
 };
 
-/// Steps of h, rounded to the nearest whole number, from 0 to the end. Throws std::domain_error for less than one step
+/// Steps of h, rounded to the nearest whole number, from 0 to the end. Throws error for less than one step
 /// and for more than runge_kutta_march allows.
 inline long march_steps(const rational& step, const rational& end) {
     const precision_scope scope(60);
     const integer steps = nearest_integer(from_rational<mpfr>(rational(end / step)));
     if (steps < 1 || steps > runge_kutta_march<double>::most_steps) {
-        throw std::domain_error("takes " + steps.str() + " Runge-Kutta steps to time " + end.str() + ", not 1 to " +
-                                std::to_string(runge_kutta_march<double>::most_steps));
+        throw error(error_kind::argument, "step", "",
+                    "takes " + steps.str() + " Runge-Kutta steps to time " + end.str() + ", not 1 to " +
+                        std::to_string(runge_kutta_march<double>::most_steps));
     }
     return steps.convert_to<long>();
 }

@@ -3,9 +3,11 @@
 // is transcendental). No tolerance decides anything.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
+#include "libration/digits/bounded_value.hpp"
 #include "libration/scalar/concept.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
@@ -18,25 +20,9 @@ struct proved_sign {
     long exponent = exponent_of_zero;
 };
 
-/// A value computed at the working precision with a bound of its error.
-struct bounded_value {
-    mpfr value;
-    mpfr error;
-};
-
-/// The sign of a real number known not to be 0: evaluate() is called at 128, 256, ... bits until its value exceeds
-/// twice its error bound. Throws libration::error of kind undecided when a million bits do not decide.
-template <class F>
-proved_sign decide_sign(const F& evaluate, const std::string& what) {
-    for (long bits = 128; bits <= (1L << 20); bits *= 2) {
-        const precision_scope scope(decimal_digits(bits));
-        const bounded_value at = evaluate();
-        if (abs(at.value) > at.error * 2) {
-            return {mpfr_sgn(handle(at.value)), binary_exponent(at.value)};
-        }
-    }
-    throw error(error_kind::undecided, "the sign of " + what, "", "is not decided by a million bits");
-}
+/// The sign of a real number known not to be 0: evaluate() is called with 39, 78, ... digits until its value exceeds
+/// twice its error bound. Throws error of the kind undecided when 319488 digits do not decide.
+proved_sign decide_sign(const std::function<bounded_value()>& evaluate, const std::string& what);
 
 /// The sign of an exact fraction.
 proved_sign sign_of(const rational& q);
@@ -57,9 +43,6 @@ struct winding {
     integer turns;
     proved_sign rest;
 };
-
-/// The integer nearest to q, ties to even.
-integer nearest_integer(const rational& q);
 
 /// Turns and rest of an angle; a multiple of pi that is odd has its rest at +pi or -pi. Throws libration::error of kind
 /// undecided where no precision tells a formula from a multiple of pi.

@@ -8,6 +8,7 @@
 
 #include "libration/pendulum/motion/decision.hpp"
 #include "libration/pendulum/motion/regime.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -16,20 +17,20 @@ namespace libration {
 class motion {
 public:
     /// The canonical motion of energy E: from rest at +arccos(1-E) below 2; from the top (pi, +-sqrt(2E-4)) above; from
-    /// the bottom (0, +-2) at 2. direction is +1 or -1. Throws std::domain_error for a negative energy, libration::error
+    /// the bottom (0, +-2) at 2. direction is +1 or -1. Throws error for a negative energy, libration::error
     /// of kind undecided where no precision shows the sign of E or of 2 - E.
     static motion of_energy(const exact& energy, int direction = 1);
     static motion of_energy(const rational& energy, int direction = 1) { return of_energy(exactly(energy), direction); }
 
     /// Energy E from the angle theta0, omega0 = direction * sqrt(2(E - 1 + cos theta0)).
-    /// Throws as of_energy(), and std::domain_error when the energy does not reach theta0.
+    /// Throws as of_energy(), and error when the energy does not reach theta0.
     static motion of_energy_from(const exact& energy, const exact& theta0, int direction = 1);
     static motion of_energy_from(const rational& energy, const exact& theta0, int direction = 1) {
         return of_energy_from(exactly(energy), theta0, direction);
     }
 
     /// From the angle theta0 with angular velocity omega0; stiffness is gravity/length in the units of omega0 squared.
-    /// Throws std::domain_error for an omega0 that is a bare fraction of pi, libration::error of kind undecided where no
+    /// Throws error for an omega0 that is a bare fraction of pi, error of the kind undecided where no
     /// precision shows the regime.
     static motion of_state(const exact& theta0, const exact& omega0, const exact& stiffness = exactly(1));
     static motion of_state(const exact& theta0, const exact& omega0, const rational& stiffness) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "libration/pendulum/motion/motion.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/written_number.hpp"
 
 namespace libration {
@@ -19,10 +20,10 @@ struct typed_motion {
 
     bool by_state() const { return theta0 && omega0; }
 
-    /// E, exactly. Throws std::domain_error where neither gap nor energy is given.
+    /// E, exactly. Throws error where neither gap nor energy is given.
     exact exact_energy() const;
 
-    /// The motion; throws std::domain_error as motion does, where an energy is negative or does not reach theta0.
+    /// The motion; throws error as motion does, where an energy is negative or does not reach theta0.
     libration::motion motion() const;
 
     /// With the nearest double in the place of each number.

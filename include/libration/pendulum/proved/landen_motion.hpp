@@ -18,12 +18,11 @@
 // it into (-pi, pi) for certain, where psi = atan2 is continuous; theta gains 2 pi n.
 #pragma once
 
-#include <stdexcept>
-
 #include "libration/elliptic/proved/theta_values.hpp"
 #include "libration/pendulum/proved/proved_state.hpp"
 #include "libration/scalar/ball/arctangent.hpp"
 #include "libration/scalar/ball/fraction.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -34,7 +33,7 @@ namespace libration {
 /// Use it in a precision_scope of the size it was made in.
 class landen_motion {
 public:
-    /// E and 2-E, exactly. Throws std::domain_error at E <= 0 and at E = 2, std::invalid_argument where they do not add
+    /// E and 2-E, exactly. Throws error at E <= 0 and at E = 2, error where they do not add
     /// up to 2, precision_exhausted where the working precision does not even give a nome.
     landen_motion(const rational& energy, const rational& gap)
         : rotates_(gap < 0),
@@ -44,7 +43,7 @@ public:
           cut_(rotates_ ? ball(1) : sqrt(half_energy_)),
           nome_(widest_, sqrt(half_gap_), rotates_ ? ball(1) / 4 : half_energy_ / 4) {}
 
-    /// Throws std::invalid_argument unless E and 2-E add up to 2, std::domain_error at E <= 0 and at E = 2.
+    /// Throws error unless E and 2-E add up to 2, error at E <= 0 and at E = 2.
     static void require_energies(const rational& energy, const rational& gap) {
         const auto* e = energy.backend().data();
         const auto* g = gap.backend().data();
@@ -53,10 +52,11 @@ public:
         mpz_submul_ui(sum.backend().data(), mpq_denref(e), 2);
         const bool add_up = mpz_cmp(mpq_denref(e), mpq_denref(g)) == 0 && sum.is_zero();
         if (!add_up) {
-            throw std::invalid_argument("E = " + energy.str() + " and 2-E = " + gap.str() + " do not add up to 2");
+            throw error(error_kind::argument, "energy", energy.str(),
+                        "and the gap " + gap.str() + " do not add up to 2");
         }
         if (energy.sign() <= 0 || gap.is_zero()) {
-            throw std::domain_error("E = " + energy.str() + " has no period of its own");
+            throw error(error_kind::argument, "energy", energy.str(), "has no period of its own");
         }
     }
 

@@ -8,11 +8,11 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 
 #include "libration/pendulum/proved/proved_canonical.hpp"
 #include "libration/pendulum/singularity/singularities.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -40,7 +40,7 @@ public:
     bool periodic() const { return motion_.regime() == regime::libration || motion_.regime() == regime::rotation; }
 
     /// theta and omega at an exact time, a multiple of T among them. 0 is the exact ball where symmetry makes it so.
-    /// Throws std::domain_error for a multiple of T at E = 2.
+    /// Throws error for a multiple of T at E = 2.
     enclosed_state at(const exact& time) const {
         if (at_rest()) {
             return {from_exact<ball>(*motion_.theta0()), ball(0)};
@@ -56,7 +56,7 @@ public:
         return quarters ? at_part(*quarters) : at_number(time);
     }
 
-    /// T*; in the limit E -> 0, pi/2. Throws std::domain_error at E = 2.
+    /// T*; in the limit E -> 0, pi/2. Throws error at E = 2.
     ball effective_period() const {
         if (engine_) {
             return pi<ball>() / (engine_->mean() * 2) * seconds_;
@@ -65,10 +65,10 @@ public:
     }
 
     /// The radius of convergence about the top, sqrt(T*^2 + K~'^2) [paper (librationROC), (rotationROCgood)]; on the
-    /// separatrix, which has no top, about the bottom, pi/2. Throws std::domain_error at rest, where it is infinite.
+    /// separatrix, which has no top, about the bottom, pi/2. Throws error at rest, where it is infinite.
     ball radius() const {
         if (at_rest()) {
-            throw std::domain_error("theta is constant: its radius of convergence is infinite");
+            throw error(error_kind::argument, "motion", "", "is at rest: its radius of convergence is infinite");
         }
         if (!periodic()) {
             return pi<ball>() / 2 * seconds_;

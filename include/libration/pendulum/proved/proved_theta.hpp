@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/proved/proved_canonical.hpp"
 #include "libration/pendulum/solution/variation.hpp"
 
@@ -12,23 +14,17 @@ namespace libration {
 
 /// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below
 /// 10^-places: the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own.
-/// Cost: that of a proved_canonical, a few times. Throws as landen_motion, and std::runtime_error where 10240 digits
-/// more do not prove it.
+/// Cost: that of a proved_canonical, a few times. Throws as landen_motion, and error of the kind undecided where
+/// most_guard_digits more do not prove it.
 inline ball proved_theta(const rational& energy, const rational& gap, const rational& time, long places) {
-    constexpr long most_guard = 10'240;
-    for (long guard = 20; guard <= most_guard; guard *= 2) {
-        const precision_scope scope(places + guard);
-        try {
-            const proved_canonical motion(energy, gap);
-            ball theta = motion.theta_at(motion.phase_at(time));
-            if (certainly_less(radius_of(theta), pow(ball(10), -places))) {
-                return theta;
-            }
-        } catch (const precision_exhausted&) {
-            continue;
-        }
-    }
-    throw std::runtime_error("theta at " + time.str() + " is not proved to " + std::to_string(places) + " places");
+    const auto attempt = [&](const precision_run& /*run*/) -> std::optional<ball> {
+        const proved_canonical motion(energy, gap);
+        ball theta = motion.theta_at(motion.phase_at(time));
+        return certainly_less(radius_of(theta), pow(ball(10), -places)) ? std::optional(std::move(theta))
+                                                                        : std::nullopt;
+    };
+    return with_growing_precision(proving(places),
+                                  "theta at " + time.str() + " to " + std::to_string(places) + " places", attempt);
 }
 
 /// |d theta/dE| E/max(1, |theta|) at a fixed time: the relative change of the energy times this is the change of theta

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "libration/pendulum/sampler/sample_block.hpp"
+#include "libration/scalar/error.hpp"
 
 // Where the compiler can make a function for a processor that has AVX2, it makes both and asks the processor.
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -34,26 +34,27 @@ namespace libration {
 template <fixed_scalar T>
 class sampler {
 public:
-    /// Throws std::range_error where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double), and where
+    /// Throws error of the kind range where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double), and where
     /// T cannot hold the square of the time to the top (E above 10^307).
     explicit sampler(const motion& m) : sampler(m, precision_scope(working_precision())) {}
 
     const motion& of() const { return motion_; }
 
-    /// At one time. Throws std::domain_error where it is not finite, std::range_error where theta is not.
+    /// At one time. Throws error where it is not finite, error of the kind range where theta is not.
     jet<T> operator()(const T& time) const {
         jet<T> state{};
         sample<1>({&time, 1}, {&state.value, 1}, {&state.slope, 1});
         return state;
     }
 
-    /// theta and omega at all times; any of the three may be the same memory. Throws std::invalid_argument where their
-    /// sizes differ, std::domain_error where a time is not finite and std::range_error where theta is not: what
+    /// theta and omega at all times; any of the three may be the same memory. Throws error where their
+    /// sizes differ, error where a time is not finite and error of the kind range where theta is not: what
     /// the arrays hold then is unspecified.
     void operator()(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
         if (theta.size() != times.size() || omega.size() != times.size()) {
-            throw std::invalid_argument(std::to_string(times.size()) + " times for " + std::to_string(theta.size()) +
-                                        " angles and " + std::to_string(omega.size()) + " velocities");
+            throw error(error_kind::argument, "number of times", std::to_string(times.size()),
+                        "is not that of the " + std::to_string(theta.size()) + " angles and the " +
+                            std::to_string(omega.size()) + " velocities");
         }
         if constexpr (!std::same_as<T, double>) {
             sample<1>(times, theta, omega);
@@ -106,7 +107,7 @@ private:
         const precision_scope scope(working_precision());
         const T& end = tables_.panels.end();
         for (const T& time : times) {
-            require_finite<std::domain_error>(time, "the time ", time);
+            require_finite(time, error_kind::argument, "time", time);
             rational exact_time;
             mpfr_get_q(exact_time.backend().data(), handle(widen(time)));
             const after_passage at = nearest_passage<finer_t<T>>(motion_, exactly(exact_time));
@@ -117,15 +118,14 @@ private:
             const jet<T> swing = tables_.panels[place.index].at(T((inside.high - place.centre) + inside.low));
             const T sign = turns.sign(T(0), tables_.clock);
             *theta = turns.theta(T(0), T(at.time < 0 ? T(-swing.value * sign) : T(swing.value * sign)));
-            require_finite<std::range_error>(*theta++, "theta at ", time);
+            require_finite(*theta++, error_kind::range, "theta at time", time);
             *omega++ = swing.slope * sign / tables_.panels.unit();
         }
     }
 
-    template <class Problem>
-    static void require_finite(const T& x, const char* what, const T& time) {
+    static void require_finite(const T& x, error_kind kind, const char* what, const T& time) {
         if (!(x - x == 0)) {
-            throw Problem(what + std::to_string(static_cast<double>(time)) + " is not finite");
+            throw error(kind, what, std::to_string(static_cast<double>(time)), "is not finite");
         }
     }
 

@@ -9,13 +9,13 @@
 
 #include <cfloat>
 #include <cstddef>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
 #include "libration/pendulum/sampler/swing.hpp"
 #include "libration/pendulum/sampler/swing_panel.hpp"
 #include "libration/pendulum/taylor/coefficients.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -51,7 +51,7 @@ template <fixed_scalar T>
 class swing_panels {
 public:
     /// The motion's times are counted in its own units (seconds where it has a length and a gravity). Cost: a Jacobi
-    /// function and a Taylor series of panel_terms powers each. Throws std::range_error where the square of the unit
+    /// function and a Taylor series of panel_terms powers each. Throws error of the kind range where the square of the unit
     /// leaves the range of T (E above 10^307 in double), and as energies.
     explicit swing_panels(const motion& m) {
         using std::ldexp;
@@ -61,7 +61,7 @@ public:
         const W seconds = time_unit<W>(m);
         const long exponent = unit_exponent(way, seconds);
         if (!holds_exponent<T>(2 * exponent) || !holds_exponent<T>(-2 * exponent)) {
-            throw std::range_error("the time to the top is outside the range of this scalar");
+            throw error(error_kind::range, "time to the top", "", "is outside the range of this scalar");
         }
         unit_ = ldexp(T(1), static_cast<int>(exponent));
         const W scale = ldexp(W(1), static_cast<int>(exponent)) / seconds;

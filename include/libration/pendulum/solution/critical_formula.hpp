@@ -1,20 +1,19 @@
 // The closed solution on the separatrix as the paper writes it.
 #pragma once
 
-#include <stdexcept>
-
 #include "libration/pendulum/time/phase.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
 /// w = e^t tan((theta0 + pi)/4), theta0 within its turn and in the direction of motion: theta = 4 arctan w - pi there.
-/// Throws std::domain_error for a motion with an energy other than 2.
+/// Throws error for a motion with an energy other than 2.
 template <scalar T>
 T critical_growth(const motion& m, const T& t) {
     using std::exp;
     using std::tan;
     if (m.regime() != regime::separatrix) {
-        throw std::domain_error("(critical) is the solution for E = 2");
+        throw error(error_kind::argument, "motion", "", "is not on the separatrix, whose solution (critical) is");
     }
     const T start = (from_exact<T>(*m.theta0()) - whole_turns<T>(m.turns())) * m.direction();
     return exp(t) * tan(T((start + pi<T>()) / 4));
@@ -23,7 +22,7 @@ T critical_growth(const motion& m, const T& t) {
 /// theta = -pi + 4 arctan(e^t tan((theta0 + pi)/4)) at dimensionless time t [paper (critical)], which holds for
 /// omega0 = +2 cos(theta0/2) and |theta0| < pi; here for every motion with E = 2, by reflection and whole turns. It
 /// loses relative digits next to theta = +-pi, where the arctangent saturates; exact_solution does not. Throws
-/// std::domain_error for a motion with another energy.
+/// error for a motion with another energy.
 template <scalar T>
 T critical_formula(const motion& m, const T& t) {
     using std::atan;

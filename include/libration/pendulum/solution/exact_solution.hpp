@@ -6,6 +6,7 @@
 
 #include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/time/phase.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -53,7 +54,7 @@ public:
     /// State at a fraction x in [0, 1] of the way from the top (or, at E = 2, nowhere: throws) down to the bottom.
     pendulum_state<T> from_top(const T& x) const {
         if (!orbit_) {
-            throw std::domain_error("E = 2: the motion has no top");
+            throw error(error_kind::argument, "energy", "2", "leaves the motion without a top");
         }
         const integer quarter = nearest_integer(widen(x));
         const T offset = (x - from_rational<T>(rational(quarter))) * effective_period_;

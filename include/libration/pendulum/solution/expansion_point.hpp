@@ -2,11 +2,11 @@
 #pragma once
 
 #include <concepts>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -17,7 +17,7 @@ struct expansion_point {
     exact time;  ///< for place::time
 };
 
-/// Reads top, bottom, start or a time; throws libration::error as read_exact does, std::invalid_argument for an angle.
+/// Reads top, bottom, start or a time; throws error as read_exact does.
 inline expansion_point read_expansion_point(std::string_view text) {
     using place = expansion_point::place;
     if (text == "top") {
@@ -31,13 +31,13 @@ inline expansion_point read_expansion_point(std::string_view text) {
     }
     exact time = read_exact(text);
     if (time.measure == unit::degree) {
-        throw std::invalid_argument("is an angle, not a time");
+        throw error(error_kind::argument, "point", std::string(text), "is an angle, not a time");
     }
     return {place::time, std::move(time)};
 }
 
 /// The phase of a point of a motion; clock(), its timeline, is asked for starts and times alone. Throws
-/// std::domain_error for the top at E = 2, which is reached after infinite time.
+/// error for the top at E = 2, which is reached after infinite time.
 template <scalar T, class Clock>
 phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& clock) {
     const integer top = exact_solution<T>::top_quarter(m);
@@ -49,7 +49,7 @@ phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& cl
         default: break;
     }
     if (critical) {
-        throw std::domain_error("is not a point of a motion with E = 2");
+        throw error(error_kind::argument, "point", "top", "is not a point of a motion with E = 2");
     }
     return timeline<T>::at_quarter(top);
 }

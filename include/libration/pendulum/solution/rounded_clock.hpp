@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -15,10 +15,10 @@ namespace libration {
 template <fixed_scalar T>
 class rounded_clock {
 public:
-    /// Throws std::domain_error at E = 2, and for a start between the quarters.
+    /// Throws error at E = 2, and for a start between the quarters.
     explicit rounded_clock(motion m) : motion_(std::move(m)) {
         if (!motion_.start_quarter()) {
-            throw std::domain_error("starts neither at a top nor at a bottom");
+            throw error(error_kind::argument, "motion", "", "starts neither at a top nor at a bottom");
         }
         const precision_scope scope(decimal_digits(digits<T>() + 64));
         period_ = narrow<T>(effective_period(orbit_of<mpfr>(motion_)) * quarters_per_period(motion_.regime()));
@@ -73,7 +73,7 @@ inline mpfr angle_between(const mpfr& a, const mpfr& b, regime r) {
 
 /// The largest |error| of theta, whole turns left aside, over times near (p + i/points) T, i = 0 .. points, typed with
 /// 20 decimals: of the exact solution in T at the phases that a clock gives, against the exact solution in mpfr. The
-/// motion is the canonical one of an energy. At the working precision in force. Throws std::domain_error at E = 2.
+/// motion is the canonical one of an energy. At the working precision in force. Throws error at E = 2.
 template <fixed_scalar T, class Clock>
 mpfr clock_error(const rational& energy, const Clock& clock, const integer& periods, int points) {
     const motion m = motion::of_energy(energy);

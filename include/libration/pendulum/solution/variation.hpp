@@ -22,6 +22,7 @@
 #include "libration/elliptic/jacobi_zeta.hpp"
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/time/phase.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -38,10 +39,10 @@ struct variation_pair {
 template <rounding_scalar T>
 class variation {
 public:
-    /// Throws std::domain_error at rest.
+    /// Throws error at rest.
     explicit variation(const motion& m) : motion_(m) {
         if (m.regime() == regime::unstable_equilibrium || m.regime() == regime::stable_equilibrium) {
-            throw std::domain_error("is at rest: it has no second solution of this form");
+            throw error(error_kind::argument, "motion", "", "is at rest: it has no second solution of this form");
         }
         place_start();
         if (m.regime() == regime::separatrix) {

@@ -1,12 +1,12 @@
 // Taylor coefficients of theta(t) about any point of a motion, a_n scale^n, by recurrence.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/pendulum/taylor/symmetric_squares.hpp"
 #include "libration/scalar/compiled.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/kernel.hpp"
 
 namespace libration {
@@ -44,7 +44,7 @@ taylor_start<T> start_at(const exact_solution<T>& solution, const phase<T>& p) {
 /// Refuses a negative order of a Taylor series.
 inline void require_taylor_order(int order) {
     if (order < 0) {
-        throw std::invalid_argument("order " + std::to_string(order) + " of a Taylor series");
+        throw error(error_kind::argument, "order", std::to_string(order), "of a Taylor series is negative");
     }
 }
 
@@ -103,7 +103,7 @@ power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start, int or
 
 /// The coefficients a_n scale^n, n = 0 .. N, of theta about a start. A scale next to the radius of convergence keeps
 /// them between powers of n; a_n itself leaves the range of double before N = 1000. Relative to 8/(n R^n) the error
-/// grows slowly with n: about 20 bits by N = 4000. Throws std::invalid_argument when N < 0.
+/// grows slowly with n: about 20 bits by N = 4000. Throws error when N < 0.
 template <scalar T>
 power_series<T> taylor_coefficients(const taylor_start<T>& start, int order, const T& scale,
                                     recurrence by = recurrence::symmetric_squares) {

@@ -69,7 +69,7 @@ std::pair<long, head_by> way_of(const singularity_view<T>& view, long first, lon
 
 /// a_n scale^n, n = first .. last, about a point: by head_coefficients() up to the power from which sums over the
 /// singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and need none before them. What
-/// a_n is does not depend on first and last, up to rounding. Throws std::invalid_argument for first < 0, last < first
+/// a_n is does not depend on first and last, up to rounding. Throws error for first < 0, last < first
 /// and last > largest_power.
 template <scalar T>
 std::vector<T> coefficients_about(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
@@ -100,7 +100,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
     return part;
 }
 
-/// The expansion of order N about a point, by the cheapest way. Throws std::invalid_argument when N < 0.
+/// The expansion of order N about a point, by the cheapest way. Throws error when N < 0.
 template <scalar T>
 expansion<T> expand(const exact_solution<T>& solution, const expansion_point& point, int order) {
     require_taylor_order(order);

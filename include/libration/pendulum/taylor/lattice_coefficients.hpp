@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/taylor/pole_reach.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/integer_power.hpp"
 
 namespace libration {
@@ -22,8 +22,8 @@ inline constexpr long largest_power = 1'000'000'000'000'000;
 /// Refuses powers that no coefficient has here.
 inline void require_powers(long first, long last) {
     if (first < 0 || last < first || last > largest_power) {
-        throw std::invalid_argument("powers from " + std::to_string(first) + " to " + std::to_string(last) +
-                                    ", not from 0 up to " + std::to_string(largest_power));
+        throw error(error_kind::argument, "powers", std::to_string(first) + " to " + std::to_string(last),
+                    "are not from 0 up to " + std::to_string(largest_power));
     }
 }
 
@@ -47,18 +47,18 @@ public:
         scale_ = widen(scale);
         auto view = view_from<W>(m, phase_of<W>(at, m));
         if (!view) {
-            throw std::domain_error("an equilibrium has no singularities");
+            throw error(error_kind::argument, "motion", "", "is at rest: it has no singularities");
         }
         view_.emplace(std::move(*view));
     }
 
-    /// n = first .. last. Throws std::invalid_argument where first < 5, last < first or last is above the one of
+    /// n = first .. last. Throws error where first < 5, last < first or last is above the one of
     /// the constructor.
     std::vector<T> between(long first, long last) const {
         require_powers(first, last);
         if (first < 5 || last > last_) {
-            throw std::invalid_argument("powers from " + std::to_string(first) + " to " + std::to_string(last) +
-                                        ", not from 5 up to " + std::to_string(last_));
+            throw error(error_kind::argument, "powers", std::to_string(first) + " to " + std::to_string(last),
+                        "are not from 5 up to " + std::to_string(last_));
         }
         born_.require();
         std::vector<T> result(static_cast<std::size_t>(last - first + 1), T(0));

@@ -2,9 +2,8 @@
 // function under the arcsine of the closed solution [paper (subcritical), (supercritical)], and through omega alone.
 #pragma once
 
-#include <stdexcept>
-
 #include "libration/pendulum/taylor/coefficients.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/square_root.hpp"
 
 namespace libration {
@@ -15,14 +14,15 @@ namespace libration {
 /// a square, a product, a square root and a quotient of series in the variable t/scale: O(N^2) products, 3/2 of those
 /// of (pendseries). It is exponentially unstable: sqrt(1 - y^2) is 0 at +-i K~' about the top, closer than the
 /// singularities of theta, and there the quotient is 0/0; rounding does not cancel in it and grows by R/K~' a power.
-/// Throws std::domain_error where cos(theta/2) = 0, at the top of rotation: y = 1 is the branch point of the arcsine,
+/// Throws error where cos(theta/2) = 0, at the top of rotation: y = 1 is the branch point of the arcsine,
 /// and the quotient is 0/0 there.
 template <scalar T>
 power_series<T> taylor_by_arcsine(const taylor_start<T>& start, int order, const T& scale) {
     require_taylor_order(order);
     const pendulum_state<T>& at = start.state;
     if (binary_exponent(at.half_cosine) == exponent_of_zero) {
-        throw std::domain_error("sin(theta/2) = 1 at the expansion point: the branch point of the arcsine");
+        throw error(error_kind::argument, "sin(theta/2)", "",
+                    "= 1 at the expansion point: the branch point of the arcsine");
     }
     const parity of_y = start.of_theta;
     const parity of_even = of_y == parity::any ? parity::any : parity::even;

@@ -6,6 +6,7 @@
 
 #include "libration/elliptic/incomplete_integral.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/inverse_hyperbolic.hpp"
 
 namespace libration {
@@ -61,7 +62,7 @@ public:
 
     /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more
     /// digits as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a
-    /// quarter. Throws std::domain_error for a multiple of an infinite period.
+    /// quarter. Throws error for a multiple of an infinite period.
     phase<T> at(const exact& time) const {
         const phase<W> wide = wide_at(time);
         return {wide.quarter, narrow<T>(wide.offset), wide.side};
@@ -87,7 +88,7 @@ private:
 
     phase<W> wide_at(const exact& time) const {
         if (time.has_periods() && at_critical_energy(motion_.regime())) {
-            throw std::domain_error("is a multiple of an infinite period");
+            throw error(error_kind::argument, "time", time.text, "is a multiple of an infinite period");
         }
         if (time.has_periods() && by_.method == period_method::agm) {
             const exact rest = time.without_periods();

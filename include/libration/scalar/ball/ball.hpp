@@ -8,25 +8,25 @@
 // caller repeats with more digits.
 #pragma once
 
-#include <stdexcept>
-
 #include "libration/scalar/ball/traits.hpp"
 #include "libration/scalar/enclose.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
 
-/// An enclosure of the exact number. Throws std::domain_error for multiples of the period, which only a motion knows.
+/// An enclosure of the exact number. Throws error for multiples of the period, which only a motion knows.
 template <proved_scalar T>
 T from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<T>(number.coefficient);
-        case unit::period: throw std::domain_error(number.text + " is a multiple of a period, not a number");
+        case unit::period:
+            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         case unit::expression: break;
         default: return from_rational<T>(number.in_pi()) * pi<T>();
     }
     if (number.has_periods()) {
-        throw std::domain_error(number.text + " is a multiple of a period, not a number");
+        throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
     }
     const number_bounds within = number.formula->narrowed(T::working_bits() + 8);
     T result;

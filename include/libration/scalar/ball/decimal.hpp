@@ -2,19 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "libration/scalar/ball/ball.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/printed_number.hpp"
 
 namespace libration {
-
-/// A decimal and an upper bound of its distance to the exact number, below one unit of its last digit.
-struct proved_decimal {
-    std::string text;
-    std::string uncertainty;  ///< three digits, rounded up; 0 where the decimal is exact
-};
 
 /// +-0.d1d2d3... 10^exponent.
 struct decimal_parts {
@@ -55,10 +50,10 @@ inline std::string upper_bound_text(const ball& x) {
 
 /// The midpoint with `count` significant digits, where every number of the ball is less than one unit of the last of
 /// them away from what is printed; nothing where that is not so. The ball 0 alone is printed as 0.
-/// Throws std::invalid_argument when count < 1.
+/// Throws error when count < 1.
 inline std::optional<proved_decimal> to_proved_decimal(const ball& x, long count) {
     if (count < 1) {
-        throw std::invalid_argument(std::to_string(count) + " significant digits");
+        throw error(error_kind::argument, "number of digits", std::to_string(count), "is less than one");
     }
     if (!is_finite(x)) {
         return std::nullopt;

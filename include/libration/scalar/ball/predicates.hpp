@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "libration/scalar/ball/value.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration {
 
@@ -18,13 +18,13 @@ inline bool contains(const ball& outside, const ball& inside) {
 }
 inline bool overlaps(const ball& a, const ball& b) { return arb_overlaps(a.handle(), b.handle()) != 0; }
 
-/// The midpoint as an mpfr, exactly. Throws std::range_error beyond the exponents of MPFR.
+/// The midpoint as an mpfr, exactly. Throws error of the kind range beyond the exponents of MPFR.
 inline mpfr midpoint_of(const ball& x) {
     const slong bits = std::max(arb_bits(x.handle()), ball::working_bits());
     const precision_scope enough(decimal_digits(static_cast<long>(bits)));
     mpfr result;
     if (arf_get_mpfr(handle(result), arb_midref(x.handle()), MPFR_RNDN) != 0) {
-        throw std::range_error("the midpoint of a ball is outside the range of mpfr");
+        throw error(error_kind::range, "the midpoint of a ball", "", "is outside the range of mpfr");
     }
     return result;
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "libration/scalar/convert.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/precision.hpp"
 
 namespace libration {
@@ -31,11 +31,11 @@ inline std::string place_point(bool negative, std::string digits, long exponent)
 }
 
 /// x with `count` significant digits, rounded to nearest; 0, inf, -inf and nan as words.
-/// Throws std::invalid_argument when count < 1.
+/// Throws error when count < 1.
 template <rounding_scalar T>
 std::string to_decimal(const T& x, long count) {
     if (count < 1) {
-        throw std::invalid_argument(std::to_string(count) + " significant digits");
+        throw error(error_kind::argument, "number of digits", std::to_string(count), "is less than one");
     }
     const mpfr value = widen(x);
     if (mpfr_nan_p(handle(value)) != 0) {

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
@@ -28,11 +29,11 @@ written_number read_written(std::string_view text);
 exact read_typed(std::string_view text);
 
 /// The double nearest to a fraction, ties to even, as an exact number: what a program in double receives.
-/// Throws std::domain_error beyond the largest double.
+/// Throws error beyond the largest double.
 rational nearest_double(const rational& q);
 
 /// The same of a typed number; an angle in degrees or multiples of pi, or an expression, becomes the double nearest to
-/// its value. Throws std::domain_error for a multiple of the period, too.
+/// its value. Throws error for a multiple of the period, too.
 exact nearest_double(const exact& number);
 
 }  // namespace libration

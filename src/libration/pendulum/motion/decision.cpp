@@ -3,7 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/digits/growing_precision.hpp"
+
 namespace libration {
+
+proved_sign decide_sign(const std::function<bounded_value()>& evaluate, const std::string& what) {
+    constexpr long first = decimal_digits(128);
+    return with_growing_precision({0, first, first << 13U}, "the sign of " + what,
+                                  [&](const precision_run& /*run*/) -> std::optional<proved_sign> {
+                                      const bounded_value at = evaluate();
+                                      if (abs(at.value) > at.error * 2) {
+                                          return proved_sign{mpfr_sgn(handle(at.value)), binary_exponent(at.value)};
+                                      }
+                                      return std::nullopt;
+                                  });
+}
 
 proved_sign sign_of(const rational& q) {
     const precision_scope scope(20);
@@ -61,21 +75,6 @@ proved_sign sign_of_sum_with_cosine(const rational& a, const exact& angle, const
             return bounded_value{cos(x) + rest, epsilon<mpfr>() * (abs(x) + 2 + abs(rest) * 2)};
         },
         what);
-}
-
-integer nearest_integer(const rational& q) {
-    const rational twice = q * 2;
-    integer floor_of_twice = numerator(twice) / denominator(twice);
-    if (twice < 0 && rational(floor_of_twice) != twice) {
-        --floor_of_twice;
-    }
-    // q in [f/2, (f+1)/2): nearest is f/2 for even f, (f+1)/2 for odd f above the tie; a tie is an odd exact 2q.
-    if (floor_of_twice % 2 == 0) {
-        return floor_of_twice / 2;
-    }
-    const integer above = (floor_of_twice + 1) / 2;
-    const bool tie = rational(floor_of_twice) == twice;
-    return tie && above % 2 != 0 ? integer(above - 1) : above;
 }
 
 namespace {

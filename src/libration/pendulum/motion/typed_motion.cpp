@@ -6,7 +6,7 @@ namespace libration {
 
 exact typed_motion::exact_energy() const {
     if (!gap && !energy) {
-        throw std::domain_error("has no energy");
+        throw error(error_kind::argument, "motion", "", "has no energy");
     }
     return gap ? exactly(2) - *gap : *energy;
 }

@@ -47,7 +47,7 @@ rational nearest_double(const rational& q) {
     const double below = mpq_get_d(q.backend().data());  // towards 0
     const double above = std::nextafter(below, q.sign() * std::numeric_limits<double>::infinity());
     if (!std::isfinite(above)) {
-        throw std::domain_error("is beyond the largest double");
+        throw error(error_kind::argument, "number", "", "is beyond the largest double");
     }
     const rational lower(below);
     const rational upper(above);
@@ -63,7 +63,7 @@ exact nearest_double(const exact& number) {
     }
     const auto radians = from_exact<double>(number);
     if (!std::isfinite(radians)) {
-        throw std::domain_error("is beyond the largest double");
+        throw error(error_kind::argument, "number", "", "is beyond the largest double");
     }
     return {rational(radians), unit::one, number.text};
 }

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "libration/approximant/proved/maximum.hpp"
@@ -22,7 +21,7 @@ namespace libration {
 class proved_descent_errors {
 public:
     /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms). O(K
-    /// bits^2). Throws std::domain_error for E = 0 and 2, precision_exhausted.
+    /// bits^2). Throws error for E = 0 and 2, precision_exhausted.
     explicit proved_descent_errors(const rational& energy)
         : motion_(motion::of_energy(energy)), descent_(descent_of<ball>(motion_)) {
         const singularity_lattice<ball> lattice{descent_.effective_period, singularity_height(descent_.o)};
@@ -36,7 +35,7 @@ public:
     const ball& effective_period() const { return descent_.effective_period; }
 
     /// The norm of order N, and the fraction of T* where it is attained. O(K N^2) and the search. Throws
-    /// precision_exhausted where the working precision is too low, std::invalid_argument for N < 0.
+    /// precision_exhausted where the working precision is too low, error for N < 0.
     proved_maximum norm(descent_method method, int order) const {
         const power_series<ball> a = descent_series(descent_, order);
         return norm_of(method == descent_method::series ? a : endpoint_corrected(a, descent_endpoint(descent_)));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libration/pendulum/proved/proved_motion.hpp"
+#include "libration/scalar/text/printed_number.hpp"
 
 namespace libration {
 
@@ -30,9 +31,12 @@ public:
         std::string radius;
     };
 
-    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws std::runtime_error where
-    /// the precision ends before the digits are proved.
+    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws error of the kind
+    /// undecided where the precision ends before the digits are proved.
     state_text at(const exact& time);
+    /// One of the two, with the bound of what its decimal misses.
+    proved_decimal theta_at(const exact& time) { return state_at(time)[0]; }
+    proved_decimal omega_at(const exact& time) { return state_at(time)[1]; }
     constant_texts constants();
     /// E and 2-E.
     std::vector<std::string> energies();
@@ -42,11 +46,12 @@ public:
 
     /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
     /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At
-    /// rest there is nothing to compare. Throws std::runtime_error where they do not get so narrow.
+    /// rest there is nothing to compare. Throws error of the kind undecided where they do not get so narrow.
     bool confirms(const exact& time);
 
 private:
     const proved_motion& motion_here();
+    std::vector<proved_decimal> state_at(const exact& time);
     std::vector<ball> second_route(const exact& time) const;
     long more_digits(const exact& time);
 
@@ -54,9 +59,5 @@ private:
     long digits_;
     std::map<long, proved_motion> made_;  ///< by working digits
 };
-
-/// The state at one of the times that were typed for --times. Throws input_error where omega is too small to be
-/// printed: on the separatrix it falls like exp(-t), until no exponent holds it.
-proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed);
 
 }  // namespace libration

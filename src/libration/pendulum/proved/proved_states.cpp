@@ -1,12 +1,11 @@
-#include "motion/proved_states.hpp"
+#include "libration/pendulum/proved/proved_states.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
 
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
-#include "run/proofs.hpp"
-#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -61,13 +60,17 @@ long proved_states::more_digits(const exact& time) {
     return before + needed;
 }
 
-proved_states::state_text proved_states::at(const exact& time) {
+std::vector<proved_decimal> proved_states::state_at(const exact& time) {
     const long more = more_digits(time);
-    const auto values = proved_decimals(digits_, [&] {
+    return proved_decimals(digits_, [&] {
         const precision_scope wider(working_digits() + more);
         enclosed_state state = motion_here().at(time);
         return std::vector<ball>{std::move(state.theta), std::move(state.omega)};
     });
+}
+
+proved_states::state_text proved_states::at(const exact& time) {
+    const auto values = state_at(time);
     return {values[0].text, values[1].text};
 }
 
@@ -106,7 +109,7 @@ std::string proved_states::time_text(const exact& time, long digits) {
                            from_rational<ball>(rational(time.periods() * quarters_per_period(motion_.regime())));
         return time.only_periods() ? whole : whole + from_exact<ball>(time.without_periods());
     };
-    return proved_decimals(digits, [&] { return std::vector<ball>{value()}; }).front().text;
+    return proved_value(digits, value).text;
 }
 
 std::vector<ball> proved_states::second_route(const exact& time) const {
@@ -121,36 +124,22 @@ std::vector<ball> proved_states::second_route(const exact& time) const {
 
 bool proved_states::confirms(const exact& time) {
     const long before = digits_before_point(motion_, time);
-    for (long guard = first_guard; guard <= most_guard_digits; guard *= 2) {
-        const precision_scope scope(digits_ + before + guard);
-        try {
-            const proved_motion& here = motion_here();
-            if (here.at_rest()) {
-                return true;
-            }
-            const enclosed_state first = here.at(time);
-            const std::vector<ball> second = second_route(time);
-            if (!overlaps(first.theta, second[0]) || !overlaps(first.omega, second[1])) {
-                return false;
-            }
-            if (shows_digits(second[0], first.theta, digits_) && shows_digits(second[1], first.omega, digits_)) {
-                return true;
-            }
-        } catch (const precision_exhausted&) {
-            continue;
+    const auto attempt = [&](const precision_run& /*run*/) -> std::optional<bool> {
+        const proved_motion& here = motion_here();
+        if (here.at_rest()) {
+            return true;
         }
-    }
-    throw std::runtime_error("a check is impossible: the second route needs more than " +
-                             std::to_string(most_guard_digits) + " guard digits");
-}
-
-proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
-    try {
-        return states.at(time);
-    } catch (const std::range_error&) {
-        throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
-                          "choose nearer times");
-    }
+        const enclosed_state first = here.at(time);
+        const std::vector<ball> second = second_route(time);
+        if (!overlaps(first.theta, second[0]) || !overlaps(first.omega, second[1])) {
+            return false;
+        }
+        const bool narrow =
+            shows_digits(second[0], first.theta, digits_) && shows_digits(second[1], first.omega, digits_);
+        return narrow ? std::optional(true) : std::nullopt;
+    };
+    return with_growing_precision(proving(digits_ + before), "the check at time " + time.text + " by a second route",
+                                  attempt);
 }
 
 }  // namespace libration

@@ -1,0 +1,9 @@
+// The two approximations of theta that the paper compares, by name.
+#pragma once
+
+namespace libration {
+
+/// The approximations of theta on [0, T*]: the partial sum of the series from the top, and its resummation.
+enum class descent_method { series, resummed };
+
+}  // namespace libration
