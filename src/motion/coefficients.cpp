@@ -8,6 +8,7 @@
 
 #include "libration/scalar/exponent_range.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_options.hpp"
 #include "motion/motion_series.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"

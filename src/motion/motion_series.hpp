@@ -7,7 +7,7 @@
 
 #include "libration/pendulum/taylor/expansion.hpp"
 #include "libration/scalar/ball/decimal.hpp"
-#include "option/options.hpp"
+#include "motion/motion_options.hpp"
 
 namespace libration {
 

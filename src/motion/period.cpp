@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/agreement.hpp"

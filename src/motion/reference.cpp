@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "motion/motion_options.hpp"
 #include "motion/proved_states.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"

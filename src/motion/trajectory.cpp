@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_options.hpp"
 #include "motion/proved_trajectory.hpp"
 #include "motion/rounded_trajectory.hpp"
 #include "option/options.hpp"

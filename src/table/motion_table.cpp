@@ -8,9 +8,9 @@
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/proved/condition.hpp"
 #include "motion/proved_states.hpp"
-#include "option/motion_grid.hpp"
 #include "run/parallel.hpp"
 #include "run/proofs.hpp"
+#include "table/motion_grid.hpp"
 
 namespace libration {
 

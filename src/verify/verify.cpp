@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/parallel.hpp"

@@ -19,6 +19,11 @@ namespace libration {
 /// The approximations of theta on [0, T*] that the paper compares.
 enum class descent_method { series, resummed };
 
+/// series | resummed.
+constexpr std::string_view name_of(descent_method method) {
+    return method == descent_method::series ? "series" : "resummed";
+}
+
 /// Decimal digits by which the error of order N is below theta itself, from its rate (T*/R)^N: what a computation has
 /// to carry beyond the digits wanted in the norm. N^-2 and a few digits for the constants are added.
 inline long digits_below(const motion& m, int order) {
