@@ -59,10 +59,9 @@ void read_powers(const coefficients_options& options, series_request& request) {
 }
 
 table table_of(long first, const std::vector<proved_decimal>& coefficients) {
-    table data{{{"n", ""}, {"coefficient", ""}, {"uncertainty", ""}}, {}};
-    data.rows.reserve(coefficients.size());
+    table data({{"n", ""}, {"coefficient", ""}, {"uncertainty", ""}});
     for (const auto& [text, uncertainty] : coefficients) {
-        data.rows.push_back({std::to_string(first++), text, uncertainty});
+        data.add_row({first++, number_cell(text), number_cell(uncertainty)});
     }
     return data;
 }
@@ -78,10 +77,10 @@ int run_coefficients(const coefficients_options& options) {
         options.output.write(table_of(request.first, proved_coefficients(request)));
         return 0;
     }
-    table data{{{"n", ""}, {"coefficient", ""}}, {}};
+    table data(std::vector<column>{{"n", ""}, {"coefficient", ""}});
     long n = request.first;
     for (const mpfr& value : coefficient_values(request)) {
-        data.rows.push_back({std::to_string(n++), to_decimal(value, numbers.digits)});
+        data.add_row({n++, decimal_cell(value, numbers.digits)});
     }
     options.output.write(data);
     return 0;

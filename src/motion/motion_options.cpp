@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "libration/pendulum/energy/energy.hpp"
+#include "libration/pendulum/energy/period.hpp"
+#include "libration/pendulum/time/dimensionless_time.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
@@ -98,12 +100,25 @@ chosen_motion motion_options::by_energy() const {
                 option,
                 value,
                 texts.energy,
-                texts.gap};
+                texts.gap,
+                texts.energy_typed,
+                texts.gap_typed,
+                "",
+                ""};
     }
     const exact angle = angle_of("--theta0", *theta0_);
     motion of = reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
                         [&] { return motion::of_energy_from(energy, angle, sense); });
-    return {of.with_stiffness(stiffness()), false, option, value, texts.energy, texts.gap};
+    return {of.with_stiffness(stiffness()),
+            false,
+            option,
+            value,
+            texts.energy,
+            texts.gap,
+            texts.energy_typed,
+            texts.gap_typed,
+            angle.text,
+            ""};
 }
 
 chosen_motion motion_options::by_state() const {
@@ -125,7 +140,7 @@ chosen_motion motion_options::by_state() const {
         energy = to_finite_decimal(*of.energy());
         gap = to_finite_decimal(rational(2 - *of.energy()));
     }
-    return {std::move(of), true, "--omega0", *omega0_, energy, gap};
+    return {std::move(of), true, "--omega0", *omega0_, energy, gap, "", "", angle.text, speed.text};
 }
 
 chosen_motion motion_options::choose() const {
@@ -182,6 +197,24 @@ const std::optional<std::string>& motion_options::given(std::string_view option)
     }
     return *found->second;
 }
+
+std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits) {
+    std::vector<std::string> decimals;
+    decimals.reserve(times.size());
+    for (const exact& time : times) {
+        if (time.measure != unit::period || time.is_zero()) {
+            decimals.push_back(decimal_of(time, digits));
+            continue;
+        }
+        const precision_scope scope(digits + 20);
+        const mpfr period = effective_period(orbit_of<mpfr>(of)) * quarters_per_period(of.regime());
+        decimals.push_back(
+            to_decimal(mpfr(period * from_rational<mpfr>(time.coefficient) * time_unit<mpfr>(of)), digits));
+    }
+    return decimals;
+}
+
+std::string angle_in_decimals(const exact& angle, long digits) { return decimal_of(angle, digits); }
 
 energy_texts energy_texts_of(const chosen_motion& chosen, long digits) {
     if (chosen.energy && chosen.gap) {

@@ -22,6 +22,7 @@ struct chosen_motion {
     std::string value;
     std::optional<std::string> energy;
     std::optional<std::string> gap;
+    std::string energy_typed, gap_typed, theta0_typed, omega0_typed;  ///< empty where they were not
 };
 
 /// gravity/length of --length and --gravity, 1 where neither is given. Throws input_error where one of them is.
@@ -55,6 +56,12 @@ private:
 
 /// The times of a motion in this regime: a list or a range, multiples of T among them where it has a period.
 std::vector<exact> times_of(const std::string& value, regime r);
+
+/// The times as decimals in the motion's unit: exact where they end, else to `digits` digits, multiples of T among them.
+std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits);
+
+/// An angle or a velocity as a decimal, exact where it ends, else to `digits` digits.
+std::string angle_in_decimals(const exact& angle, long digits);
 
 /// Energy and gap of a motion as text: exact where they are, to the digits otherwise.
 struct energy_texts {

@@ -81,20 +81,24 @@ std::string error_of(const std::string& theta, const mpfr& truth) {
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     const trajectory_request request = choose(options);
-    table data{{{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}}, {}};
+    table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
+    const long digits = request.numbers.digits;
+    const auto times = times_in_decimals(request.chosen.of, request.times, digits);
     if (request.numbers.scalar.kind == scalar_kind::proved) {
         const auto points = proved_trajectory(request);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            data.rows.push_back({request.times[i].text, points[i].theta, points[i].omega, points[i].error});
+            data.add_row({number_cell(times[i]), cell::number(points[i].theta, digits),
+                          cell::number(points[i].omega, digits), number_cell(points[i].error), request.times[i].text});
         }
         options.output.write(data);
         return 0;
     }
     const trajectory_values values = rounded_trajectory(request);
     for (std::size_t i = 0; i < request.times.size(); ++i) {
-        const std::string theta = to_decimal(values.motion[2 * i], request.numbers.digits);
-        const std::string omega = to_decimal(values.motion[2 * i + 1], request.numbers.digits);
-        data.rows.push_back({request.times[i].text, theta, omega, error_of(theta, values.truth[i])});
+        const std::string theta = to_decimal(values.motion[2 * i], digits);
+        const std::string omega = to_decimal(values.motion[2 * i + 1], digits);
+        data.add_row({number_cell(times[i]), cell::number(theta, digits), cell::number(omega, digits),
+                      number_cell(error_of(theta, values.truth[i])), request.times[i].text});
     }
     options.output.write(data);
     return 0;
