@@ -1,7 +1,5 @@
 // How slowly does the root test find the radius of convergence? [paper sec:conclusions]
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 #include "radius_cells.hpp"
@@ -51,9 +49,11 @@ const column_list<root_row>& columns() {
 }
 
 // Whether the table of estimates shows a test: those by size alone, and what is better.
-bool by_size(std::string_view method) {
-    constexpr std::array<std::string_view, 4> shown{"verdict", "root", "root-corrected", "top-line"};
-    return std::find(shown.begin(), shown.end(), method) != shown.end();
+bool by_size(const std::string& method) {
+    const auto tests = all_radius_tests<double>();
+    return method == "verdict" || std::any_of(tests.begin(), tests.end(), [&](const radius_test<double>& test) {
+               return test.method == method && test.kind == radius_test_kind::sizes;
+           });
 }
 
 table roots_of_list(const sweep_energy& at, const exact& point, int order, long digits) {

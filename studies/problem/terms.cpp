@@ -106,7 +106,8 @@ const study& terms() {
             "The least order N whose error norm stays below 10^-D, for libration (left) and rotation (right), against "
             "the distance of E from 2: dashed the series, solid its resummation, dotted the estimate D ln 10/ln(R/T*) "
             "of the rate alone, crosses what theorems A and A2 prove to be enough. R/T* tends to 1 like 1/ln^2 of the "
-            "gap, so N grows with the square of its logarithm: ten digits at a gap of 1e-12 take 3624 powers. The "
+            "gap, so N grows with the square of its logarithm: ten digits at a gap of 1e-12 take "
+            "{{the order of terms where gap=1e-12 digits=10 method=series to 4}} powers. The "
             "resummation has the same slope and a head start, which is the larger part of N where few digits are "
             "wanted. The measured N is heuristic, as the column says; the crosses are proved.",
         .of = &pendulum_problem(),
