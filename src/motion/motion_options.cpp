@@ -82,6 +82,15 @@ void motion_options::add_to(CLI::App& command) {
     command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
 }
 
+namespace {
+
+// The text where it is exact.
+std::optional<std::string> exact_text(const std::string& text, const rational& value) {
+    return to_finite_decimal(value) ? std::optional(text) : std::nullopt;
+}
+
+}  // namespace
+
 chosen_motion motion_options::by_energy() const {
     const bool by_gap = gap_.has_value();
     const std::string option = by_gap ? "--gap" : "--energy";
@@ -99,8 +108,8 @@ chosen_motion motion_options::by_energy() const {
                 false,
                 option,
                 value,
-                texts.energy,
-                texts.gap,
+                exact_text(texts.energy, energy),
+                exact_text(texts.gap, rational(2 - energy)),
                 texts.energy_typed,
                 texts.gap_typed,
                 "",
@@ -113,8 +122,8 @@ chosen_motion motion_options::by_energy() const {
             false,
             option,
             value,
-            texts.energy,
-            texts.gap,
+            exact_text(texts.energy, energy),
+            exact_text(texts.gap, rational(2 - energy)),
             texts.energy_typed,
             texts.gap_typed,
             angle.text,

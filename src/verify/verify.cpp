@@ -64,6 +64,11 @@ verify_columns columns_of(const std::string& file, const std::vector<std::string
     columns.gap = find("gap");
     columns.energy = find("energy");
     columns.direction = find("direction");
+    columns.time_typed = find("time_typed");
+    columns.theta0_typed = find("theta0_typed");
+    columns.omega0_typed = find("omega0_typed");
+    columns.gap_typed = find("gap_typed");
+    columns.energy_typed = find("energy_typed");
     if (!missing.empty()) {
         throw input_error(
             fmt::format("{} has no column {}: its columns are {}", file, listed(missing), listed(header)));
