@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "libration/scalar/exponent_range.hpp"
+#include "motion/motion_options.hpp"
 #include "motion/motion_series.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -29,11 +30,11 @@ constexpr long most_rows = 1'000'001;
 
 long read_power(const std::string& text) {
     long power = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
         throw error(error_kind::argument, "power", "", "is not a whole number");
     }
-    if (error != std::errc() || power < 0 || power > largest_power) {
+    if (problem != std::errc() || power < 0 || power > largest_power) {
         throw error(error_kind::argument, "power", "", fmt::format("is not between 0 and {}", largest_power));
     }
     return power;
@@ -58,16 +59,17 @@ void read_powers(const coefficients_options& options, series_request& request) {
 
 // A proof has a column for its uncertainty.
 table table_of(long first, const std::vector<printed_number>& coefficients, bool proved) {
-    table data{{{"n", ""}, {"coefficient", ""}}, {}};
+    std::vector<column> columns{{"n", ""}, {"coefficient", ""}};
     if (proved) {
-        data.columns.push_back({"uncertainty", ""});
+        columns.push_back({"uncertainty", ""});
     }
-    data.rows.reserve(coefficients.size());
+    table data(std::move(columns));
     for (const auto& [text, uncertainty] : coefficients) {
-        data.rows.push_back({std::to_string(first++), text});
+        table_row_cells row{first++, number_cell(text)};
         if (proved) {
-            data.rows.back().push_back(uncertainty);
+            row.push_back(number_cell(uncertainty));
         }
+        data.add_row(std::move(row));
     }
     return data;
 }

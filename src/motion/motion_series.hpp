@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/pendulum/taylor/expansion.hpp"
-#include "option/options.hpp"
+#include "motion/motion_options.hpp"
 #include "run/digits.hpp"
 
 namespace libration {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/digits.hpp"
@@ -30,8 +31,13 @@ struct period_request {
     std::optional<int> order;
 };
 
-const std::vector<column> period_columns{{"energy", ""}, {"gap", ""},   {"method", ""}, {"order", ""},
-                                         {"period", ""}, {"tstar", ""}, {"error", ""},  {"regime", ""}};
+const std::vector<column> period_columns{{"energy", ""},    {"gap", ""},          {"method", ""},
+                                         {"order", ""},     {"period", ""},       {"tstar", ""},
+                                         {"error", ""},     {"regime", ""},       {"energy_typed", ""},
+                                         {"gap_typed", ""}, {"theta0_typed", ""}, {"omega0_typed", ""}};
+
+// The text format leaves out what was typed.
+constexpr std::size_t untyped_columns = 8;
 
 period_method read_method(const std::string& name) {
     if (name == "agm") {
@@ -126,13 +132,15 @@ int run_period(const period_options& options) {
     }
     const std::string regime(name_of(m.regime()));
     const std::string order = request.order ? std::to_string(*request.order) : "";
-    const table data{
-        period_columns,
-        {{texts.energy, texts.gap, options.method, order, found.period, found.tstar, found.error, regime}}};
+    const chosen_motion& chosen = request.chosen;
+    const table data(period_columns,
+                     {{number_cell(texts.energy), number_cell(texts.gap), options.method, read_cell(order),
+                       number_cell(found.period), number_cell(found.tstar), number_cell(found.error), regime,
+                       chosen.energy_typed, chosen.gap_typed, chosen.theta0_typed, chosen.omega0_typed}});
     std::string text;
-    for (std::size_t i = 0; i < data.columns.size(); ++i) {
-        if (!data.rows[0][i].empty()) {
-            text += fmt::format("{:<8}{}\n", data.columns[i].name, data.rows[0][i]);
+    for (std::size_t i = 0; i < untyped_columns; ++i) {
+        if (!data.rows()[0][i].is_empty()) {
+            text += fmt::format("{:<8}{}\n", data.columns()[i].name, data.rows()[0][i].text());
         }
     }
     options.output.write(data, text);

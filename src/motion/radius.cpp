@@ -16,6 +16,7 @@
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_options.hpp"
 #include "motion/motion_series.hpp"
 #include "motion/radius_rows.hpp"
 #include "option/options.hpp"

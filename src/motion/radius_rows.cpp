@@ -60,26 +60,27 @@ std::string note_of(const radius_estimate<mpfr>& estimate) {
     return note;
 }
 
-std::vector<std::string> row_of(const radius_estimate<mpfr>& estimate, const judged_list& list, long digits) {
+table_row_cells row_of(const radius_estimate<mpfr>& estimate, const judged_list& list, long digits) {
     const bool found = estimate.radius.has_value();
-    const auto cell = [&](const mpfr& x) { return supported(x, estimate.uncertainty, digits); };
-    std::string radius = found ? cell(*estimate.radius) : "";
+    const auto text = [&](const mpfr& x) { return supported(x, estimate.uncertainty, digits); };
+    std::string radius = found ? text(*estimate.radius) : "";
     if (radius == "0") {  // a radius is more than 0, however uncertain
         radius = to_decimal(*estimate.radius, 1);
     }
-    return {estimate.method,
-            radius,
-            found ? to_decimal(printed_uncertainty(estimate, digits), uncertainty_digits) : "",
-            list.exact_text,
-            relative_error(radius, list, digits),
-            estimate.position ? cell(estimate.position->re) : "",
-            estimate.position ? cell(estimate.position->im) : "",
-            estimate.kind == singularity_kind::unknown ? "" : name_of(estimate.kind),
-            estimate.count > 0 ? std::to_string(estimate.count) : "",
-            note_of(estimate),
-            estimate.exponent ? supported(*estimate.exponent, estimate.exponent_uncertainty, digits) : "",
-            estimate.exponent ? to_decimal(estimate.exponent_uncertainty, uncertainty_digits) : "",
-            "heuristic"};
+    return {
+        estimate.method,
+        number_cell(radius),
+        found ? decimal_cell(printed_uncertainty(estimate, digits), uncertainty_digits) : cell(),
+        number_cell(list.exact_text),
+        number_cell(relative_error(radius, list, digits)),
+        estimate.position ? number_cell(text(estimate.position->re)) : cell(),
+        estimate.position ? number_cell(text(estimate.position->im)) : cell(),
+        estimate.kind == singularity_kind::unknown ? "" : name_of(estimate.kind),
+        estimate.count > 0 ? cell(estimate.count) : cell(),
+        note_of(estimate),
+        estimate.exponent ? number_cell(supported(*estimate.exponent, estimate.exponent_uncertainty, digits)) : cell(),
+        estimate.exponent ? decimal_cell(estimate.exponent_uncertainty, uncertainty_digits) : cell(),
+        "heuristic"};
 }
 
 // "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points".
@@ -100,14 +101,14 @@ std::string what_in_words(const radius_estimate<mpfr>& estimate) {
 }
 
 // "2 simple poles at 1.57 and its image": number, kind and position of the nearest singularities.
-std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const std::vector<std::string>& row) {
+std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_row_cells& row) {
     if (estimate.kind == singularity_kind::boundary) {
         return "the whole circle of convergence is a boundary";
     }
     std::string words = what_in_words(estimate);
     if (estimate.position) {
-        const std::string& re = row[5];
-        const std::string& im = row[6];
+        const std::string& re = row[5].text();
+        const std::string& im = row[6].text();
         words += " at " + (im == "0" ? re : re == "0" ? im + " i" : fmt::format("{} + {} i", re, im));
         words += estimate.count > 2 ? " and its images" : estimate.count == 2 ? " and its image" : "";
     }
@@ -116,43 +117,40 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const std::v
 
 std::string verdict_in_words(const radius_answers& answers, const judged_list& list, const table& data) {
     const radius_estimate<mpfr>& verdict = answers.rows.front();
-    const auto& row = data.rows.front();
+    const auto& row = data.rows().front();
     std::string text;
     const auto say = [&](const char* name, const std::string& what) { text += fmt::format("{:<14}{}\n", name, what); };
     say("coefficients", fmt::format("n = 0 .. {}; {}", answers.pattern.order, answers.pattern.text()));
     if (verdict.radius) {
-        say("radius", fmt::format("{} +- {}", row[1], row[2]));
+        say("radius", fmt::format("{} +- {}", row[1].text(), row[2].text()));
         say("nearest", nearest_in_words(verdict, row));
         if (verdict.exponent) {
-            say("exponent", fmt::format("{} +- {}", row[10], row[11]));
+            say("exponent", fmt::format("{} +- {}", row[10].text(), row[11].text()));
         }
     } else {
         say("radius", "none");
     }
     if (!list.exact_text.empty()) {
-        say("exact", row[4].empty() ? list.exact_text : fmt::format("{}, relative error {}", list.exact_text, row[4]));
+        say("exact",
+            row[4].is_empty() ? list.exact_text : fmt::format("{}, relative error {}", list.exact_text, row[4].text()));
     }
-    say("why", row[9]);
+    say("why", row[9].text());
     return text;
 }
 
 }  // namespace
 
 table radius_table(const radius_answers& answers, const judged_list& list, long digits) {
-    table data{radius_columns, {}};
-    data.rows.reserve(answers.rows.size());
+    table data(radius_columns);
     for (const auto& answer : answers.rows) {
-        data.rows.push_back(row_of(answer, list, digits));
+        data.add_row(row_of(answer, list, digits));
     }
     return data;
 }
 
 std::string radius_text(const radius_answers& answers, const judged_list& list, const table& data) {
-    table tests{{{"method", ""}, {"radius", ""}, {"uncertainty", ""}, {"relative_error", ""}, {"note", ""}}, {}};
-    tests.rows.reserve(data.rows.size());
-    for (auto row = data.rows.begin() + 1; row != data.rows.end(); ++row) {
-        tests.rows.push_back({row->at(0), row->at(1), row->at(2), row->at(4), row->at(9)});
-    }
+    const table shown = data.with_columns({0, 1, 2, 4, 9});
+    const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
     return verdict_in_words(answers, list, data) + "\n" + to_text(tests) +
            "\nheuristic: coefficients prove no radius\n";
 }

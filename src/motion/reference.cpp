@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "motion/motion_options.hpp"
 #include "motion/typed_times.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -25,11 +26,13 @@ struct reference_options {
 constexpr long most_checked_digits = 10'000;
 
 const std::vector<column> reference_columns{
-    {"energy", ""}, {"gap", ""},    {"regime", ""}, {"theta0", ""}, {"omega0", ""}, {"time", ""},   {"theta", ""},
-    {"omega", ""},  {"period", ""}, {"tstar", ""},  {"radius", ""}, {"digits", ""}, {"rigour", ""}, {"direction", ""}};
+    {"energy", ""},       {"gap", ""},       {"regime", ""},       {"theta0", ""},      {"omega0", ""},
+    {"time", ""},         {"theta", ""},     {"omega", ""},        {"period", ""},      {"tstar", ""},
+    {"radius", ""},       {"digits", ""},    {"rigour", ""},       {"direction", ""},   {"time_typed", ""},
+    {"energy_typed", ""}, {"gap_typed", ""}, {"theta0_typed", ""}, {"omega0_typed", ""}};
 
 // The cells that all times share, in the order of the columns; those of a time are empty.
-std::vector<std::string> shared_cells(const chosen_motion& chosen, proved_states& states, long digits) {
+table_row_cells shared_cells(const chosen_motion& chosen, proved_states& states, long digits) {
     const motion& m = chosen.of;
     std::string energy = chosen.energy.value_or("");
     std::string gap = chosen.gap.value_or("");
@@ -39,31 +42,49 @@ std::vector<std::string> shared_cells(const chosen_motion& chosen, proved_states
         gap = proved[1];
     }
     const auto [period, tstar, radius] = states.constants();
-    const std::string theta0 = m.theta0() ? m.theta0()->text : "";
-    const std::string omega0 = chosen.by_state ? chosen.value : "";
+    const cell theta0 = m.theta0() ? number_cell(angle_in_decimals(*m.theta0(), digits)) : cell();
+    const cell omega0 = chosen.by_state ? number_cell(angle_in_decimals(read_exact(chosen.value), digits)) : cell();
     const std::string direction = chosen.by_state || m.omega0_sign() == 0 ? "" : m.direction() < 0 ? "-" : "+";
-    return {energy, gap,    std::string(name_of(m.regime())), theta0,   omega0,   "", "", "", period,
-            tstar,  radius, std::to_string(digits),           "proved", direction};
+    return {number_cell(energy),
+            number_cell(gap),
+            std::string(name_of(m.regime())),
+            theta0,
+            omega0,
+            {},
+            {},
+            {},
+            number_cell(period),
+            number_cell(tstar),
+            number_cell(radius),
+            digits,
+            "proved",
+            direction,
+            {},
+            chosen.energy_typed,
+            chosen.gap_typed,
+            chosen.theta0_typed,
+            chosen.omega0_typed};
 }
 
 constexpr std::size_t time_at = 5;
 constexpr std::size_t theta_at = 6;
 constexpr std::size_t omega_at = 7;
+constexpr std::size_t time_typed_at = 14;
 
 // The motion first, a line a column, and then every time.
 std::string lines_of(const table& data) {
     std::string text;
-    const auto line = [&](std::size_t i, const std::vector<std::string>& row) {
-        if (!row[i].empty()) {
-            text += fmt::format("{:<10}{}\n", data.columns[i].name, row[i]);
+    const auto line = [&](std::size_t i, const table_row_cells& row) {
+        if (!row[i].is_empty()) {
+            text += fmt::format("{:<10}{}\n", data.columns()[i].name, row[i].text());
         }
     };
-    for (std::size_t i = 0; i < data.columns.size(); ++i) {
+    for (std::size_t i = 0; i < time_typed_at; ++i) {
         if (i < time_at || i > omega_at) {
-            line(i, data.rows.front());
+            line(i, data.rows().front());
         }
     }
-    for (const auto& row : data.rows) {
+    for (const auto& row : data.rows()) {
         text += '\n';
         for (const std::size_t i : {time_at, theta_at, omega_at}) {
             line(i, row);
@@ -91,17 +112,20 @@ int run_reference(const reference_options& options) {
     const chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
     const auto times = times_of(options.times, chosen.of.regime());
     proved_states states(chosen.of, digits);
-    table data{reference_columns, {}};
-    std::vector<std::string> row = shared_cells(chosen, states, digits);
-    for (const exact& time : times) {
+    table data(reference_columns);
+    const auto decimals = times_in_decimals(chosen.of, times, digits);
+    table_row_cells row = shared_cells(chosen, states, digits);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const exact& time = times[i];
         const auto state = state_at(states, time, options.times);
         if (options.check) {
             require_check(states, time, state);
         }
-        row[time_at] = time.text;
-        row[theta_at] = state.theta;
-        row[omega_at] = state.omega;
-        data.rows.push_back(row);
+        row[time_at] = number_cell(decimals[i]);
+        row[theta_at] = cell::number(state.theta, digits);
+        row[omega_at] = cell::number(state.omega, digits);
+        row[time_typed_at] = time.text;
+        data.add_row(row);
     }
     options.output.write(data, lines_of(data));
     return 0;

@@ -1,6 +1,7 @@
 // libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
 #include <memory>
 
+#include "motion/motion_options.hpp"
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -72,10 +73,13 @@ trajectory_request choose(const trajectory_options& options) {
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     const trajectory_request request = choose(options);
-    table data{{{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}}, {}};
+    table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
+    const long digits = request.numbers.digits;
+    const auto times = times_in_decimals(request.chosen.of, request.times, digits);
     const auto points = trajectory_points(request);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        data.rows.push_back({request.times[i].text, points[i].theta, points[i].omega, points[i].error});
+        data.add_row({number_cell(times[i]), cell::number(points[i].theta, digits),
+                      cell::number(points[i].omega, digits), number_cell(points[i].error), request.times[i].text});
     }
     options.output.write(data);
     return 0;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 
 namespace libration {

@@ -41,10 +41,11 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
 std::string as_text(const std::vector<judged_claim>& judged) {
     const table data = claims_table(judged);
     std::string text;
-    for (const auto& row : data.rows) {
-        text += fmt::format("{}  {}: {}\n    {}\n    {}: {}\n", row[0], row[1], row[3], row[2], row[5], row[4]);
-        text += row[6].empty() ? "" : fmt::format("    true is: {}\n", row[6]);
-        text += fmt::format("    {}\n", row[7]);
+    for (const auto& row : data.rows()) {
+        text += fmt::format("{}  {}: {}\n    {}\n    {}: {}\n", row[0].text(), row[1].text(), row[3].text(),
+                            row[2].text(), row[5].text(), row[4].text());
+        text += row[6].is_empty() ? "" : fmt::format("    true is: {}\n", row[6].text());
+        text += fmt::format("    {}\n", row[7].text());
     }
     return text;
 }

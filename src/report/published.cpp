@@ -48,13 +48,14 @@ published_study read_study(const fs::path& folder, const study& what) {
 
 std::vector<published_claim> read_claims(const std::string& path) {
     const table data = from_csv(text_of(path));
-    if (to_csv({claims_table({}).columns, {}}) != to_csv({data.columns, {}})) {
+    if (to_csv(table(claims_table({}).columns())) != to_csv(table(data.columns()))) {
         throw std::runtime_error(path + " has other columns than this program writes");
     }
     std::vector<published_claim> claims;
-    claims.reserve(data.rows.size());
-    for (const auto& row : data.rows) {
-        claims.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7]});
+    claims.reserve(data.rows().size());
+    for (const auto& row : data.rows()) {
+        claims.push_back({row[0].text(), row[1].text(), row[2].text(), row[3].text(), row[4].text(), row[5].text(),
+                          row[6].text(), row[7].text()});
     }
     return claims;
 }

@@ -15,7 +15,7 @@ namespace libration {
 namespace {
 
 // A cell of a Markdown table: its characters stand for themselves.
-std::string cell(const std::string& text) {
+std::string markdown_cell(const std::string& text) {
     std::string out;
     for (const char c : text) {
         out += c == '|' || c == '*' || c == '<' ? std::string("\\") + c : std::string(1, c == '\n' ? ' ' : c);
@@ -28,10 +28,10 @@ std::string claims_rows(const std::vector<published_claim>& claims) {
     std::string text =
         "| claim | label | statement | verdict | measured | command |\n| --- | --- | --- | --- | --- | --- |\n";
     for (const published_claim& each : claims) {
-        const std::string truth = each.correction.empty() ? "" : " **Instead:** " + cell(each.correction);
-        text += fmt::format("| {} | {} | {}{} | {} | {}: {} | `{}` |\n", cell(each.name), cell(each.label),
-                            cell(each.statement), truth, each.verdict, cell(each.measured), each.number,
-                            cell(each.command));
+        const std::string truth = each.correction.empty() ? "" : " **Instead:** " + markdown_cell(each.correction);
+        text += fmt::format("| {} | {} | {}{} | {} | {}: {} | `{}` |\n", markdown_cell(each.name),
+                            markdown_cell(each.label), markdown_cell(each.statement), truth, each.verdict,
+                            markdown_cell(each.measured), each.number, markdown_cell(each.command));
     }
     return text + "\n";
 }
@@ -88,7 +88,7 @@ std::string references_part(const std::vector<published_reference>& references) 
         for (const std::string& file : each.files) {
             files += fmt::format("{}[{}]({})", files.empty() ? "" : " ", file.substr(file.find('/') + 1), file);
         }
-        text += fmt::format("| {} | {} | `./run {}` |\n", cell(each.title), files,
+        text += fmt::format("| {} | {} | `./run {}` |\n", markdown_cell(each.title), files,
                             each.command.substr(each.command.find(' ') + 1));
     }
     return text;
@@ -105,10 +105,9 @@ const published_claim& claim_named(const std::vector<published_claim>& claims, c
 
 // The claims table for LaTeX: what fits the width of a page.
 std::string claims_latex(const std::vector<published_claim>& claims) {
-    table data{{{"label", "of the paper's source"}, {"statement", ""}, {"verdict", ""}, {"measured", ""}}, {}};
-    data.rows.reserve(claims.size());
+    table data({{"label", "of the paper's source"}, {"statement", ""}, {"verdict", ""}, {"measured", ""}});
     for (const published_claim& each : claims) {
-        data.rows.push_back({each.label, each.statement, each.verdict, each.number});
+        data.add_row({each.label, each.statement, each.verdict, read_cell(each.number)});
     }
     std::string text =
         to_latex(data, {"The statements of the paper, and this program's own behind them, judged.", "claims"});

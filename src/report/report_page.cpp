@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "report/measured_text.hpp"
 #include "report/report.hpp"
 #include "run/provenance.hpp"
 #include "text/html.hpp"
@@ -129,12 +130,26 @@ std::string links(const published_study& each) {
     return text + fmt::format("<a href=\"{0}/{0}.json\">{0}.json</a>", each.what->name);
 }
 
+// The published tables by the stem of their CSV.
+table_source tables_of(const published& results) {
+    return [&results](const std::string& stem) -> std::optional<table> {
+        for (const published_study& each : results.studies) {
+            for (const std::string& csv : each.tables) {
+                if (std::filesystem::path(csv).stem() == stem) {
+                    return from_csv(text_of((std::filesystem::path(results.folder) / csv).string()));
+                }
+            }
+        }
+        return std::nullopt;
+    };
+}
+
 std::string study_part(const published& results, const published_study& each) {
     const study& what = *each.what;
     const std::string figure = what.label.empty() ? "not in the paper" : "the paper's " + what.label;
-    std::string text =
-        fmt::format("<section class=\"study\" id=\"{}\">\n<h3>{}</h3>\n<p class=\"question\">{}</p>\n<p>{}</p>\n",
-                    what.name, html_text(what.title), html_text(what.question), html_prose(what.reading));
+    std::string text = fmt::format(
+        "<section class=\"study\" id=\"{}\">\n<h3>{}</h3>\n<p class=\"question\">{}</p>\n<p>{}</p>\n", what.name,
+        html_text(what.title), html_text(what.question), html_prose(measured_text(what.reading, tables_of(results))));
     for (const std::string& svg : each.figures) {
         const std::string content = text_of((std::filesystem::path(results.folder) / svg).string());
         text += fmt::format("<figure><a href=\"{0}\"><img alt=\"{1}\" src=\"{2}\"></a></figure>\n", html_text(svg),

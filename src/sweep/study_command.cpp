@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -34,16 +35,16 @@ struct study_options {
 };
 
 bool same_columns(const table& a, const table& b) {
-    return std::equal(a.columns.begin(), a.columns.end(), b.columns.begin(), b.columns.end(),
+    return std::equal(a.columns().begin(), a.columns().end(), b.columns().begin(), b.columns().end(),
                       [](const column& x, const column& y) { return x.name == y.name; });
 }
 
 // What goes to stdout under one header: the first table and those with its columns. The others are named.
-table joined(const std::vector<study_table>& parts, std::string& left_out) {
-    table all{parts.front().data.columns, {}};
+table under_one_header(const std::vector<study_table>& parts, std::string& left_out) {
+    table all(parts.front().data.columns());
     for (const study_table& part : parts) {
         if (same_columns(part.data, all)) {
-            all.rows.insert(all.rows.end(), part.data.rows.begin(), part.data.rows.end());
+            all.append(part.data);
         } else {
             left_out += (left_out.empty() ? "" : ", ") + part.suffix;
         }
@@ -51,21 +52,34 @@ table joined(const std::vector<study_table>& parts, std::string& left_out) {
     return all;
 }
 
+void print_tables(const study_order& order) {
+    std::string left_out;
+    write_to_stdout(to_csv(under_one_header(tables_of(order), left_out)));
+    if (!left_out.empty()) {
+        fmt::print(stderr, "libration: {} makes more tables ({}): see them with --out DIR\n", order.what->name,
+                   left_out);
+    }
+}
+
+void write_figures(const study_order& order, const std::string& folder) {
+    draw_study(*order.what, folder);
+    fmt::print(stderr, "libration: wrote {}/{}\n", folder, order.what->name);
+}
+
 int run_study(const study_options& options) {
     const study& what = study_named("study", options.name);
-    const study_order order = order_of(what, options.said(), jobs_of(options.jobs));
     try {
-        if (!options.out) {
-            std::string left_out;
-            const std::string csv = to_csv(joined(what.run(order.request), left_out));
-            write_to_stdout(csv);
-            if (!left_out.empty()) {
-                fmt::print(stderr, "libration: {} makes more tables ({}): see them with --out DIR\n", what.name,
-                           left_out);
-            }
-            return 0;
+        const study_order order = order_of(what, options.said(), jobs_of(options.jobs));
+        if (!order.left_out.empty()) {
+            fmt::print(stderr, "libration: left out {}\n", order.left_out);
         }
-        write_study(order, *options.out);
+        if (options.out) {
+            write_study(order, *options.out);
+            write_figures(order, *options.out);
+        } else {
+            print_tables(order);
+        }
+        return 0;
     } catch (const error& problem) {
         if (problem.kind() == error_kind::undecided) {
             throw;
@@ -76,11 +90,8 @@ int run_study(const study_options& options) {
                               "use --scalar mpfr:DIGITS");
         }
         const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
-        throw input_error("study", what.name, reason, "leave that value out of --energies and --gaps");
+        throw input_error("study", what.name, reason, "leave that value out");
     }
-    draw_study(what, *options.out);
-    fmt::print(stderr, "libration: wrote {}/{}\n", *options.out, what.name);
-    return 0;
 }
 
 }  // namespace
@@ -89,7 +100,7 @@ subcommand study_command(CLI::App& program) {
     const auto options = std::make_shared<study_options>();
     CLI::App* command = program.add_subcommand("study", "run one study; 'libration studies' lists them");
     command->add_option("NAME", options->name, "which study")->required();
-    for (const study_option& each : study_order_options()) {
+    for (const study_option& each : options_of(all_studies())) {
         command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
     }
     command->add_option("--out", options->out, "write DIR/NAME/: tables, figures, provenance; without it CSV to stdout")

@@ -31,16 +31,19 @@ std::string description_of(const study_order& order, const std::vector<study_tab
     description["study"] = order.what->name;
     description["question"] = order.what->question;
     description["command"] = order.command;
-    for (const column& c : tables.front().data.columns) {
+    if (!order.left_out.empty()) {
+        description["left out"] = order.left_out;
+    }
+    for (const column& c : tables.front().data.columns()) {
         description["columns"][c.name] = c.meaning;
     }
     for (const study_table& part : tables) {
         nlohmann::ordered_json entry{{"file", stem_of(*order.what, part) + ".csv"},
                                      {"scalar", part.scalar.name()},
                                      {"digits", part.scalar.digits},
-                                     {"rows", part.data.rows.size()}};
+                                     {"rows", part.data.rows().size()}};
         if (&part != &tables.front()) {
-            for (const column& c : part.data.columns) {
+            for (const column& c : part.data.columns()) {
                 entry["columns"][c.name] = c.meaning;
             }
         }
@@ -113,7 +116,7 @@ void write_study(const study_order& order, const std::string& folder) {
     }
     output_folder into("--out", (fs::path(folder) / order.what->name).string());
     const std::string& own = into.path();
-    const auto tables = order.what->run(order.request);
+    const auto tables = tables_of(order);
     into.keep();
     for (const study_table& part : tables) {
         const std::string stem = stem_of(*order.what, part);

@@ -26,18 +26,15 @@ int run_elliptic(const elliptic_options& options) {
     const long digits = digits_of(options.digits);
     const elliptic_request request = read_elliptic({function}, options.said, elliptic_grid::one);
     const typed_parameter& parameter = request.parameters.front();
-    table data{{{"function", ""},
+    table data({{"function", ""},
                 {"argument", ""},
                 {request.option.substr(2), ""},
                 {"value", ""},
                 {"digits", ""},
-                {"rigour", ""}},
-               {}};
-    data.rows.reserve(request.arguments.size());
+                {"rigour", ""}});
     for (const exact& argument : request.arguments) {
-        data.rows.push_back({function, argument.text, parameter.typed.text,
-                             function_text(function, argument, parameter.value(), digits), std::to_string(digits),
-                             "proved"});
+        data.add_row({function, read_cell(argument.text), read_cell(parameter.typed.text),
+                      number_cell(function_text(function, argument, parameter.value(), digits)), digits, "proved"});
     }
     options.output.write(data);
     return 0;

@@ -62,34 +62,34 @@ public:
     function_rows(const elliptic_request& request, const typed_parameter& parameter, const exact& at, long digits)
         : request_(request), parameter_(parameter), at_(at), digits_(digits) {}
 
-    std::vector<std::vector<std::string>> typed() const {
-        std::vector<std::vector<std::string>> rows;
+    std::vector<table_row_cells> typed() const {
+        std::vector<table_row_cells> rows;
         rows.reserve(request_.functions.size());
         for (const std::string& function : request_.functions) {
-            rows.push_back({function, at_.text, parameter_.typed.text, value_of(function),
-                            condition_text(function, at_, parameter_), std::to_string(digits_), "proved"});
+            rows.push_back({function, read_cell(at_.text), read_cell(parameter_.typed.text), value_of(function),
+                            number_cell(condition_text(function, at_, parameter_)), digits_, "proved"});
         }
         return rows;
     }
 
-    std::vector<std::vector<std::string>> decimals() const {
-        std::vector<std::string> row;
+    std::vector<table_row_cells> decimals() const {
+        table_row_cells row;
         if (!request_.argument.empty()) {
-            row.push_back(decimal_text(at_, digits_ + more_input_digits));
+            row.push_back(number_cell(decimal_text(at_, digits_ + more_input_digits)));
         }
-        row.push_back(decimal_text(parameter_.typed, digits_ + more_input_digits));
+        row.push_back(number_cell(decimal_text(parameter_.typed, digits_ + more_input_digits)));
         for (const std::string& function : request_.functions) {
             row.push_back(value_of(function));
         }
         for (const std::string& function : request_.functions) {
-            row.push_back(condition_text(function, at_, parameter_));
+            row.push_back(number_cell(condition_text(function, at_, parameter_)));
         }
         return {row};
     }
 
 private:
-    std::string value_of(const std::string& function) const {
-        return function_text(function, at_, parameter_.value(), digits_);
+    cell value_of(const std::string& function) const {
+        return number_cell(function_text(function, at_, parameter_.value(), digits_));
     }
 
     const elliptic_request& request_;
@@ -137,10 +137,11 @@ table function_table(const std::vector<std::string>& functions, const said_words
                                request.arguments[i % request.arguments.size()], digits);
         return style == input_style::typed ? at.typed() : at.decimals();
     });
-    table data{columns_of(request, style), {}};
-    data.rows.reserve(cells * functions.size());
+    table data(columns_of(request, style));
     for (const auto& part : parts) {
-        data.rows.insert(data.rows.end(), part.begin(), part.end());
+        for (const table_row_cells& row : part) {
+            data.add_row(row);
+        }
     }
     return data;
 }

@@ -8,8 +8,8 @@
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/proved/condition.hpp"
 #include "motion/typed_times.hpp"
-#include "option/motion_grid.hpp"
 #include "run/parallel.hpp"
+#include "table/motion_grid.hpp"
 
 namespace libration {
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t times_a_step = 32;
 
-using rows = std::vector<std::vector<std::string>>;
+using rows = std::vector<table_row_cells>;
 
 // The condition numbers of one motion, as verify prints them.
 class condition_texts {
@@ -65,7 +65,7 @@ std::vector<column> columns_of(const said_words& said, input_style style) {
     const std::string speed = seconds ? "rad/s" : "sqrt(g/l)";
     std::vector<column> columns{{"energy", "in m g l"}, {"gap", "2 - energy"}};
     if (said["--theta0"]) {
-        columns.push_back({"theta0", style == input_style::typed ? "angle at time 0, as typed" : "rad, at time 0"});
+        columns.push_back({"theta0", "rad, at time 0"});
     }
     if (said["--omega0"]) {
         columns.push_back({"omega0", speed + ", at time 0"});
@@ -84,6 +84,14 @@ std::vector<column> columns_of(const said_words& said, input_style style) {
                                     "x, heuristic, three digits"}});
     if (style == input_style::typed) {
         columns.insert(columns.end(), {{"digits", "significant digits"}, {"rigour", "of all but the condition"}});
+        columns.push_back({"time_typed", "as typed"});
+        columns.insert(columns.end(), {{"energy_typed", "as typed"}, {"gap_typed", "as typed"}});
+        if (said["--theta0"]) {
+            columns.push_back({"theta0_typed", "as typed"});
+        }
+        if (said["--omega0"]) {
+            columns.push_back({"omega0_typed", "as typed"});
+        }
     }
     return columns;
 }
@@ -101,11 +109,14 @@ public:
         result.reserve(static_cast<std::size_t>(end - begin));
         for (const exact* time = begin; time != end; ++time) {
             const auto state = state_at(states_, *time, *said_["--times"]);
-            std::vector<std::string> row = front;
-            row.insert(row.end(),
-                       {time_cell(*time), state.theta, state.omega, period, tstar, radius, conditions_.at(*time)});
+            table_row_cells row = front;
+            row.insert(row.end(), {number_cell(time_text(*time)), cell::number(state.theta, digits_),
+                                   cell::number(state.omega, digits_), number_cell(period), number_cell(tstar),
+                                   number_cell(radius), number_cell(conditions_.at(*time))});
             if (style_ == input_style::typed) {
-                row.insert(row.end(), {std::to_string(digits_), "proved"});
+                row.insert(row.end(), {cell(digits_), cell("proved"), cell(time->text)});
+                const auto typed = typed_cells();
+                row.insert(row.end(), typed.begin(), typed.end());
             }
             result.push_back(std::move(row));
         }
@@ -113,39 +124,56 @@ public:
     }
 
 private:
-    std::vector<std::string> front_cells() {
-        std::vector<std::string> cells = energy_cells();
+    long more_digits() const { return digits_ + more_input_digits; }
+
+    table_row_cells front_cells() {
+        table_row_cells cells = energy_cells();
         for (const auto& number : {of_.typed.theta0, of_.typed.omega0}) {
             if (number) {
-                cells.push_back(style_ == input_style::typed ? number->text
-                                                             : decimal_text(*number, digits_ + more_input_digits));
+                cells.push_back(number_cell(decimal_text(*number, more_digits())));
             }
         }
         if (const auto& direction = said_["--direction"]) {
-            cells.push_back(style_ == input_style::typed ? *direction : *direction + "1");
-            cells.back().erase(0, cells.back() == "+1" ? 1 : 0);
+            std::string sign = style_ == input_style::typed ? *direction : *direction + "1";
+            sign.erase(0, sign == "+1" ? 1 : 0);
+            cells.emplace_back(sign);
         }
         return cells;
     }
 
-    std::vector<std::string> energy_cells() {
-        if (of_.texts && style_ == input_style::typed) {
-            return {of_.texts->energy, of_.texts->gap};
+    // What was typed of the motion; empty where it was not.
+    table_row_cells typed_cells() const {
+        table_row_cells cells{of_.texts ? of_.texts->energy_typed : "", of_.texts ? of_.texts->gap_typed : ""};
+        for (const auto& number : {of_.typed.theta0, of_.typed.omega0}) {
+            if (number) {
+                cells.emplace_back(number->text);
+            }
         }
-        const auto& energy = of_.of.energy();
-        if (!energy) {
-            return states_.energies();
-        }
-        const long more = digits_ + more_input_digits;
-        return {decimal_text(exactly(*energy), more), decimal_text(exactly(rational(2 - *energy)), more)};
+        return cells;
     }
 
-    std::string time_cell(const exact& time) {
-        if (style_ == input_style::typed) {
-            return time.text;
+    table_row_cells energy_cells() {
+        const auto& energy = of_.of.energy();
+        if (!energy) {
+            const auto proved = states_.energies();
+            return {number_cell(proved[0]), number_cell(proved[1])};
         }
-        const long more = digits_ + more_input_digits;
-        return time.has_periods() && !time.is_zero() ? states_.time_text(time, more) : decimal_text(time, more);
+        const auto text = [&](const rational& value) {
+            return number_cell(decimal_text(exactly(value), more_digits()));
+        };
+        // A decimal that was typed stands as it is.
+        if (of_.texts && style_ == input_style::typed) {
+            const bool by_gap = of_.texts->energy_typed.empty();
+            const rational gap = 2 - *energy;
+            return {by_gap || !to_finite_decimal(*energy) ? text(*energy) : number_cell(of_.texts->energy),
+                    !by_gap || !to_finite_decimal(gap) ? text(gap) : number_cell(of_.texts->gap)};
+        }
+        return {text(*energy), text(rational(2 - *energy))};
+    }
+
+    std::string time_text(const exact& time) {
+        return time.has_periods() && !time.is_zero() ? states_.time_text(time, more_digits())
+                                                     : decimal_text(time, more_digits());
     }
 
     const grid_motion& of_;
@@ -178,10 +206,11 @@ table motion_table(const said_words& said, long digits, input_style style, int j
         motion_rows of_motion(motions[i / blocks], said, digits, style);
         return of_motion.at(times.data() + begin, times.data() + end);
     });
-    table data{columns_of(said, style), {}};
-    data.rows.reserve(motions.size() * times.size());
+    table data(columns_of(said, style));
     for (const rows& part : parts) {
-        data.rows.insert(data.rows.end(), part.begin(), part.end());
+        for (const table_row_cells& row : part) {
+            data.add_row(row);
+        }
     }
     return data;
 }

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "option/motion_grid.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
 #include "table/elliptic_request.hpp"
 #include "table/function_table.hpp"
+#include "table/motion_grid.hpp"
 #include "table/table_formats.hpp"
 #include "table/table_order.hpp"
 #include "text/input_error.hpp"

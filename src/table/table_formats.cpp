@@ -50,20 +50,20 @@ std::string comment_of(const std::vector<std::string>& lines, const std::string&
     return text;
 }
 
-template <class Cell>
-std::string joined(std::size_t count, const Cell& cell) {
+template <class Text>
+std::string joined(std::size_t count, const Text& text_of) {
     std::string text;
     for (std::size_t i = 0; i < count; ++i) {
-        text += (i == 0 ? "" : ", ") + cell(i);
+        text += (i == 0 ? "" : ", ") + text_of(i);
     }
     return text;
 }
 
-bool holds_infinity(const std::string& cell) { return cell == "inf" || cell == "-inf"; }
+bool holds_infinity(const cell& number) { return number.text() == "inf" || number.text() == "-inf"; }
 
 // A floating literal once a suffix is joined to it.
-std::string floating(const std::string& cell) {
-    return cell.find_first_of(".e") == std::string::npos ? cell + ".0" : cell;
+std::string floating(const std::string& number) {
+    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
 }
 
 }  // namespace
@@ -85,12 +85,12 @@ std::string to_cpp_header(const table& data, const table_origin& origin) {
     std::string out = comment_of(origin.lines, "//") + "#pragma once\n\n#include <array>\n\n";
     out += "/// A row; every number is the text of its decimal, so that any type can be read from it.\n";
     out += fmt::format("struct {}_row {{\n", origin.name);
-    for (const column& c : data.columns) {
+    for (const column& c : data.columns()) {
         out += fmt::format("    const char* {};{}\n", c.name, c.meaning.empty() ? "" : "  ///< " + c.meaning);
     }
-    out += fmt::format("}};\n\ninline constexpr std::array<{0}_row, {1}> {0}{{{{\n", origin.name, data.rows.size());
-    for (const auto& row : data.rows) {
-        out += "    {" + joined(row.size(), [&](std::size_t i) { return '"' + row[i] + '"'; }) + "},\n";
+    out += fmt::format("}};\n\ninline constexpr std::array<{0}_row, {1}> {0}{{{{\n", origin.name, data.rows().size());
+    for (const auto& row : data.rows()) {
+        out += "    {" + joined(row.size(), [&](std::size_t i) { return '"' + row[i].text() + '"'; }) + "},\n";
     }
     return out + "}};\n";
 }
@@ -99,30 +99,33 @@ std::string to_ipp(const table& data, const table_origin& origin) {
     std::string out = comment_of(origin.lines, "//");
     out += "\n#ifndef SC_\n#define SC_(x) static_cast<T>(BOOST_JOIN(x, L))\n#endif\n\n";
     out += fmt::format("static const std::array<std::array<typename table_type<T>::type, {}>, {}> {} = {{{{\n",
-                       data.columns.size(), data.rows.size(), origin.name);
-    for (std::size_t at = 0; at < data.rows.size(); ++at) {
-        const auto& row = data.rows[at];
+                       data.columns().size(), data.rows().size(), origin.name);
+    for (std::size_t at = 0; at < data.rows().size(); ++at) {
+        const auto& row = data.rows()[at];
         const auto infinite = std::find_if(row.begin(), row.end(), holds_infinity);
         if (infinite != row.end()) {
             const auto place = static_cast<std::size_t>(infinite - row.begin());
             throw input_error("--format", "ipp",
-                              fmt::format("cannot hold the infinite {} of row {}", data.columns[place].name, at + 1),
+                              fmt::format("cannot hold the infinite {} of row {}", data.columns()[place].name, at + 1),
                               "leave that row out, or choose csv, cpp or numpy");
         }
-        out += "    {{" + joined(row.size(), [&](std::size_t i) { return "SC_(" + floating(row[i]) + ")"; }) + "}}" +
-               (at + 1 < data.rows.size() ? ",\n" : "\n");
+        out += "    {{" + joined(row.size(), [&](std::size_t i) { return "SC_(" + floating(row[i].text()) + ")"; }) +
+               "}}" + (at + 1 < data.rows().size() ? ",\n" : "\n");
     }
     return out + "}};\n";
 }
 
 std::string to_numpy(const table& data, const table_origin& origin) {
     std::string out = comment_of(origin.lines, "#") + "#";
-    for (const column& c : data.columns) {
+    for (const column& c : data.columns()) {
         out += " " + c.name;
     }
     out += "\n";
-    for (const auto& row : data.rows) {
-        out += fmt::format("{}\n", fmt::join(row, " "));
+    for (const auto& row : data.rows()) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            out += (i > 0 ? " " : "") + row[i].text();
+        }
+        out += "\n";
     }
     return out;
 }

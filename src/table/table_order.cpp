@@ -36,7 +36,7 @@ std::vector<std::string> comment_lines(const table_order& order, const table& da
     }
     lines.push_back("Made with: " + made_with);
     lines.emplace_back("Columns:");
-    for (const column& c : data.columns) {
+    for (const column& c : data.columns()) {
         lines.push_back("    " + c.name + (c.meaning.empty() ? "" : ": " + c.meaning));
     }
     return lines;
@@ -86,10 +86,10 @@ std::string table_file(const table_order& order, const table& data, const std::s
 std::string provenance_json(const table_order& order, const table& data, const std::string& command) {
     nlohmann::ordered_json description;
     description["command"] = command;
-    for (const column& c : data.columns) {
+    for (const column& c : data.columns()) {
         description["columns"][c.name] = c.meaning;
     }
-    description["rows"] = data.rows.size();
+    description["rows"] = data.rows().size();
     description["digits"] = order.digits;
     description["rigour"] = rigour;
     for (const auto& [name, version] : provenance()) {

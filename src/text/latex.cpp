@@ -1,6 +1,5 @@
 #include "text/latex.hpp"
 
-#include <regex>
 #include <string_view>
 #include <vector>
 
@@ -11,14 +10,6 @@ namespace libration {
 
 namespace {
 
-std::size_t significant_digits(const std::string& decimal) {
-    std::size_t digits = 0;
-    for (const char c : decimal.substr(0, decimal.find('e'))) {
-        digits += (c >= '1' && c <= '9') || (c == '0' && digits > 0) ? 1 : 0;
-    }
-    return digits;
-}
-
 std::string in_math(const std::string& decimal) {
     const auto e = decimal.find('e');
     const std::string power = e == std::string::npos ? "" : "\\times10^{" + decimal.substr(e + 1) + "}";
@@ -28,9 +19,9 @@ std::string in_math(const std::string& decimal) {
 // Columns named log10_... serve the figures.
 std::vector<std::size_t> shown_columns(const table& data) {
     std::vector<std::size_t> shown;
-    shown.reserve(data.columns.size());
-    for (std::size_t i = 0; i < data.columns.size(); ++i) {
-        if (!data.columns[i].name.starts_with("log10_")) {
+    shown.reserve(data.columns().size());
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        if (!data.columns()[i].name.starts_with("log10_")) {
             shown.push_back(i);
         }
     }
@@ -64,19 +55,19 @@ std::string latex_text(const std::string& text) {
     return out;
 }
 
-std::string latex_cell(const std::string& cell, long digits) {
-    static const std::regex decimal(R"(-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?)");
-    if (cell == "inf" || cell == "-inf") {
-        return cell == "inf" ? "$\\infty$" : "$-\\infty$";
+std::string latex_cell(const cell& content, long digits) {
+    const std::string& text = content.text();
+    if (!content.is_number() || text == "nan") {
+        return latex_text(text);
     }
-    if (!std::regex_match(cell, decimal)) {
-        return latex_text(cell);
+    if (text == "inf" || text == "-inf") {
+        return text == "inf" ? "$\\infty$" : "$-\\infty$";
     }
-    if (significant_digits(cell) <= static_cast<std::size_t>(digits)) {
-        return in_math(cell);
+    if (content.digits() <= digits) {
+        return in_math(text);
     }
-    const precision_scope scope(static_cast<long>(cell.size()) + 20);
-    return in_math(to_decimal(from_exact<mpfr>(read_exact(cell)), digits));
+    const precision_scope scope(static_cast<long>(text.size()) + 20);
+    return in_math(to_decimal(from_exact<mpfr>(read_exact(text)), digits));
 }
 
 std::string to_latex(const table& data, const latex_frame& frame) {
@@ -84,14 +75,14 @@ std::string to_latex(const table& data, const latex_frame& frame) {
     std::string out =
         "% \\usepackage{booktabs,longtable}. Numbers are rounded to 8 digits; the CSV beside this has all.\n";
     for (const std::size_t i : shown) {
-        out += "% " + data.columns[i].name + ": " + data.columns[i].meaning + "\n";
+        out += "% " + data.columns()[i].name + ": " + data.columns()[i].meaning + "\n";
     }
-    const std::string heads = line_of(shown, [&](std::size_t i) { return latex_text(data.columns[i].name); });
+    const std::string heads = line_of(shown, [&](std::size_t i) { return latex_text(data.columns()[i].name); });
     out += "\\begin{longtable}{" + std::string(shown.size(), 'l') + "}\n";
     out += "\\caption{" + frame.caption + "}\\label{tab:" + frame.label + "}\\\\\n";
     out += "\\toprule\n" + heads + "\\midrule\n\\endfirsthead\n";
     out += "\\toprule\n" + heads + "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n";
-    for (const auto& row : data.rows) {
+    for (const auto& row : data.rows()) {
         out += line_of(shown, [&](std::size_t i) { return latex_cell(row[i]); });
     }
     return out + "\\end{longtable}\n";
@@ -101,8 +92,8 @@ std::string to_latex(const table& data) {
     const auto shown = shown_columns(data);
     constexpr long all_digits = 1'000'000;
     std::string out = "\\begin{tabular}{" + std::string(shown.size(), 'l') + "}\n\\toprule\n";
-    out += line_of(shown, [&](std::size_t i) { return latex_text(data.columns[i].name); }) + "\\midrule\n";
-    for (const auto& row : data.rows) {
+    out += line_of(shown, [&](std::size_t i) { return latex_text(data.columns()[i].name); }) + "\\midrule\n";
+    for (const auto& row : data.rows()) {
         out += line_of(shown, [&](std::size_t i) { return latex_cell(row[i], all_digits); });
     }
     return out + "\\bottomrule\n\\end{tabular}\n";

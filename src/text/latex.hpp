@@ -10,9 +10,9 @@ namespace libration {
 /// Text as LaTeX prints it: the special characters escaped.
 std::string latex_text(const std::string& text);
 
-/// A cell: a decimal as $-1.5\times10^{-3}$, rounded to `digits` significant digits where it has more (to nearest, from
-/// the text itself); inf as $\infty$; anything else as text.
-std::string latex_cell(const std::string& cell, long digits = 8);
+/// A cell: a number as $-1.5\times10^{-3}$, rounded to `digits` significant digits where it has more (to nearest, from
+/// its decimal), a whole number with all of them; inf as $\infty$; anything else as text.
+std::string latex_cell(const cell& content, long digits = 8);
 
 /// What stands around a table.
 struct latex_frame {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/parallel.hpp"
@@ -63,6 +64,11 @@ verify_columns columns_of(const std::string& file, const std::vector<std::string
     columns.gap = find("gap");
     columns.energy = find("energy");
     columns.direction = find("direction");
+    columns.time_typed = find("time_typed");
+    columns.theta0_typed = find("theta0_typed");
+    columns.omega0_typed = find("omega0_typed");
+    columns.gap_typed = find("gap_typed");
+    columns.energy_typed = find("energy_typed");
     if (!missing.empty()) {
         throw input_error(
             fmt::format("{} has no column {}: its columns are {}", file, listed(missing), listed(header)));
@@ -139,6 +145,19 @@ void judge_all(csv_records& records, const verify_columns& columns, const verify
     show_progress(0);
 }
 
+namespace {
+
+// A tolerance is a decimal or a fraction, so that judging compares with it exactly.
+rational tolerance_of(const std::string& option, const std::string& value) {
+    const exact tolerance = positive_number_of(option, value);
+    if (!tolerance.is_fraction()) {
+        throw input_error(option, value, "is not a decimal or a fraction", "write a number such as 1e-12 or 1/3");
+    }
+    return tolerance.coefficient;
+}
+
+}  // namespace
+
 verify_rules rules_of(const verify_options& options) {
     verify_rules rules;
     if (options.tolerance && options.ulps) {
@@ -146,10 +165,10 @@ verify_rules rules_of(const verify_options& options) {
                           "give one of the two");
     }
     if (options.tolerance) {
-        rules.tolerance = positive_number_of("--tolerance", *options.tolerance);
+        rules.tolerance = tolerance_of("--tolerance", *options.tolerance);
     }
     if (options.ulps) {
-        rules.ulps = positive_number_of("--ulp", *options.ulps);
+        rules.ulps = tolerance_of("--ulp", *options.ulps);
     }
     if (options.inputs != "decimal" && options.inputs != "double") {
         throw input_error("--inputs", options.inputs, "is neither decimal nor double",

@@ -169,12 +169,18 @@ asked_row row_judge::read(const std::vector<std::string>& cells) const {
     const auto cell = [&](const std::optional<std::size_t>& at) { return at ? trimmed(cells[*at]) : std::string(); };
     asked_row row;
     const bool as_double = rules_.inputs_are_doubles;
-    row.time = reading_cell("time", trimmed(cells[columns_.time]),
+    const std::string time_typed = cell(columns_.time_typed);
+    row.time = reading_cell("time", time_typed.empty() ? trimmed(cells[columns_.time]) : time_typed,
                             [&](const std::string& text) { return time_of(text, as_double); });
     row.theta = trimmed(cells[columns_.theta]);
     row.omega = cell(columns_.omega);
+    const motion_cells typed{cell(columns_.theta0_typed), cell(columns_.omega0_typed), cell(columns_.gap_typed),
+                             cell(columns_.energy_typed), cell(columns_.direction)};
     row.motion = {cell(columns_.theta0), cell(columns_.omega0), cell(columns_.gap), cell(columns_.energy),
                   cell(columns_.direction)};
+    if (!typed.is_empty()) {
+        row.motion = typed;
+    }
     if (!row.motion.names_a_motion()) {
         row.motion.complete_from(rules_.usual);
     }

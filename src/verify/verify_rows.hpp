@@ -23,6 +23,7 @@ struct motion_cells {
     bool names_a_motion() const { return (!theta0.empty() && !omega0.empty()) || !gap.empty() || !energy.empty(); }
     /// Takes from another what is empty here.
     void complete_from(const motion_cells& other);
+    bool is_empty() const { return theta0.empty() && omega0.empty() && gap.empty() && energy.empty(); }
     std::string text() const { return theta0 + ',' + omega0 + ',' + gap + ',' + energy + ',' + direction; }
 };
 
@@ -32,6 +33,8 @@ struct verify_columns {
     std::size_t time = 0;
     std::size_t theta = 0;
     std::optional<std::size_t> omega, theta0, omega0, gap, energy, direction;
+    /// Where a table of ours says how a number was typed: what stands there is exact.
+    std::optional<std::size_t> time_typed, theta0_typed, omega0_typed, gap_typed, energy_typed;
 
     bool names_a_motion() const { return (theta0 && omega0) || gap || energy; }
 };

@@ -1,7 +1,9 @@
 // What does the accuracy of T* cost after many periods?
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
+#include "../problem/sweep_columns.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/error/folding_error.hpp"
 #include "libration/pendulum/solution/rounded_clock.hpp"
@@ -15,42 +17,73 @@ namespace {
 
 constexpr int points_in_period = 128;
 
-const std::vector<column>& folding_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"period_by", "way to T*: agm (exact) | series:N (Kold) | resummed:N (Knew)"},
-        {"periods", "p, whole periods before the one that is looked at"},
-        {"period_error", "error of T, dimensionless"},
-        {"error", "largest |theta - exact| at the 129 times (p + i/128) T, radians"},
-        {"predicted", "sqrt(2E) (p + 1) times period_error, radians: first order in it"},
-        {"log10_periods", "log10 of p"},
-        {"log10_error", "log10 of error"},
-        {"log10_predicted", "log10 of predicted"},
-    };
+mpfr as_mpfr(const integer& count) { return from_rational<mpfr>(rational(count)); }
+
+// The error of a solution that is folded by an inexact T*.
+struct folding_row {
+    const sweep_energy& at;
+    const std::string& period_by;
+    const integer& periods;
+    long digits;
+    mpfr period_error, error, predicted;
+};
+
+const column_list<folding_row>& folding_columns() {
+    using row = folding_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"period_by", "way to T*: agm (exact) | series:N (Kold) | resummed:N (Knew)",
+         [](const row& r) { return r.period_by; }},
+        {"periods", "p, whole periods before the one that is looked at", [](const row& r) { return cell(r.periods); }},
+        {"period_error", "error of T, dimensionless",
+         [](const row& r) { return decimal_cell(r.period_error, r.digits); }},
+        {"error", "largest |theta - exact| at the 129 times (p + i/128) T, radians",
+         [](const row& r) { return decimal_cell(r.error, r.digits); }},
+        {"predicted", "sqrt(2E) (p + 1) times period_error, radians: first order in it",
+         [](const row& r) { return decimal_cell(r.predicted, r.digits); }},
+        {"log10_periods", "log10 of p", [](const row& r) { return log10_cell(as_mpfr(r.periods)); }},
+        {"log10_error", "log10 of error", [](const row& r) { return log10_cell(r.error); }},
+        {"log10_predicted", "log10 of predicted", [](const row& r) { return log10_cell(r.predicted); }},
+    });
     return all;
 }
 
-const std::vector<column>& reduction_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"scalar", "arithmetic of the time and of the solution"},
-        {"reduction", "exact: the typed time in wide arithmetic | fmod: remainder of the rounded time and period"},
-        {"periods", "p, whole periods before the one that is looked at"},
-        {"error", "largest |theta - exact| at 65 times near (p + i/64) T, whole turns left aside, radians"},
-        {"predicted", "fmod: sqrt(2E) (p + 1) T epsilon, the bound of what the rounding of t and T does; exact: empty"},
-        {"log10_periods", "log10 of p"},
-        {"log10_error", "log10 of error"},
-        {"log10_predicted", "log10 of predicted"},
-    };
+// The error of a time in an arithmetic, reduced in one way.
+struct reduction_row {
+    const sweep_energy& at;
+    const scalar_spec& scalar;
+    bool wide;
+    const integer& periods;
+    mpfr error;
+    std::optional<mpfr> bound;
+};
+
+const column_list<reduction_row>& reduction_columns() {
+    using row = reduction_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"scalar", "arithmetic of the time and of the solution", [](const row& r) { return r.scalar.name(); }},
+        {"reduction", "exact: the typed time in wide arithmetic | fmod: remainder of the rounded time and period",
+         [](const row& r) { return r.wide ? "exact" : "fmod"; }},
+        {"periods", "p, whole periods before the one that is looked at", [](const row& r) { return cell(r.periods); }},
+        {"error", "largest |theta - exact| at 65 times near (p + i/64) T, whole turns left aside, radians",
+         [](const row& r) { return decimal_cell(r.error, r.scalar.digits); }},
+        {"predicted", "fmod: sqrt(2E) (p + 1) T epsilon, the bound of what the rounding of t and T does; exact: empty",
+         [](const row& r) { return decimal_cell(r.bound, r.scalar.digits); }},
+        {"log10_periods", "log10 of p", [](const row& r) { return log10_cell(as_mpfr(r.periods)); }},
+        {"log10_error", "log10 of error", [](const row& r) { return log10_cell(r.error); }},
+        {"log10_predicted", "log10 of predicted", [](const row& r) { return log10_cell(r.bound); }},
+    });
     return all;
 }
 
 // Of T* by one rule alone, after each number of periods.
-table_rows folding_rows(const sweep_energy& at, const sweep_period_rule& by, const std::vector<integer>& periods) {
+table folding_rows(const sweep_energy& at, const sweep_period_rule& by, const std::vector<integer>& periods) {
     const scalar_spec scalar = read_scalar("mpfr:40");
     const bool exact_period = by.rule.method == period_method::agm;
     const judged period = period_by(motion::of_energy(at.value), by.rule, scalar);
-    table_rows rows;
+    std::vector<folding_row> rows;
+    const precision_scope of_rows(scalar.digits * 2 + guard_digits);
     for (const integer& count : periods) {
         const auto worst = resolved(scalar.digits, 0, [&] {
             const auto pair = folding_error<mpfr>(at.value, by.rule, count, points_in_period);
@@ -60,21 +93,20 @@ table_rows folding_rows(const sweep_energy& at, const sweep_period_rule& by, con
         const precision_scope scope(scalar.digits * 2 + guard_digits);
         const mpfr& error = worst.front().error;
         const mpfr predicted = folding_error_estimate<mpfr>(at.value, period.error, count);
-        rows.push_back({at.energy, by.text, count.str(), to_decimal(period.error, scalar.digits),
-                        to_decimal(error, scalar.digits), to_decimal(predicted, scalar.digits),
-                        log10_text(from_rational<mpfr>(rational(count))), log10_text(error), log10_text(predicted)});
+        rows.push_back({at, by.text, count, scalar.digits, period.error, error, predicted});
     }
-    return rows;
+    return make_table(folding_columns(), rows);
 }
 
 // Of the clock of one fixed scalar, both ways.
 template <fixed_scalar T>
-table_rows reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const std::vector<integer>& periods) {
+table reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const std::vector<integer>& periods) {
     constexpr int points = 64;
     const motion m = motion::of_energy(at.value);
     const rounded_clock<T> rounded(m);
     const timeline<T> typed(m);
-    table_rows rows;
+    std::vector<reduction_row> rows;
+    const precision_scope of_rows(scalar.digits * 2 + guard_digits);
     for (const bool wide : {true, false}) {
         for (const integer& count : periods) {
             const long before_point = static_cast<long>(count.str().size());
@@ -86,39 +118,35 @@ table_rows reduction_rows(const sweep_energy& at, const scalar_spec& scalar, con
             const precision_scope scope(scalar.digits * 2 + guard_digits);
             const mpfr& error = worst.front().error;
             const mpfr bound = rounded_clock_bound<T>(at.value, count);
-            rows.push_back({at.energy, scalar.name(), wide ? "exact" : "fmod", count.str(),
-                            to_decimal(error, scalar.digits), wide ? "" : to_decimal(bound, scalar.digits),
-                            log10_text(from_rational<mpfr>(rational(count))), log10_text(error),
-                            wide ? "" : log10_text(bound)});
+            rows.push_back({at, scalar, wide, count, error, wide ? std::nullopt : std::optional(bound)});
         }
     }
-    return rows;
+    return make_table(reduction_columns(), rows);
 }
 
 std::vector<study_table> run(const study_request& request) {
-    require_period(request.energies);
+    const pendulum_sweep sweep(request.values);
     const std::vector<scalar_spec> scalars{read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
-    const std::size_t rules = request.period_rules.size();
+    const std::size_t rules = sweep.period_rules.size();
     const std::size_t each = rules + scalars.size();
-    progress shown("all_time, ways at energies", request.energies.size() * each, request.shown);
-    const auto parts = parallel_map(request.energies.size() * each, request.jobs, shown, [&](std::size_t i) {
-        const sweep_energy& at = request.energies[i / each];
+    progress shown("all_time, ways at energies", sweep.energies.size() * each, request.shown);
+    const auto parts = parallel_map(sweep.energies.size() * each, request.jobs, shown, [&](std::size_t i) {
+        const sweep_energy& at = sweep.energies[i / each];
         if (i % each < rules) {
-            return folding_rows(at, request.period_rules[i % each], request.periods);
+            return folding_rows(at, sweep.period_rules[i % each], sweep.periods);
         }
         switch (scalars[i % each - rules].kind) {
-            case scalar_kind::binary64: return reduction_rows<double>(at, scalars[0], request.periods);
-            case scalar_kind::extended: return reduction_rows<long double>(at, scalars[1], request.periods);
-            default: return reduction_rows<quad>(at, scalars[2], request.periods);
+            case scalar_kind::binary64: return reduction_rows<double>(at, scalars[0], sweep.periods);
+            case scalar_kind::extended: return reduction_rows<long double>(at, scalars[1], sweep.periods);
+            default: return reduction_rows<quad>(at, scalars[2], sweep.periods);
         }
     });
-    std::vector<study_table> tables{{"", read_scalar("mpfr:40"), {folding_columns(), {}}},
-                                    {"reduction", read_scalar("quad"), {reduction_columns(), {}}}};
+    std::vector<table> folding;
+    std::vector<table> reduction;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        auto& rows = tables[i % each < rules ? 0 : 1].data.rows;
-        rows.insert(rows.end(), parts[i].begin(), parts[i].end());
+        (i % each < rules ? folding : reduction).push_back(parts[i]);
     }
-    return tables;
+    return {{"", read_scalar("mpfr:40"), stacked(folding)}, {"reduction", read_scalar("quad"), stacked(reduction)}};
 }
 
 }  // namespace
@@ -141,6 +169,7 @@ const study& all_time() {
             "The second figure asks the same of the arithmetic: with the time as typed, reduced in as many digits"
             " as it needs, the error (dashed) stays at the rounding of the scalar for ever; with the remainder of"
             " a rounded time by a rounded period (solid) it grows like p.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.5,1.71,1.9998,2.02,4", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--periods", "1,10,1e2,1e3,1e4,1e5,1e6,1e7,1e8,1e9",
@@ -148,6 +177,7 @@ const study& all_time() {
                        {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "ways to T*"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--periods", "1,1e6", ""}, {"--period-by", "resummed:10", ""}},
         .seconds = 2.5,
+        .excluded = without_period(),
         .run = run};
     return result;
 }

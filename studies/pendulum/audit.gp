@@ -1,11 +1,13 @@
 # Correct digits against the gap, one panel a time; called by audit_boost.gp and audit_gsl.gp with `name`, `library` (as
 # in the CSV) and `called` (as people say it).
 # Columns: gap,time,library,theta,reference,error,error_ulp,correct_digits,condition,input_ulp,own_ulp,time_in_double,
-# energy.
+# energy, and time_typed where a time was no decimal: then a panel is a time as typed (T/16 is another time at each gap).
 load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
-times = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | awk '!seen[$0]++'", file))
+typed = system(sprintf("head -n 1 '%s' | tr , '\\n' | grep -nx time_typed | cut -d: -f1", file))
+place = strlen(typed) > 0 ? typed : '2'
+times = system(sprintf("cut -d, -f%s '%s' | tail -n +2 | awk '!seen[$0]++'", place, file))
 smallest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | sed -n 1p | awk '{printf \"%%.3e\", $1}'", file)))
 largest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | tail -n 1 | awk '{printf \"%%.3e\", $1}'", file)))
 panels = words(times)
@@ -15,7 +17,7 @@ wide(x) = 360*x + (x == 1 ? 200 : 40)
 
 # -log10 of the gap and y of the rows of a library at a time, behind a blank line a point out of sight: gnuplot warns of a file without
 # points.
-rows(who, t, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && $2 == \"%s\" && $3 == \"%s\" {y = %s; print -log($1)/log(10) \",\" (y > 20 ? 20 : y)} END {print \"\\n1e9,1e9\"}' '%s'", t, who, y, file)
+rows(who, t, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && $%s == \"%s\" && $3 == \"%s\" {y = %s; print -log($1)/log(10) \",\" (y > 20 ? 20 : y)} END {print \"\\n1e9,1e9\"}' '%s'", place, t, who, y, file)
 # The digits that the rounded k has lost before the library begins.
 told = '($10 > 0 ? -log($10*2^-52)/log(10) : 20)'
 

@@ -1,21 +1,19 @@
 // theta in double by a library that takes the modulus k, and by ours from the exact gap, judged against proved values.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "../problem/sweep_columns.hpp"
 #include "libration/pendulum/proved/proved_theta.hpp"
 
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "run/parallel.hpp"
-#include "sweep/study.hpp"
 
 namespace libration::studies {
 
@@ -30,31 +28,13 @@ using audited_peer = std::function<std::vector<double>(const std::vector<audited
 
 inline constexpr long proved_places = 60;
 inline constexpr long judged_digits = 6;
-
-inline const std::vector<column>& audit_columns() {
-    static const std::vector<column> all{
-        {"gap", "2 - E, in units of m g l"},
-        {"time", "as asked"},
-        {"library", "who computed theta; ours takes the exact gap, the other the nearest double of k = sqrt(E/2)"},
-        {"theta", "the double that came out, radians"},
-        {"reference", "theta of the gap as typed at time_in_double, 25 proved digits"},
-        {"error", "|theta - reference|, proved digits"},
-        {"error_ulp", "error in units of 2^-52 max(1, |reference|)"},
-        {"correct_digits", "-log10 of error/max(1, |reference|)"},
-        {"condition", "|d theta/dE| E/max(1, |theta|): units of theta for one unit of E"},
-        {"input_ulp",
-         "what the library was not told: |theta of the k that it received - reference|, in the same units"},
-        {"own_ulp", "what it did itself: |theta - theta of the k that it received|, in the same units"},
-        {"time_in_double", "the double nearest to time, which both took"},
-        {"energy", "E, in units of m g l"},
-    };
-    return all;
-}
+inline constexpr long digits_of_times = 50;
 
 /// One energy and one time: what the peer gets, exactly and as doubles.
 struct audit_case {
     const sweep_energy* at;
-    std::string time_text;
+    const exact* asked;
+    std::string time_text;  // dimensionless, exact where it ends
     rational gap;
     double time;
     double k;
@@ -69,7 +49,9 @@ inline audit_case case_of(const sweep_energy& at, const exact& time) {
         instant += pi<ball>() * from_rational<ball>(rational(time.periods() * 2)) / motion.mean();
     }
     const auto k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(at.value / 2)))));
-    return {&at, time.text, gap, narrow<double>(midpoint_of(instant)), k};
+    const std::string text = time.measure == unit::period ? to_proved_decimal(instant, digits_of_times).value().text
+                                                          : decimal_of(time, digits_of_times);
+    return {&at, &time, text, gap, narrow<double>(midpoint_of(instant)), k};
 }
 
 /// theta of the motion that the double k means, as an exact fraction: E = 2 k^2, which is at rest on top where k was
@@ -85,61 +67,108 @@ inline ball theta_of_received(const audited_input& given) {
 }
 
 /// The digits of an error, each proved.
-inline std::string proved_text(const ball& x) {
+inline cell proved_cell(const ball& x) {
     const auto text = to_proved_decimal(x, judged_digits);
     if (!text) {
         throw std::runtime_error("an error is below the proved places of the reference");
     }
-    return text->text;
+    return cell::number(text->text, judged_digits);
+}
+
+/// One value of one library, judged.
+struct audit_row {
+    const sweep_energy& at;
+    const audit_case& of;
+    std::string library;
+    double theta;
+    cell reference, error, error_ulp, correct_digits, condition, input_ulp, own_ulp;
+};
+
+inline const column_list<audit_row>& audit_columns() {
+    using row = audit_row;
+    static const column_list<row> all{
+        gap_column<row>(),
+        {"time", "dimensionless, as asked", [](const row& r) { return number_cell(r.of.time_text); }},
+        {"library", "who computed theta; ours takes the exact gap, the other the nearest double of k = sqrt(E/2)",
+         [](const row& r) { return r.library; }},
+        {"theta", "the double that came out, radians",
+         [](const row& r) { return number_cell(std::isfinite(r.theta) ? to_round_trip(r.theta) : "nan"); }},
+        {"reference", "theta of the gap as typed at time_in_double, 25 proved digits",
+         [](const row& r) { return r.reference; }},
+        {"error", "|theta - reference|, proved digits", [](const row& r) { return r.error; }},
+        {"error_ulp", "error in units of 2^-52 max(1, |reference|)", [](const row& r) { return r.error_ulp; }},
+        {"correct_digits", "-log10 of error/max(1, |reference|)", [](const row& r) { return r.correct_digits; }},
+        {"condition", "|d theta/dE| E/max(1, |theta|): units of theta for one unit of E",
+         [](const row& r) { return r.condition; }},
+        {"input_ulp", "what the library was not told: |theta of the k that it received - reference|, in the same units",
+         [](const row& r) { return r.input_ulp; }},
+        {"own_ulp", "what it did itself: |theta - theta of the k that it received|, in the same units",
+         [](const row& r) { return r.own_ulp; }},
+        {"time_in_double", "the double nearest to time, which both took",
+         [](const row& r) { return number_cell(to_round_trip(r.of.time)); }},
+        {"energy", "E, in units of m g l", [](const row& r) { return number_cell(r.at.energy); }},
+        {"time_typed", "as typed", [](const row& r) { return cell(r.of.asked->text); }},
+    };
+    static const auto with_typed = with_typed_energy(all);
+    return with_typed;
 }
 
 // `received` is theta of the k that the library was given; none where it was given the gap itself.
-inline std::vector<std::string> judged_row(const audit_case& one, const std::string& library, double theta,
-                                           const ball& reference, const ball* received, const std::string& condition) {
+inline audit_row judged_row(const audit_case& one, const std::string& library, double theta, const ball& reference,
+                            const ball* received, const cell& condition) {
     const precision_scope scope(proved_places + 20);
     const ball size = certainly_less(abs(reference), ball(1)) ? ball(1) : abs(reference);
     const ball unit = ldexp(size, -52);
-    std::vector<std::string> row{one.at->gap, one.time_text, library,
-                                 std::isfinite(theta) ? to_round_trip(theta) : std::string("nan"),
-                                 to_proved_decimal(reference, 25).value().text};
-    const auto in_units = [&](const ball& difference) { return proved_text(abs(difference) / unit); };
-    const std::string input = received == nullptr ? "0" : in_units(*received - reference);
+    const auto in_units = [&](const ball& difference) { return proved_cell(abs(difference) / unit); };
+    audit_row row{*one.at,
+                  one,
+                  library,
+                  theta,
+                  cell::number(to_proved_decimal(reference, 25).value().text, 25),
+                  number_cell("inf"),
+                  number_cell("inf"),
+                  number_cell("0"),
+                  condition,
+                  received == nullptr ? number_cell("0") : in_units(*received - reference),
+                  number_cell("inf")};
     if (std::isfinite(theta)) {
         const ball value{widen(theta)};
         const ball error = abs(value - reference);
-        const mpfr digits = -log10(midpoint_of(error / size));
-        row.insert(row.end(), {proved_text(error), in_units(error), to_decimal(digits, 4), condition, input,
-                               in_units(value - (received == nullptr ? reference : *received))});
-    } else {
-        row.insert(row.end(), {"inf", "inf", "0", condition, input, "inf"});
+        row.error = proved_cell(error);
+        row.error_ulp = in_units(error);
+        row.correct_digits = decimal_cell(mpfr(-log10(midpoint_of(error / size))), 4);
+        row.own_ulp = in_units(value - (received == nullptr ? reference : *received));
     }
-    row.insert(row.end(), {to_round_trip(one.time), one.at->energy});
     return row;
 }
 
-inline std::vector<std::vector<std::string>> judged_rows(const audit_case& one, const std::string& library,
-                                                         double theta) {
+inline table judged_rows(const audit_case& one, const std::string& library, double theta) {
     const rational instant(one.time);
     const ball reference = proved_theta(one.at->value, one.gap, instant, proved_places);
     const ball received = theta_of_received({one.k, one.time});
-    const std::string condition = to_decimal(energy_condition(one.at->value, one.gap, instant), judged_digits);
+    const cell condition = decimal_cell(energy_condition(one.at->value, one.gap, instant), judged_digits);
     const double ours = exact_solution<double>(motion::of_energy(one.at->value))(exactly(instant)).theta;
-    return {judged_row(one, "libration", ours, reference, nullptr, condition),
-            judged_row(one, library, theta, reference, &received, condition)};
+    return make_table(audit_columns(),
+                      std::vector<audit_row>{judged_row(one, "libration", ours, reference, nullptr, condition),
+                                             judged_row(one, library, theta, reference, &received, condition)});
 }
 
-/// The table of an audit. Throws error for E = 0 and E >= 2, where there is no k below 1.
+/// E = 0 and E >= 2, where there is no k below 1.
+inline std::vector<without_answer> without_modulus() {
+    auto excluded = no_answer_at_limits("the motion is the constant 0", "the motion has no period");
+    excluded.push_back(
+        {"energy", [](const rational& energy) { return energy > 2; }, "2 asin(k cd) is not the solution"});
+    return excluded;
+}
+
+/// The table of an audit.
 inline std::vector<study_table> run_audit(const std::string& name, const std::string& library, const audited_peer& peer,
                                           const study_request& request) {
-    refuse_limits(request.energies, "the motion is the constant 0", "the motion has no period");
+    const pendulum_sweep sweep(request.values);
     std::vector<audit_case> cases;
-    cases.reserve(request.energies.size() * request.times.size());
-    for (const sweep_energy& at : request.energies) {
-        if (at.value > 2) {
-            throw error(error_kind::argument, "energies", "",
-                        "has the energy " + at.energy + ", where 2 asin(k cd) is not the solution");
-        }
-        for (const exact& time : request.times) {
+    cases.reserve(sweep.energies.size() * sweep.times.size());
+    for (const sweep_energy& at : sweep.energies) {
+        for (const exact& time : sweep.times) {
             cases.push_back(case_of(at, time));
         }
     }
@@ -150,14 +179,9 @@ inline std::vector<study_table> run_audit(const std::string& name, const std::st
     }
     const std::vector<double> thetas = peer(inputs);
     progress shown(name + ", values", cases.size(), request.shown);
-    const auto rows = parallel_map(cases.size(), request.jobs, shown,
-                                   [&](std::size_t i) { return judged_rows(cases[i], library, thetas[i]); });
-    study_table result{"", read_scalar("double"), {audit_columns(), {}}};
-    result.data.rows.reserve(rows.size() * 2);
-    for (const auto& of_case : rows) {
-        result.data.rows.insert(result.data.rows.end(), of_case.begin(), of_case.end());
-    }
-    return {std::move(result)};
+    return {{"", read_scalar("double"), stacked(parallel_map(cases.size(), request.jobs, shown, [&](std::size_t i) {
+                 return judged_rows(cases[i], library, thetas[i]);
+             }))}};
 }
 
 inline std::vector<study_parameter> audit_parameters() {

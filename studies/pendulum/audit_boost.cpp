@@ -35,9 +35,11 @@ const study& audit_boost() {
             "the loss is that: at a gap of 1e-15 and t = 3T/16 three digits are left, and of 3e12 lost units fewer "
             "than 20 are of Boost's own making. Near the top it adds its own, up to 4e6 units at t = 0.7, because the "
             "arcsine of a number next to 1 keeps half of its digits.",
+        .of = &pendulum_problem(),
         .parameters = audit_parameters(),
         .quick = quick_audit(),
         .seconds = 1,
+        .excluded = without_modulus(),
         .run = [](const study_request& request) { return run_audit("audit_boost", "boost", by_boost, request); }};
     return result;
 }

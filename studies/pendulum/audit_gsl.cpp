@@ -1,4 +1,6 @@
 // How many digits of theta does the GNU Scientific Library leave, near the separatrix?
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -59,9 +61,11 @@ const study& audit_gsl() {
             "loss is that: at a gap of 1e-15 and t = 3T/16 three digits are left. GSL adds its own, up to 1.5e7 units "
             "at t = 0.7, where the arcsine of a number next to 1 keeps half of its digits, and at gaps about 2e-8, up "
             "to 1e7 units at t = 10, where Boost.Math loses 800 at most.",
+        .of = &pendulum_problem(),
         .parameters = audit_parameters(),
         .quick = quick_audit(),
         .seconds = 1,
+        .excluded = without_modulus(),
         .run = [](const study_request& request) { return run_audit("audit_gsl", "gsl", by_gsl, request); }};
     return result;
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,19 +19,34 @@
 
 namespace libration::studies {
 
-inline const std::vector<column>& extension_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"order", "N, last power of the series; last index of the resummed series; empty for rk4 and exact"},
-        {"method", "series | resummed | rk4 | exact"},
-        {"time", "dimensionless time since the top"},
-        {"theta", "angle, radians"},
-        {"omega", "angular velocity in dimensionless time, radians"},
-        {"error", "|theta - exact|, radians; empty for exact"},
-        {"log10_error", "log10 of error"},
-        {"periods", "time over the period T, 12 digits"},
-        {"gap", "2 - E"},
-    };
+/// A value of one curve at a time.
+struct extension_row {
+    const sweep_energy& at;
+    std::optional<int> order;
+    std::string_view method;
+    time_cells when;
+    judged value;
+    long digits;
+    bool judges = true;  ///< not the exact solution itself
+};
+
+inline const column_list<extension_row>& extension_columns() {
+    using row = extension_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of the series; last index of the resummed series; empty for rk4 and exact",
+         [](const row& r) { return r.order ? cell(*r.order) : cell(); }},
+        {"method", "series | resummed | rk4 | exact", [](const row& r) { return r.method; }},
+        {"time", "dimensionless time since the top", [](const row& r) { return r.when.time; }},
+        {"theta", "angle, radians", [](const row& r) { return decimal_cell(r.value.theta, r.digits); }},
+        {"omega", "angular velocity in dimensionless time, radians",
+         [](const row& r) { return decimal_cell(r.value.omega, r.digits); }},
+        {"error", "|theta - exact|, radians; empty for exact",
+         [](const row& r) { return r.judges ? decimal_cell(r.value.error, r.digits) : cell(); }},
+        {"log10_error", "log10 of error", [](const row& r) { return r.judges ? log10_cell(r.value.error) : cell(); }},
+        {"periods", "time over the period T, 12 digits", [](const row& r) { return r.when.periods; }},
+        gap_column<row>(),
+    });
     return all;
 }
 
@@ -80,70 +97,50 @@ inline std::vector<judged> extended(const motion& m, const std::vector<exact>& t
     });
 }
 
-/// Rows of one energy: the approximations of all orders; the numerical solution; the exact one.
-struct extension_rows {
-    table_rows approximate;
-    table_rows numerical;
-    table_rows exact_curve;
-};
-
-/// One study's rows at one energy.
-inline extension_rows extension_at(const sweep_energy& energy, const study_request& request, descent_method method,
-                                   const scalar_spec& scalar) {
+/// One study's tables at one energy: the approximations of all orders; the numerical solution; the exact one.
+inline std::vector<table> extension_at(const sweep_energy& energy, const pendulum_sweep& sweep,
+                                       const study_request& request, descent_method method, const scalar_spec& scalar) {
     const motion m = motion::of_energy(energy.value);
-    const auto add = [&](table_rows& rows, const std::string& order, const std::string& name,
-                         const std::vector<time_cells>& at, const std::vector<judged>& values, long digits) {
+    const auto curve = [&](std::optional<int> order, std::string_view name, const std::vector<time_cells>& at,
+                           const std::vector<judged>& values, long digits) {
+        std::vector<extension_row> rows;
+        rows.reserve(values.size());
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const judged& v = values[i];
-            const bool judges = name != "exact";
-            rows.push_back({energy.energy, order, name, at[i].time, to_decimal(v.theta, digits),
-                            to_decimal(v.omega, digits), judges ? to_decimal(v.error, digits) : "",
-                            judges ? log10_text(v.error) : "", at[i].periods, energy.gap});
+            rows.push_back({energy, order, name, at[i], values[i], digits, name != "exact"});
         }
+        return make_table(extension_columns(), rows);
     };
-    extension_rows result;
-    const auto cells = cells_of(m, request.times, scalar.digits);
-    const std::string name = method == descent_method::series ? "series" : "resummed";
-    for (const int order : request.orders) {
-        add(result.approximate, std::to_string(order), name, cells, extended(m, request.times, method, order, scalar),
-            scalar.digits);
+    const auto cells = cells_of(m, sweep.times, scalar.digits);
+    std::vector<table> approximate;
+    for (const int order : request.orders()) {
+        approximate.push_back(
+            curve(order, name_of(method), cells, extended(m, sweep.times, method, order, scalar), scalar.digits));
     }
-    const auto some = some_of(request.times);
-    add(result.numerical, "", "rk4", cells_of(m, some, 17), marched(m, some, request.step), 17);
+    const auto some = some_of(sweep.times);
+    table numerical = curve(std::nullopt, "rk4", cells_of(m, some, 17), marched(m, some, request.step()), 17);
     const precision_scope scope(scalar.digits + 2 * guard_digits);
     const exact_solution<mpfr> truth(m);
     std::vector<judged> values;
-    values.reserve(request.times.size());
-    for (const exact& time : request.times) {
+    values.reserve(sweep.times.size());
+    for (const exact& time : sweep.times) {
         const pendulum_state<mpfr> at = truth(time);
         values.push_back({at.theta, at.omega, mpfr(0), true});
     }
-    add(result.exact_curve, "", "exact", cells, values, scalar.digits);
-    return result;
+    return {stacked(approximate), std::move(numerical), curve(std::nullopt, "exact", cells, values, scalar.digits)};
 }
 
 /// The three tables of such a study.
 inline std::vector<study_table> run_extension(const std::string& name, descent_method method,
                                               const study_request& request) {
-    require_period(request.energies);
+    const pendulum_sweep sweep(request.values);
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown(name + ", energies", request.energies.size(), request.shown);
-    const auto parts = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return extension_at(request.energies[i], request, method, scalar);
-    });
+    progress shown(name + ", energies", sweep.energies.size(), request.shown);
+    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return extension_at(sweep.energies[i], sweep, request, method, scalar);
+    }));
     const scalar_spec exact_digits{scalar_kind::arbitrary, scalar.digits};
-    std::vector<study_table> tables{{"", scalar, {extension_columns(), {}}},
-                                    {"numerical", read_scalar("double"), {extension_columns(), {}}},
-                                    {"exact", exact_digits, {extension_columns(), {}}}};
-    for (const extension_rows& part : parts) {
-        const auto append = [](table& to, const table_rows& rows) {
-            to.rows.insert(to.rows.end(), rows.begin(), rows.end());
-        };
-        append(tables[0].data, part.approximate);
-        append(tables[1].data, part.numerical);
-        append(tables[2].data, part.exact_curve);
-    }
-    return tables;
+    return {
+        {"", scalar, tables[0]}, {"numerical", read_scalar("double"), tables[1]}, {"exact", exact_digits, tables[2]}};
 }
 
 /// The parameters of such a study, with its usual energy and orders.

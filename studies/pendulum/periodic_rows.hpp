@@ -1,26 +1,23 @@
 // What the tables of motions with a period share: which energies they take, and how they say a time.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "../problem/sweep_columns.hpp"
 #include "judged.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
-#include "sweep/study.hpp"
 
 namespace libration::studies {
 
-using table_rows = std::vector<std::vector<std::string>>;
-
-/// Refuses, before any work, the energies that have no period or no motion.
-inline void require_period(const std::vector<sweep_energy>& energies) {
-    refuse_limits(energies, "the pendulum rests", "the period is infinite");
+/// Where there is no period, or no motion.
+inline std::vector<without_answer> without_period() {
+    return no_answer_at_limits("the pendulum rests", "the period is infinite");
 }
 
 /// A time as the two columns of a table: dimensionless, and in periods.
 struct time_cells {
-    std::string time;
-    std::string periods;
+    cell time;
+    cell periods;
 };
 
 inline std::vector<time_cells> cells_of(const motion& m, const std::vector<exact>& times, long digits) {
@@ -28,8 +25,8 @@ inline std::vector<time_cells> cells_of(const motion& m, const std::vector<exact
     std::vector<time_cells> cells;
     cells.reserve(times.size());
     for (const exact& time : times) {
-        cells.push_back(
-            {to_decimal(dimensionless_time<mpfr>(m, time), digits), to_decimal(elapsed_periods<mpfr>(m, time), 12)});
+        cells.push_back({decimal_cell(dimensionless_time<mpfr>(m, time), digits),
+                         decimal_cell(elapsed_periods<mpfr>(m, time), 12)});
     }
     return cells;
 }

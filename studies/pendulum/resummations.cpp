@@ -2,12 +2,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "../problem/sweep_columns.hpp"
 #include "libration/digits/growing_precision.hpp"
 #include "libration/pendulum/error/descent_approximations.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
-#include "sweep/study.hpp"
-#include "text/input_error.hpp"
 
 namespace libration::studies {
 
@@ -16,54 +14,65 @@ namespace {
 
 constexpr long printed_digits = 12;
 
-const std::vector<column>& columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"gap", "2 - E"},
-        {"method", "series | resummed | resummed_4 | resummed_8 | two_point | pade | uniform"},
+// The norm of one approximation with one number of coefficients.
+struct resummation_row {
+    const sweep_energy& at;
+    approximation by;
+    int count;
+    approximation_size size;
+    mpfr norm, time;
+    bool two_method;
+    std::optional<mpfr> bound, rate;
+};
+
+const column_list<resummation_row>& columns() {
+    using row = resummation_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        gap_column<row>(),
+        {"method", "series | resummed | resummed_4 | resummed_8 | two_point | pade | uniform",
+         [](const row& r) { return name_of(r.by); }},
         {"count",
-         "numbers not 0 by symmetry that multiply powers of t: coefficients at the top, derivatives at the bottom"},
-        {"order", "N, last power of the series at the top"},
-        {"conditions", "m, value and derivatives taken at the bottom"},
-        {"norm", "max of |approximation - theta| over [0, T*], radians"},
-        {"time_of_maximum", "dimensionless time since the top"},
-        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic"},
-        {"bound", "theorem A, A2 or its generalisation, or U, radians; empty where none is proved"},
-        {"rate", "exact factor of the error a coefficient in the long run; empty where it has no closed form"},
-        {"log10_norm", "log10 of norm"},
-        {"log10_bound", "log10 of bound"},
-        {"log10_rate", "log10 of rate"},
-        {"log10_gap", "log10 of |2 - E|"},
-    };
+         "numbers not 0 by symmetry that multiply powers of t: coefficients at the top, derivatives at the bottom",
+         [](const row& r) { return r.count; }},
+        {"order", "N, last power of the series at the top", [](const row& r) { return r.size.order; }},
+        {"conditions", "m, value and derivatives taken at the bottom", [](const row& r) { return r.size.conditions; }},
+        {"norm", "max of |approximation - theta| over [0, T*], radians",
+         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
+        {"time_of_maximum", "dimensionless time since the top",
+         [](const row& r) { return decimal_cell(r.time, printed_digits); }},
+        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic",
+         [](const row& r) { return r.two_method ? "two-method" : "heuristic"; }},
+        {"bound", "theorem A, A2 or its generalisation, or U, radians; empty where none is proved",
+         [](const row& r) { return decimal_cell(r.bound, printed_digits); }},
+        {"rate", "exact factor of the error a coefficient in the long run; empty where it has no closed form",
+         [](const row& r) { return decimal_cell(r.rate, printed_digits); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
+        {"log10_rate", "log10 of rate", [](const row& r) { return log10_cell(r.rate); }},
+        log10_gap_column<row>(),
+    });
     return all;
 }
 
 // What the rows of one energy are made of, and the least norm among them, which says whether the precision was enough.
 struct energy_rows {
-    std::vector<std::vector<std::string>> rows;
+    std::vector<resummation_row> rows;
     mpfr least;
 };
 
-std::vector<std::string> row_of(const sweep_energy& at, approximation a, int count, const norm_at<mpfr>& found,
-                                bool two_method, const top_bounds<mpfr>& bounds) {
+resummation_row row_of(const sweep_energy& at, approximation a, int count, const norm_at<mpfr>& found, bool two_method,
+                       const top_bounds<mpfr>& bounds) {
     const approximation_size size = *size_for(a, count, bounds.parity);
-    const auto bound = proved_norm(a, size, bounds);
-    const auto rate = rate_a_coefficient(a, bounds);
-    return {at.energy,
-            at.gap,
-            std::string(name_of(a)),
-            std::to_string(count),
-            std::to_string(size.order),
-            std::to_string(size.conditions),
-            to_decimal(found.norm, printed_digits),
-            to_decimal(mpfr(found.place * bounds.effective_period), printed_digits),
-            two_method ? "two-method" : "heuristic",
-            bound ? to_decimal(*bound, printed_digits) : "",
-            rate ? to_decimal(*rate, printed_digits) : "",
-            log10_text(found.norm),
-            bound ? log10_text(*bound) : "",
-            rate ? log10_text(*rate) : "",
-            log10_text(abs(from_rational<mpfr>(rational(2 - at.value))))};
+    return {at,
+            a,
+            count,
+            size,
+            found.norm,
+            mpfr(found.place * bounds.effective_period),
+            two_method,
+            proved_norm(a, size, bounds),
+            rate_a_coefficient(a, bounds)};
 }
 
 energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
@@ -90,37 +99,24 @@ energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
 
 // At a precision that leaves the least norm its digits, and Pade's linear system the 3/2 digits that each degree costs
 // it.
-std::vector<std::vector<std::string>> rows_at(const sweep_energy& at, const std::vector<int>& counts) {
+table rows_at(const sweep_energy& at, const std::vector<int>& counts) {
     const int most = *std::max_element(counts.begin(), counts.end());
     constexpr long most_digits = 20'000;
-    const auto attempt = [&](const precision_run& run) -> std::optional<std::vector<std::vector<std::string>>> {
+    const auto attempt = [&](const precision_run& run) -> std::optional<table> {
         auto found = rows_in(at, counts);
         const bool enough = found.least > pow(mpfr(10), static_cast<int>(2 * printed_digits - run.more));
-        return enough ? std::optional(std::move(found.rows)) : std::nullopt;
+        return enough ? std::optional(make_table(columns(), found.rows)) : std::nullopt;
     };
     return with_growing_precision({0, 60 + most, most_digits}, "a norm at energy " + at.energy, attempt);
 }
 
-std::vector<int> read_counts_of(const study_request& request) {
-    for (const int count : request.orders) {
-        if (count < 1) {
-            throw input_error("--orders", std::to_string(count), "is no number of coefficients", "write 1 or more");
-        }
-    }
-    return request.orders;
-}
-
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies, "theta is constant", "the period is infinite");
-    const std::vector<int> counts = read_counts_of(request);
-    progress shown("resummations, energies", request.energies.size(), request.shown);
-    const auto rows = parallel_map(request.energies.size(), request.jobs, shown,
-                                   [&](std::size_t i) { return rows_at(request.energies[i], counts); });
-    study_table result{"", read_scalar("mpfr:" + std::to_string(printed_digits)), {columns(), {}}};
-    for (const auto& at_energy : rows) {
-        result.data.rows.insert(result.data.rows.end(), at_energy.begin(), at_energy.end());
-    }
-    return {std::move(result)};
+    const pendulum_sweep sweep(request.values);
+    const std::vector<int> counts = numbers_of_coefficients(request);
+    progress shown("resummations, energies", sweep.energies.size(), request.shown);
+    return {{"", read_scalar("mpfr:" + std::to_string(printed_digits)),
+             stacked(parallel_map(sweep.energies.size(), request.jobs, shown,
+                                  [&](std::size_t i) { return rows_at(sweep.energies[i], counts); }))}};
 }
 
 }  // namespace
@@ -143,11 +139,13 @@ const study& resummations() {
             "of their number; all of them, and Pade, lose their rate towards E = 2, and the two-point expansion "
             "diverges where |2-E| < 7.7e-5. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the "
             "best everywhere: for E < 0.23 and E > 17 the two-point expansion has the better rate.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},
                        {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of coefficients that are not 0"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "4,6", ""}},
         .seconds = 7,
+        .excluded = no_answer_at_limits("theta is constant", "the period is infinite"),
         .run = run};
     return result;
 }

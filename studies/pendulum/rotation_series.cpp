@@ -15,9 +15,11 @@ const study& rotation_series() {
             "the Runge-Kutta method in double. Only odd powers of the time since the top are there, so that N = 6"
             " is the same as N = 5. The error is largest at the bottom, T* after each top, and falls with N, but "
             "slowly: at this energy T* is 0.92 of the radius of convergence.",
+        .of = &pendulum_problem(),
         .parameters = extension_parameters("2.02", "3,6,36", "N, last power of the series"),
         .quick = {{"--energies", "2.02", ""}, {"--orders", "3", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
         .seconds = 0.4,
+        .excluded = without_period(),
         .run = [](const study_request& request) {
             return run_extension("rotation_series", descent_method::series, request);
         }};

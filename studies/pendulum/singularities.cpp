@@ -1,15 +1,13 @@
 // Where are the singularities of theta in the complex time plane, and do the coefficients know? [paper fig:subcrit,
 // fig:supercrit]
-#include "sweep/study.hpp"
-#include "text/input_error.hpp"
-
 #include <algorithm>
-#include <iterator>
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "../problem/sweep_columns.hpp"
 #include "libration/convergence/test/root_test.hpp"
 #include "libration/pendulum/arc/stable_pade_poles.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
 
 namespace libration::studies {
@@ -17,46 +15,10 @@ namespace libration::studies {
 namespace singularities_study {
 namespace {
 
-using rows = std::vector<std::vector<std::string>>;
-
 constexpr long guard_digits = 15;
 constexpr long digits_of_logarithms = 12;
 constexpr int first_order = 4;  // two coefficients of omega: the first approximant with a pole
 constexpr int orders_in_convergence = 40;
-
-const std::vector<column>& columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"kind", "singularity | expansion_top | expansion_bottom | pade_pole"},
-        {"order", "N, last power of the series of theta whose Pade approximant has the pole"},
-        {"re", "Re t, dimensionless time since the top; of a pade_pole the mirror image with re, im >= 0"},
-        {"im", "Im t, dimensionless"},
-        {"radius", "of convergence of the Taylor series about an expansion point, dimensionless time"},
-        {"nearest_re", "Re of the singularity next to a pole"},
-        {"nearest_im", "Im of the singularity next to a pole"},
-        {"log10_distance", "log10 of the distance of a pole from that singularity"},
-        {"residue_re", "Re of the residue of omega at a pole; 0 at the singularities"},
-        {"residue_im", "Im of the residue of omega at a pole; +2 or -2 at the singularities"},
-        {"numerator_degree", "L of [L/M], in t^2"},
-        {"denominator_degree", "M of [L/M], in t^2"},
-        {"tstar", "T*, dimensionless"},
-        {"height", "K~', dimensionless"},
-        {"gap", "2 - E"},
-    };
-    return all;
-}
-
-const std::vector<column>& convergence_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"order", "N, last power of the series of theta"},
-        {"log10_distance", "log10 of the distance of the nearest pole of omega's Pade approximant from T* + i K~'"},
-        {"log10_root_error", "log10 of the error of the radius of convergence by the root test of the same series"},
-        {"numerator_degree", "L of [L/M], in t^2"},
-        {"denominator_degree", "M of [L/M], in t^2"},
-    };
-    return all;
-}
 
 // What is the same in all rows of an energy.
 struct plane {
@@ -65,15 +27,6 @@ struct plane {
     long digits;
     singularity_lattice<mpfr> lattice;
     mpfr radius;
-
-    std::string text(const mpfr& x) const { return to_decimal(x, digits); }
-    std::vector<std::string> row(const std::string& kind, std::vector<std::string> own) const {
-        std::vector<std::string> cells{at.energy, kind};
-        cells.insert(cells.end(), own.begin(), own.end());
-        cells.resize(columns().size() - 3);
-        cells.insert(cells.end(), {text(lattice.effective_period), text(lattice.height), at.gap});
-        return cells;
-    }
 };
 
 plane plane_of(const sweep_energy& at, long digits) {
@@ -83,89 +36,155 @@ plane plane_of(const sweep_energy& at, long digits) {
     return {at, std::move(m), digits, std::move(lattice), radius};
 }
 
+// A point of the plane.
+struct point_row {
+    const sweep_energy& at;
+    const plane& of;
+    std::string_view kind;
+    complex_number<mpfr> point;
+    std::optional<mpfr> radius;
+    std::optional<int> order;
+    std::optional<pade_pole<mpfr>> pole;
+    int numerator_degree = 0, denominator_degree = 0;
+
+    cell coordinate(const mpfr& x) const { return decimal_cell(x, of.digits); }
+};
+
+template <class Of>
+std::function<cell(const point_row&)> of_pole(const Of& value) {
+    return [value](const point_row& r) { return r.pole ? cell(value(r)) : cell(); };
+}
+
+column_list<point_row> pole_columns() {
+    using row = point_row;
+    return {
+        {"nearest_re", "Re of the singularity next to a pole",
+         of_pole([](const row& r) { return r.coordinate(r.pole->nearest.re); })},
+        {"nearest_im", "Im of the singularity next to a pole",
+         of_pole([](const row& r) { return r.coordinate(r.pole->nearest.im); })},
+        {"log10_distance", "log10 of the distance of a pole from that singularity",
+         of_pole([](const row& r) { return log10_cell(r.pole->distance); })},
+        {"residue_re", "Re of the residue of omega at a pole; 0 at the singularities",
+         of_pole([](const row& r) { return decimal_cell(r.pole->residue.re, digits_of_logarithms); })},
+        {"residue_im", "Im of the residue of omega at a pole; +2 or -2 at the singularities",
+         of_pole([](const row& r) { return decimal_cell(r.pole->residue.im, digits_of_logarithms); })},
+        {"numerator_degree", "L of [L/M], in t^2", of_pole([](const row& r) { return r.numerator_degree; })},
+        {"denominator_degree", "M of [L/M], in t^2", of_pole([](const row& r) { return r.denominator_degree; })},
+    };
+}
+
+const column_list<point_row>& columns() {
+    using row = point_row;
+    static const auto all = with_typed_energy<row>(joined(
+        joined<row>({energy_column<row>(),
+                     {"kind", "singularity | expansion_top | expansion_bottom | pade_pole",
+                      [](const row& r) { return r.kind; }},
+                     {"order", "N, last power of the series of theta whose Pade approximant has the pole",
+                      [](const row& r) { return r.order ? cell(*r.order) : cell(); }},
+                     {"re", "Re t, dimensionless time since the top; of a pade_pole the mirror image with re, im >= 0",
+                      [](const row& r) { return r.coordinate(r.point.re); }},
+                     {"im", "Im t, dimensionless", [](const row& r) { return r.coordinate(r.point.im); }},
+                     {"radius", "of convergence of the Taylor series about an expansion point, dimensionless time",
+                      [](const row& r) { return decimal_cell(r.radius, r.of.digits); }}},
+                    pole_columns()),
+        {{"tstar", "T*, dimensionless", [](const row& r) { return r.coordinate(r.of.lattice.effective_period); }},
+         {"height", "K~', dimensionless", [](const row& r) { return r.coordinate(r.of.lattice.height); }},
+         gap_column<row>()}));
+    return all;
+}
+
 // The lattice as far as the figure shows it: three columns and rows on each side, or the circle of the top if that is
 // larger.
-rows lattice_rows(const plane& p) {
+std::vector<point_row> lattice_rows(const plane& p) {
     const mpfr beyond = p.radius * 3 / 2;
     const mpfr width = std::max(mpfr(p.lattice.effective_period * 4), beyond);
     const mpfr height = std::max(mpfr(p.lattice.height * 4), beyond);
-    rows all;
+    std::vector<point_row> all;
     for (const auto& point : lattice_points(p.lattice, width, height)) {
-        all.push_back(p.row("singularity", {"", p.text(point.re), p.text(point.im)}));
+        all.push_back({p.at, p, "singularity", point, {}, {}, {}});
     }
-    all.push_back(p.row("expansion_top", {"", "0", "0", p.text(p.radius)}));
+    all.push_back({p.at, p, "expansion_top", {mpfr(0), mpfr(0)}, p.radius, {}, {}});
     for (const int side : {-1, 1}) {
         const mpfr bottom = p.lattice.effective_period * side;
-        all.push_back(p.row("expansion_bottom", {"", p.text(bottom), "0", p.text(p.lattice.height)}));
+        all.push_back({p.at, p, "expansion_bottom", {bottom, mpfr(0)}, p.lattice.height, {}, {}});
     }
     return all;
 }
 
-rows pole_rows(const plane& p, int order) {
+std::vector<point_row> pole_rows(const plane& p, int order) {
     const auto found = stable_pade_poles(p.m, order, p.digits);
-    rows all;
+    std::vector<point_row> all;
     for (const auto& pole : found.poles) {
         all.push_back(
-            p.row("pade_pole",
-                  {std::to_string(order), p.text(pole.time.re), p.text(pole.time.im), "", p.text(pole.nearest.re),
-                   p.text(pole.nearest.im), log10_text(pole.distance),
-                   to_decimal(pole.residue.re, digits_of_logarithms), to_decimal(pole.residue.im, digits_of_logarithms),
-                   std::to_string(found.numerator_degree), std::to_string(found.denominator_degree)}));
+            {p.at, p, "pade_pole", pole.time, {}, order, pole, found.numerator_degree, found.denominator_degree});
     }
     return all;
 }
 
-std::vector<std::string> convergence_row(const plane& p, int order) {
+// How near the poles of one order are to the lattice, and the root test of the same series to its radius.
+struct convergence_row {
+    const sweep_energy& at;
+    int order;
+    std::optional<mpfr> distance;
+    mpfr root_error;
+    int numerator_degree, denominator_degree;
+};
+
+const column_list<convergence_row>& convergence_columns() {
+    using row = convergence_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of the series of theta", [](const row& r) { return r.order; }},
+        {"log10_distance", "log10 of the distance of the nearest pole of omega's Pade approximant from T* + i K~'",
+         [](const row& r) { return log10_cell(r.distance); }},
+        {"log10_root_error", "log10 of the error of the radius of convergence by the root test of the same series",
+         [](const row& r) { return log10_cell(r.root_error); }},
+        {"numerator_degree", "L of [L/M], in t^2", [](const row& r) { return r.numerator_degree; }},
+        {"denominator_degree", "M of [L/M], in t^2", [](const row& r) { return r.denominator_degree; }},
+    });
+    return all;
+}
+
+convergence_row convergence_of(const plane& p, int order) {
     const auto found = stable_pade_poles(p.m, order, digits_of_logarithms);
-    const auto distance = distance_from_first(found, p.lattice);
     const auto theta = theta_in_radii(descent_of<mpfr>(p.m), p.radius, order);
-    return {p.at.energy,
-            std::to_string(order),
-            distance ? log10_text(*distance) : "",
-            log10_text(abs(radius_by_root_test(theta) - 1) * p.radius),
-            std::to_string(found.numerator_degree),
-            std::to_string(found.denominator_degree)};
+    return {p.at,
+            order,
+            distance_from_first(found, p.lattice),
+            mpfr(abs(radius_by_root_test(theta) - 1) * p.radius),
+            found.numerator_degree,
+            found.denominator_degree};
 }
 
 // Both tables of one energy.
-std::pair<rows, rows> rows_at(const sweep_energy& at, const std::vector<int>& orders, long digits) {
+std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& orders, long digits) {
     const precision_scope scope(digits + guard_digits);
     const plane p = plane_of(at, digits);
-    rows all = lattice_rows(p);
+    std::vector<table> points{make_table(columns(), lattice_rows(p))};
     for (const int order : orders) {
-        rows poles = pole_rows(p, order);
-        std::move(poles.begin(), poles.end(), std::back_inserter(all));
+        points.push_back(make_table(columns(), pole_rows(p, order)));
     }
-    rows convergence;
+    std::vector<convergence_row> convergence;
     const int last = *std::max_element(orders.begin(), orders.end());
     const int step = 2 * std::max(1, last / (2 * orders_in_convergence));
     for (int order = first_order; order <= last; order += step) {
-        convergence.push_back(convergence_row(p, order));
+        convergence.push_back(convergence_of(p, order));
     }
-    return {std::move(all), std::move(convergence)};
+    return {stacked(points), make_table(convergence_columns(), convergence)};
 }
 
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies, "theta is constant and has no singularity",
-                  "the motion has no top and one column of singularities is left");
-    const int least = *std::min_element(request.orders.begin(), request.orders.end());
-    if (least < first_order) {
-        throw input_error("--orders", std::to_string(least), "leaves no Pade approximant with a pole",
-                          "write orders from " + std::to_string(first_order) + " on");
-    }
-    const long digits = *std::max_element(request.digits.begin(), request.digits.end());
-    progress shown("singularities, energies", request.energies.size(), request.shown);
-    const auto found = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(request.energies[i], request.orders, digits);
-    });
+    const pendulum_sweep sweep(request.values);
+    const auto orders = request.orders();
+    sorted_orders(request, first_order, "leaves no Pade approximant with a pole");
+    const auto asked = request.digits();
+    const long digits = *std::max_element(asked.begin(), asked.end());
+    progress shown("singularities, energies", sweep.energies.size(), request.shown);
+    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return tables_at(sweep.energies[i], orders, digits);
+    }));
     const scalar_spec scalar{scalar_kind::arbitrary, digits};
-    study_table lattice{"", scalar, {columns(), {}}};
-    study_table convergence{"convergence", scalar, {convergence_columns(), {}}};
-    for (const auto& [plane_rows, order_rows] : found) {
-        lattice.data.rows.insert(lattice.data.rows.end(), plane_rows.begin(), plane_rows.end());
-        convergence.data.rows.insert(convergence.data.rows.end(), order_rows.begin(), order_rows.end());
-    }
-    return {std::move(lattice), std::move(convergence)};
+    return {{"", scalar, tables[0]}, {"convergence", scalar, tables[1]}};
 }
 
 }  // namespace
@@ -190,12 +209,15 @@ const study& singularities() {
             "lattice, far beyond the circle that bounds the series itself. The second figure shows how fast: twice the "
             "order gives more than twice the digits of the first singularity, while a root test of the same "
             "coefficients gains almost nothing.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "20,40,80", "N, last power of the series whose Pade approximants are drawn"},
                        {"--digits", "40", "correct digits of the coordinates; of several numbers the largest"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,
+        .excluded = no_answer_at_limits("theta is constant and has no singularity",
+                                        "the motion has no top and one column of singularities is left"),
         .run = run};
     return result;
 }

@@ -1,35 +1,20 @@
 // How does the angle of a pendulum pushed from the bottom depend on time and energy? [paper fig:surf]
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
+#include "../problem/sweep_columns.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "run/parallel.hpp"
-#include "sweep/study.hpp"
 #include "text/input_error.hpp"
 
 namespace libration::studies {
 
 namespace surface_study {
 namespace {
-
-const std::vector<column>& columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"time", "dimensionless time since the bottom, where omega = sqrt(2E)"},
-        {"theta", "the exact angle, not reduced to a turn, radians"},
-        {"regime", "libration | separatrix | rotation"},
-        {"method", "resummed: (fullresummation) extended by (newseries) | critical: the closed solution at E = 2"},
-        {"order", "N, last index of the resummed series; empty for critical"},
-        {"period_by", "way to T*: agm | series:N (Kold) | resummed:N (Knew); empty for critical"},
-        {"approximation", "the angle by the method, radians"},
-        {"error", "|approximation - theta|, radians"},
-        {"log10_error", "log10 of error"},
-        {"gap", "2 - E"},
-    };
-    return all;
-}
 
 motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }
 
@@ -55,39 +40,71 @@ std::string regime_name(regime r) {
     return r == regime::libration ? "libration" : r == regime::rotation ? "rotation" : "separatrix";
 }
 
-using table_rows = std::vector<std::vector<std::string>>;
+// The angle at a time, and an approximation of it.
+struct surface_row {
+    const sweep_energy& at;
+    long digits;
+    mpfr time, theta;
+    regime kind;
+    std::string_view method;
+    cell order, period_by;
+    judged approximation;
+};
 
-table_rows rows_at(const sweep_energy& at, const study_request& request, const scalar_spec& scalar) {
+const column_list<surface_row>& columns() {
+    using row = surface_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"time", "dimensionless time since the bottom, where omega = sqrt(2E)",
+         [](const row& r) { return decimal_cell(r.time, r.digits); }},
+        {"theta", "the exact angle, not reduced to a turn, radians",
+         [](const row& r) { return decimal_cell(r.theta, r.digits); }},
+        {"regime", "libration | separatrix | rotation", [](const row& r) { return regime_name(r.kind); }},
+        {"method", "resummed: (fullresummation) extended by (newseries) | critical: the closed solution at E = 2",
+         [](const row& r) { return r.method; }},
+        {"order", "N, last index of the resummed series; empty for critical", [](const row& r) { return r.order; }},
+        {"period_by", "way to T*: agm | series:N (Kold) | resummed:N (Knew); empty for critical",
+         [](const row& r) { return r.period_by; }},
+        {"approximation", "the angle by the method, radians",
+         [](const row& r) { return decimal_cell(r.approximation.theta, r.digits); }},
+        {"error", "|approximation - theta|, radians",
+         [](const row& r) { return decimal_cell(r.approximation.error, r.digits); }},
+        {"log10_error", "log10 of error", [](const row& r) { return log10_cell(r.approximation.error); }},
+        gap_column<row>(),
+    });
+    return all;
+}
+
+table rows_at(const sweep_energy& at, const pendulum_sweep& sweep, const std::vector<int>& orders,
+              const scalar_spec& scalar) {
     const motion m = pushed(at);
-    table_rows rows;
-    const auto add = [&](const std::vector<std::string>& way, const std::vector<judged>& values) {
+    std::vector<surface_row> rows;
+    const auto add = [&](std::string_view method, const cell& order, const cell& period_by,
+                         const std::vector<judged>& values) {
         const precision_scope scope(scalar.digits + 2 * guard_digits);
         const exact_solution<mpfr> truth(m);
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const exact& time = request.times[i];
-            rows.push_back({at.energy, to_decimal(dimensionless_time<mpfr>(m, time), scalar.digits),
-                            to_decimal(truth(time).theta, scalar.digits), regime_name(m.regime()), way[0], way[1],
-                            way[2], to_decimal(values[i].theta, scalar.digits),
-                            to_decimal(values[i].error, scalar.digits), log10_text(values[i].error), at.gap});
+            const exact& time = sweep.times[i];
+            rows.push_back({at, scalar.digits, dimensionless_time<mpfr>(m, time), truth(time).theta, m.regime(), method,
+                            order, period_by, values[i]});
         }
     };
     if (m.regime() == regime::separatrix) {
-        add({"critical", "", ""}, by_critical_formula(m, request.times, scalar));
-        return rows;
+        add("critical", {}, {}, by_critical_formula(m, sweep.times, scalar));
+        return make_table(columns(), rows);
     }
-    for (const int order : request.orders) {
-        for (const sweep_period_rule& period : request.period_rules) {
-            add({"resummed", std::to_string(order), period.text}, folded(m, request.times, order, period.rule, scalar));
+    for (const int order : orders) {
+        for (const sweep_period_rule& period : sweep.period_rules) {
+            add("resummed", order, period.text, folded(m, sweep.times, order, period.rule, scalar));
         }
     }
-    return rows;
+    return make_table(columns(), rows);
 }
 
-void require_surface(const study_request& request) {
-    refuse_limits(request.energies, "the pendulum rests", "");
-    const bool critical = std::any_of(request.energies.begin(), request.energies.end(),
-                                      [](const sweep_energy& at) { return at.value == 2; });
-    for (const exact& time : request.times) {
+void require_surface(const pendulum_sweep& sweep) {
+    const bool critical =
+        std::any_of(sweep.energies.begin(), sweep.energies.end(), [](const sweep_energy& at) { return at.value == 2; });
+    for (const exact& time : sweep.times) {
         if (critical && time.has_periods()) {
             throw input_error("--times", time.text, "is a multiple of the period, which is infinite at the energy 2",
                               "write times without T, or leave 2 out of --energies");
@@ -96,16 +113,14 @@ void require_surface(const study_request& request) {
 }
 
 std::vector<study_table> run(const study_request& request) {
-    require_surface(request);
+    const pendulum_sweep sweep(request.values);
+    require_surface(sweep);
+    const auto orders = request.orders();
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown("surface, energies", request.energies.size(), request.shown);
-    const auto parts = parallel_map(request.energies.size(), request.jobs, shown,
-                                    [&](std::size_t i) { return rows_at(request.energies[i], request, scalar); });
-    study_table result{"", scalar, {columns(), {}}};
-    for (const table_rows& part : parts) {
-        result.data.rows.insert(result.data.rows.end(), part.begin(), part.end());
-    }
-    return {result};
+    progress shown("surface, energies", sweep.energies.size(), request.shown);
+    return {{"", scalar, stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+                 return rows_at(sweep.energies[i], sweep, orders, scalar);
+             }))}};
 }
 
 }  // namespace
@@ -126,6 +141,7 @@ const study& surface() {
             "times of the paper's way to the surface, the resummation extended periodically, with T* from the "
             "resummed series of K(k) and with the exact T*. With N = 60 in each the errors are from 1e-26 to "
             "1e-2: next to E = 2 it is T* that limits them, not the resummation of theta.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.1:1.9:10,1.97,1.997,2,2.003,2.03,2.1,2.2:3:5", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--times", "0:15:61",
@@ -135,6 +151,7 @@ const study& surface() {
                        {"--scalar", "mpfr:40", "arithmetic of the paper's formulas"}},
         .quick = {{"--energies", "1.71,2,2.02", ""}, {"--times", "0:20:6", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,
+        .excluded = no_answer_at_limits("the pendulum rests", ""),
         .run = run};
     return result;
 }

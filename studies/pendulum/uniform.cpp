@@ -1,11 +1,11 @@
 // How many digits does the uniform resummation reach with 8, 16 and 32 coefficients, at energies from 1e-20 to 1e4?
+#include <string_view>
+
+#include "../problem/sweep_columns.hpp"
 #include "libration/pendulum/arc/uniform_rate.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
-#include "sweep/study.hpp"
-#include "text/input_error.hpp"
 
 namespace libration::studies {
 
@@ -14,62 +14,52 @@ namespace {
 
 constexpr long printed_digits = 12;
 
-const std::vector<column>& columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"gap", "2 - E"},
-        {"count", "coefficients of powers of t that are not 0"},
-        {"order", "N, last power"},
-        {"norm", "max of |approximation - theta| over [0, T*], radians"},
-        {"time_of_maximum", "dimensionless time since the top"},
-        {"scalar", "arithmetic of the approximation"},
-        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic"},
-        {"bound", "theorem U, radians: what exact arithmetic does not exceed"},
-        {"rate", "T*/|3 T* + i K~'|, the exact factor of the error a power in the long run"},
-        {"log10_norm", "log10 of norm"},
-        {"log10_bound", "log10 of bound"},
-        {"log10_energy", "log10 of E"},
-        {"log10_gap", "log10 of |2 - E|"},
-    };
-    return all;
-}
-
-struct cell {
+// The norm with one number of coefficients.
+struct uniform_row {
     const sweep_energy& at;
     int count;
     int order;
-    mpfr bound;
-    mpfr rate;
-    mpfr effective_period;
+    mpfr norm, time;
+    std::string_view scalar;
+    bool two_method;
+    mpfr bound, rate;
 };
 
-std::vector<std::string> row_of(const cell& c, const norm_at<mpfr>& found, const std::string& scalar, bool two_method) {
-    return {c.at.energy,
-            c.at.gap,
-            std::to_string(c.count),
-            std::to_string(c.order),
-            to_decimal(found.norm, printed_digits),
-            to_decimal(mpfr(found.place * c.effective_period), printed_digits),
-            scalar,
-            two_method ? "two-method" : "heuristic",
-            to_decimal(c.bound, printed_digits),
-            to_decimal(c.rate, printed_digits),
-            log10_text(found.norm),
-            log10_text(c.bound),
-            log10_text(from_rational<mpfr>(c.at.value)),
-            log10_text(abs(from_rational<mpfr>(rational(2 - c.at.value))))};
+const column_list<uniform_row>& columns() {
+    using row = uniform_row;
+    const auto value = [](mpfr row::*which) {
+        return [which](const row& r) { return decimal_cell(r.*which, printed_digits); };
+    };
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        gap_column<row>(),
+        {"count", "coefficients of powers of t that are not 0", [](const row& r) { return r.count; }},
+        {"order", "N, last power", [](const row& r) { return r.order; }},
+        {"norm", "max of |approximation - theta| over [0, T*], radians", value(&row::norm)},
+        {"time_of_maximum", "dimensionless time since the top", value(&row::time)},
+        {"scalar", "arithmetic of the approximation", [](const row& r) { return r.scalar; }},
+        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic",
+         [](const row& r) { return r.two_method ? "two-method" : "heuristic"; }},
+        {"bound", "theorem U, radians: what exact arithmetic does not exceed", value(&row::bound)},
+        {"rate", "T*/|3 T* + i K~'|, the exact factor of the error a power in the long run", value(&row::rate)},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
+        {"log10_energy", "log10 of E",
+         [](const row& r) {
+             const precision_scope scope(60);
+             return log10_cell(from_rational<mpfr>(r.at.value));
+         }},
+        log10_gap_column<row>(),
+    });
+    return all;
 }
 
-// The rows of one energy, in mpfr and in double.
-struct energy_rows {
-    std::vector<std::vector<std::string>> exact;
-    std::vector<std::vector<std::string>> in_double;
-};
-
-energy_rows rows_at(const sweep_energy& at, const std::vector<int>& counts) {
+// The tables of one energy, in mpfr and in double.
+std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& counts) {
     const motion m = motion::of_energy(at.value);
     const int parity = parity_from_top(m.regime());
-    energy_rows result;
+    std::vector<uniform_row> in_mpfr;
+    std::vector<uniform_row> in_double;
     for (const int count : counts) {
         const int order = 2 * count - parity;
         const precision_scope scope(uniform_digits_below(m, order) + 2 * printed_digits);
@@ -78,38 +68,28 @@ energy_rows rows_at(const sweep_energy& at, const std::vector<int>& counts) {
         const norm_at<mpfr> found = errors.norm_of(f, order);
         const mpfr other = errors.second_opinion_of(f, found.place);
         const bool agreed = abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
-        const cell here{at,
-                        count,
-                        order,
-                        f.bounds().norm(order),
-                        mpfr(uniform_rate(errors.bounds(), 1)),
-                        errors.bounds().effective_period};
-        result.exact.push_back(row_of(here, found, "mpfr", agreed));
+        const mpfr bound = f.bounds().norm(order);
+        const mpfr rate = uniform_rate(errors.bounds(), 1);
+        const mpfr& effective_period = errors.bounds().effective_period;
+        in_mpfr.push_back(
+            {at, count, order, found.norm, mpfr(found.place * effective_period), "mpfr", agreed, bound, rate});
         const auto rounded = uniform_from_top<double>(m, order);
         const auto value = [&](double x) { return widen(rounded.value(x)); };
-        result.in_double.push_back(
-            row_of(here, errors.rounded_norm(value, narrow<double>(found.place)), "double", false));
+        const auto rough = errors.rounded_norm(value, narrow<double>(found.place));
+        in_double.push_back(
+            {at, count, order, rough.norm, mpfr(rough.place * effective_period), "double", false, bound, rate});
     }
-    return result;
+    return {make_table(columns(), in_mpfr), make_table(columns(), in_double)};
 }
 
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies, "the columns of singularities are infinitely many", "the period is infinite");
-    for (const int count : request.orders) {
-        if (count < 1) {
-            throw input_error("--orders", std::to_string(count), "is no number of coefficients", "write 1 or more");
-        }
-    }
-    progress shown("uniform, energies", request.energies.size(), request.shown);
-    const auto rows = parallel_map(request.energies.size(), request.jobs, shown,
-                                   [&](std::size_t i) { return rows_at(request.energies[i], request.orders); });
-    study_table exact{"", read_scalar("mpfr:" + std::to_string(printed_digits)), {columns(), {}}};
-    study_table in_double{"double", read_scalar("double"), {columns(), {}}};
-    for (const energy_rows& at : rows) {
-        exact.data.rows.insert(exact.data.rows.end(), at.exact.begin(), at.exact.end());
-        in_double.data.rows.insert(in_double.data.rows.end(), at.in_double.begin(), at.in_double.end());
-    }
-    return {std::move(exact), std::move(in_double)};
+    const pendulum_sweep sweep(request.values);
+    const std::vector<int> counts = numbers_of_coefficients(request);
+    progress shown("uniform, energies", sweep.energies.size(), request.shown);
+    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown,
+                                             [&](std::size_t i) { return rows_at(sweep.energies[i], counts); }));
+    return {{"", read_scalar("mpfr:" + std::to_string(printed_digits)), tables[0]},
+            {"double", read_scalar("double"), tables[1]}};
 }
 
 }  // namespace
@@ -132,11 +112,13 @@ const study& uniform() {
             "itself is sqrt(2E), so that the digits of theta are fewer by as many as that has zeros, and in double the "
             "rounding of the columns, which are not small, is left. Towards E = 2 the two columns become the whole "
             "motion, and the error falls with the gap itself.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "1e-20:1e-1:20log,0.5,1,1.5,10:1e4:7log", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-100:34log,-1e-1:-1e-100:34log,-0.5,-1,-2", "energies as 2 - E"},
                        {"--orders", "8,16,32", "numbers of coefficients that are not 0"}},
         .quick = {{"--energies", "1.71,1e-20", ""}, {"--gaps", "1e-12,-1e-30", ""}, {"--orders", "4,16", ""}},
         .seconds = 10,
+        .excluded = no_answer_at_limits("the columns of singularities are infinitely many", "the period is infinite"),
         .run = run};
     return result;
 }

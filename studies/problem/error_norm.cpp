@@ -6,10 +6,8 @@
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/error/march_error.hpp"
 #include "libration/pendulum/error/proved/proved_norm.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
-#include "sweep/study.hpp"
-#include "text/input_error.hpp"
+#include "sweep_columns.hpp"
 
 namespace libration::studies {
 
@@ -17,26 +15,6 @@ namespace error_norm_study {
 namespace {
 
 constexpr long guard_digits = 15;
-
-const std::vector<column>& columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"order", "N, last power of the series; last index of the resummed series"},
-        {"method", "series | resummed"},
-        {"norm", "max of |approximation - theta| over [0, T*], radians"},
-        {"time_of_maximum", "dimensionless time since the top; with ball the digits that are proved"},
-        {"scalar", "arithmetic of the approximation"},
-        {"rigour", "proved | two-method: confirmed by the sum over separatrix solutions | heuristic"},
-        {"gap", "2 - E"},
-        {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold"},
-        {"log10_norm", "log10 of norm"},
-        {"log10_bound", "log10 of bound"},
-        {"log10_gap", "log10 of |2 - E|"},
-    };
-    return all;
-}
-
-std::string_view name_of(descent_method method) { return method == descent_method::series ? "series" : "resummed"; }
 
 // The bounds hold from the first omitted power 4, and from N = 1, on.
 std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, descent_method method, int order) {
@@ -53,47 +31,63 @@ bool confirmed(const descent_errors& errors, descent_method method, int order, c
     return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
 }
 
-struct cell {
+// One norm that is asked for.
+struct asked_norm {
     const sweep_energy& at;
     int order;
     descent_method method;
 };
 
 // A norm and its time as they are printed.
-struct norm_text {
-    std::string norm;
-    std::string time;
+struct norm_row {
+    const sweep_energy& at;
+    int order;
+    descent_method method;
+    cell norm;
+    cell time;
     std::string rigour;
+    std::optional<mpfr> bound;
+    const scalar_spec& scalar;
 };
 
-std::vector<std::string> row_of(const cell& c, const norm_text& text, const top_bounds<mpfr>& bounds,
-                                const scalar_spec& scalar) {
-    const auto bound = bound_of(bounds, c.method, c.order);
-    return {c.at.energy,
-            std::to_string(c.order),
-            std::string(name_of(c.method)),
-            text.norm,
-            text.time,
-            scalar.name(),
-            text.rigour,
-            c.at.gap,
-            bound ? to_decimal(*bound, 12) : "",
-            log10_text(from_exact<mpfr>(read_exact(text.norm))),
-            bound ? log10_text(*bound) : "",
-            log10_text(abs(from_rational<mpfr>(rational(2 - c.at.value))))};
+const column_list<norm_row>& columns() {
+    using row = norm_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of the series; last index of the resummed series",
+         [](const row& r) { return r.order; }},
+        {"method", "series | resummed", [](const row& r) { return name_of(r.method); }},
+        {"norm", "max of |approximation - theta| over [0, T*], radians", [](const row& r) { return r.norm; }},
+        {"time_of_maximum", "dimensionless time since the top; with ball the digits that are proved",
+         [](const row& r) { return r.time; }},
+        {"scalar", "arithmetic of the approximation", [](const row& r) { return r.scalar.name(); }},
+        {"rigour", "proved | two-method: confirmed by the sum over separatrix solutions | heuristic",
+         [](const row& r) { return r.rigour; }},
+        gap_column<row>(),
+        {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold",
+         [](const row& r) { return decimal_cell(r.bound, 12); }},
+        {"log10_norm", "log10 of norm",
+         [](const row& r) { return log10_cell(from_exact<mpfr>(read_exact(r.norm.text()))); }},
+        {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
+        log10_gap_column<row>(),
+    });
+    return all;
 }
 
-std::vector<std::string> row_of(const cell& c, const norm_at<mpfr>& found, const top_bounds<mpfr>& bounds,
-                                const scalar_spec& scalar, bool two_method) {
-    const mpfr time = found.place * bounds.effective_period;
-    return row_of(c,
-                  {to_decimal(found.norm, scalar.digits), to_decimal(time, scalar.digits),
-                   two_method ? "two-method" : "heuristic"},
-                  bounds, scalar);
+norm_row row_of(const asked_norm& c, const norm_at<mpfr>& found, const top_bounds<mpfr>& bounds,
+                const scalar_spec& scalar, bool two_method) {
+    return {c.at,
+            c.order,
+            c.method,
+            decimal_cell(found.norm, scalar.digits),
+            decimal_cell(mpfr(found.place * bounds.effective_period), scalar.digits),
+            two_method ? "two-method" : "heuristic",
+            bound_of(bounds, c.method, c.order),
+            scalar};
 }
 
-std::vector<cell> cells_at(const sweep_energy& at, const std::vector<int>& orders) {
-    std::vector<cell> cells;
+std::vector<asked_norm> norms_at(const sweep_energy& at, const std::vector<int>& orders) {
+    std::vector<asked_norm> cells;
     cells.reserve(2 * orders.size());
     for (const int order : orders) {
         for (const auto method : {descent_method::series, descent_method::resummed}) {
@@ -112,42 +106,42 @@ long most_digits_below(const motion& m, const std::vector<int>& orders) {
     return below;
 }
 
-using table_rows = std::vector<std::vector<std::string>>;
-
 // The proved rows of one energy.
-table_rows proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, const scalar_spec& scalar) {
+table proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, const scalar_spec& scalar) {
     const motion m = motion::of_energy(at.value);
     const long below = most_digits_below(m, orders);
-    const std::vector<cell> cells = cells_at(at, orders);
-    std::vector<std::string> times;
+    const std::vector<asked_norm> cells = norms_at(at, orders);
+    std::vector<cell> times;
     const auto norms = proved_decimals(scalar.digits, [&] {
         const precision_scope wider(working_digits() + below);
         const proved_descent_errors errors(at.value);
         times.clear();
         std::vector<ball> values;
         values.reserve(cells.size());
-        for (const cell& c : cells) {
+        for (const asked_norm& c : cells) {
             proved_maximum found = errors.norm(c.method, c.order);
             const ball time = found.place * errors.effective_period();
             const long digits = proved_digits(time, scalar.digits);
-            times.push_back(digits == 0 ? "" : to_proved_decimal(time, digits)->text);
+            times.push_back(digits == 0 ? cell() : cell::number(to_proved_decimal(time, digits)->text, digits));
             values.push_back(std::move(found.value));
         }
         return values;
     });
     const precision_scope scope(scalar.digits + guard_digits);
     const auto bounds = top_bounds<mpfr>::of(orbit_of<mpfr>(m));
-    table_rows rows;
+    std::vector<norm_row> rows;
     rows.reserve(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        rows.push_back(row_of(cells[i], {norms[i].text, times[i], "proved"}, bounds, scalar));
+        const auto& [energy, order, method] = cells[i];
+        rows.push_back({energy, order, method, cell::number(norms[i].text, scalar.digits), times[i], "proved",
+                        bound_of(bounds, method, order), scalar});
     }
-    return rows;
+    return make_table(columns(), rows);
 }
 
 // All rows of one energy in arithmetics that round, in one table for each scalar.
-std::vector<table_rows> rounded_rows_at(const sweep_energy& at, const std::vector<int>& orders,
-                                        const std::vector<scalar_spec>& scalars) {
+std::vector<table> rounded_rows_at(const sweep_energy& at, const std::vector<int>& orders,
+                                   const std::vector<scalar_spec>& scalars) {
     const motion m = motion::of_energy(at.value);
     long digits = 0;
     for (const scalar_spec& scalar : scalars) {
@@ -156,8 +150,8 @@ std::vector<table_rows> rounded_rows_at(const sweep_energy& at, const std::vecto
     const long all_digits = digits + most_digits_below(m, orders) + guard_digits;
     const precision_scope scope(all_digits);
     descent_errors errors(m);
-    std::vector<table_rows> tables(scalars.size());
-    for (const cell& here : cells_at(at, orders)) {
+    std::vector<std::vector<norm_row>> rows(scalars.size());
+    for (const asked_norm& here : norms_at(at, orders)) {
         norm_at<mpfr> found = errors.norm(here.method, here.order);
         const bool agreed = confirmed(errors, here.method, here.order, found, digits);
         for (std::size_t i = 0; i < scalars.size(); ++i) {
@@ -170,23 +164,29 @@ std::vector<table_rows> rounded_rows_at(const sweep_energy& at, const std::vecto
                 }
             });
             const bool exact = scalar.kind == scalar_kind::arbitrary;
-            tables[i].push_back(row_of(here, norm, errors.bounds(), scalar, exact && agreed));
+            rows[i].push_back(row_of(here, norm, errors.bounds(), scalar, exact && agreed));
         }
+    }
+    std::vector<table> tables;
+    tables.reserve(rows.size());
+    for (const auto& in_scalar : rows) {
+        tables.push_back(make_table(columns(), in_scalar));
     }
     return tables;
 }
 
 // All rows of one energy, in one table for each scalar; balls come first.
-std::vector<table_rows> rows_at(const sweep_energy& at, const std::vector<int>& orders,
-                                const std::vector<scalar_spec>& scalars) {
+std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& orders,
+                           const std::vector<scalar_spec>& scalars) {
     const auto is_proved = [](const scalar_spec& scalar) { return scalar.kind == scalar_kind::proved; };
     const auto first_rounding = std::find_if_not(scalars.begin(), scalars.end(), is_proved);
-    std::vector<table_rows> tables;
+    std::vector<table> tables;
     for (auto scalar = scalars.begin(); scalar != first_rounding; ++scalar) {
         tables.push_back(proved_rows_at(at, orders, *scalar));
     }
     if (first_rounding != scalars.end()) {
-        const auto rounded = rounded_rows_at(at, orders, {first_rounding, scalars.end()});
+        const std::vector<scalar_spec> rounding(first_rounding, scalars.end());
+        const auto rounded = rounded_rows_at(at, orders, rounding);
         tables.insert(tables.end(), rounded.begin(), rounded.end());
     }
     return tables;
@@ -202,21 +202,6 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
 
 std::string suffix_of(const scalar_spec& scalar) { return scalar.kind == scalar_kind::proved ? "" : scalar.name(); }
 
-const std::vector<column>& baseline_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l: 2, where the solution is closed"},
-        {"step", "dt of the classical Runge-Kutta method, dimensionless time"},
-        {"scalar", "arithmetic of the march"},
-        {"steps", "number of steps from (theta, omega) = (0, 2) to about t = 10"},
-        {"norm", "max of |theta by the march - theta| at 2000 of the steps, radians"},
-        {"time_of_maximum", "dimensionless time"},
-        {"norm_in_epsilon", "norm over the unit in the last place of 1"},
-        {"norm_without_growth", "max of |theta by the march - theta| e^-t, radians"},
-        {"log10_norm", "log10 of norm"},
-    };
-    return all;
-}
-
 struct march {
     rational step;
     long steps;
@@ -230,8 +215,8 @@ std::vector<march> marches_of(const rational& step) {
     for (const int factor : {100, 10, 1}) {
         const rational longer = step * factor;
         if (factor == 1 || longer <= end) {
-            const long steps = reading("--step", to_finite_decimal(longer).value_or(longer.str()),
-                                       "write a step such as 1e-5", [&] { return march_steps(longer, end); });
+            const long steps = reading("--step", decimal_of(longer, 50), "write a step such as 1e-5",
+                                       [&] { return march_steps(longer, end); });
             marches.insert(marches.end(),
                            {{longer, steps, read_scalar("double")}, {longer, steps, read_scalar("long-double")}});
         }
@@ -239,54 +224,71 @@ std::vector<march> marches_of(const rational& step) {
     return marches;
 }
 
+// A march against the closed solution.
+struct march_row {
+    march of;
+    march_error found;
+    mpfr norm_in_epsilon;
+};
+
+const column_list<march_row>& baseline_columns() {
+    using row = march_row;
+    static const column_list<row> all{
+        {"energy", "E, in units of m g l: 2, where the solution is closed",
+         [](const row&) { return number_cell("2"); }},
+        {"step", "dt of the classical Runge-Kutta method, dimensionless time",
+         [](const row& r) { return number_cell(decimal_of(r.of.step, 50)); }},
+        {"scalar", "arithmetic of the march", [](const row& r) { return r.of.scalar.name(); }},
+        {"steps", "number of steps from (theta, omega) = (0, 2) to about t = 10",
+         [](const row& r) { return r.of.steps; }},
+        {"norm", "max of |theta by the march - theta| at 2000 of the steps, radians",
+         [](const row& r) { return decimal_cell(r.found.norm, r.of.scalar.digits); }},
+        {"time_of_maximum", "dimensionless time",
+         [](const row& r) { return decimal_cell(r.found.time, r.of.scalar.digits); }},
+        {"norm_in_epsilon", "norm over the unit in the last place of 1",
+         [](const row& r) { return decimal_cell(r.norm_in_epsilon, 6); }},
+        {"norm_without_growth", "max of |theta by the march - theta| e^-t, radians",
+         [](const row& r) { return decimal_cell(r.found.undone, r.of.scalar.digits); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.found.norm); }},
+    };
+    return all;
+}
+
 template <fixed_scalar T>
-std::vector<std::string> row_of(const march& m) {
+march_row row_of(const march& m) {
     constexpr int samples = 2000;
     const march_error found = separatrix_march_error<T>(m.step, m.steps, samples);
-    return {"2",
-            to_finite_decimal(m.step).value_or(m.step.str()),
-            m.scalar.name(),
-            std::to_string(m.steps),
-            to_decimal(found.norm, m.scalar.digits),
-            to_decimal(found.time, m.scalar.digits),
-            to_decimal(mpfr(found.norm / widen(epsilon<T>())), 6),
-            to_decimal(found.undone, m.scalar.digits),
-            log10_text(found.norm)};
+    return {m, found, mpfr(found.norm / widen(epsilon<T>()))};
 }
 
 study_table baseline_of(const std::vector<march>& marches, const study_request& request) {
     progress shown("error_norm, marches", marches.size(), request.shown);
-    study_table result{"baseline", marches.front().scalar, {baseline_columns(), {}}};
-    result.data.rows = parallel_map(marches.size(), request.jobs, shown, [&](std::size_t i) {
+    const auto rows = parallel_map(marches.size(), request.jobs, shown, [&](std::size_t i) {
         const precision_scope scope(60);
         return marches[i].scalar.kind == scalar_kind::binary64 ? row_of<double>(marches[i])
                                                                : row_of<long double>(marches[i]);
     });
-    return result;
+    return {"baseline", marches.front().scalar, make_table(baseline_columns(), rows)};
 }
 
 // The march is of the paper's whole figure: a run in one scalar is one table.
 std::vector<march> marches_for(const study_request& request) {
-    const bool asked = !request.scalar && request.step.coefficient > 0;
-    return asked ? marches_of(request.step.coefficient) : std::vector<march>();
+    const bool asked = !request.scalar && request.step().coefficient > 0;
+    return asked ? marches_of(request.step().coefficient) : std::vector<march>();
 }
 
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies, "the series is the constant 0",
-                  "the series is not defined: the period is infinite");
+    const pendulum_sweep sweep(request.values);
+    const auto orders = request.orders();
     const auto scalars = scalars_of(request);
     const auto marches = marches_for(request);
-    progress shown("error_norm, energies", request.energies.size(), request.shown);
-    const auto rows = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(request.energies[i], request.orders, scalars);
-    });
+    progress shown("error_norm, energies", sweep.energies.size(), request.shown);
+    const auto by_scalar = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return rows_at(sweep.energies[i], orders, scalars);
+    }));
     std::vector<study_table> tables;
     for (std::size_t i = 0; i < scalars.size(); ++i) {
-        study_table result{request.scalar ? "" : suffix_of(scalars[i]), scalars[i], {columns(), {}}};
-        for (const auto& at_energy : rows) {
-            result.data.rows.insert(result.data.rows.end(), at_energy[i].begin(), at_energy[i].end());
-        }
-        tables.push_back(std::move(result));
+        tables.push_back({request.scalar ? "" : suffix_of(scalars[i]), scalars[i], by_scalar[i]});
     }
     if (!marches.empty()) {
         tables.push_back(baseline_of(marches, request));
@@ -314,6 +316,7 @@ const study& error_norm() {
             "separatrix multiplies by up to e^10 (the baseline table: 1e-14 without that growth; in long double 1e-14 "
             "with it; less with 1e-4 than with 1e-5). The second figure repeats the same norms in double, long double "
             "and quad: each falls to the rounding of its arithmetic and stays there.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26", "energies E, in m g l"},
                        {"--gaps", "1e-2:1e-10:17log,-1e-2:-1e-10:17log", "energies as 2 - E"},
                        {"--orders", "5,10,20,40,80", "N, last power of the series; last index of the resummed series"},
@@ -321,6 +324,8 @@ const study& error_norm() {
                        {"--scalar", "ball:50, and double, long-double, quad for their floors", "arithmetic"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6", ""}, {"--step", "1e-3", ""}},
         .seconds = 13,
+        .excluded =
+            no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
         .run = run,
         .offers = arithmetics::proved_too};
     return result;

@@ -1,59 +1,87 @@
 // About which point of the way from the top to the bottom should the series be expanded? [paper sec:sing]
-#include "sweep/study.hpp"
-
 #include <algorithm>
-#include <utility>
+#include <optional>
+#include <string_view>
 
 #include "libration/pendulum/error/descent_cover.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "run/parallel.hpp"
+#include "sweep_columns.hpp"
 
 namespace libration::studies {
 
 namespace expansion_point_study {
 namespace {
 
-using rows = std::vector<std::vector<std::string>>;
-
 constexpr long guard_digits = 15;
 constexpr long digits_of_norms = 12;
 
-const std::vector<column>& columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom"},
-        {"radius", "radius of convergence R about it, dimensionless time"},
-        {"tstar", "T*, dimensionless"},
-        {"covers", "whether the circle of convergence holds both ends of [0, T*]: yes | boundary | no"},
-        {"rate", "max(x, 1-x) T*/R: factor of the error on [0, T*] a power, by theory"},
-        {"measured_rate", "the same from the norms of the first and the last order; empty with one order"},
-        {"height", "K~', imaginary part of the nearest singularity, dimensionless time"},
-        {"scalar", "arithmetic of radius, rate and series"},
-        {"gap", "2 - E"},
+std::string_view covers_text(int sign) { return sign > 0 ? "yes" : sign == 0 ? "boundary" : "no"; }
+
+// The cover from one point; its lengths are computed in the scalar.
+struct cover_row {
+    const sweep_energy& at;
+    const exact& point;
+    const scalar_spec& scalar;
+    mpfr radius, effective_period, rate, height;
+    int covers;
+    std::optional<mpfr> measured_rate;
+};
+
+template <class Row>
+column_of<Row> point_column() {
+    return {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom",
+            [](const Row& r) { return read_cell(r.point.text); }};
+}
+
+const column_list<cover_row>& columns() {
+    using row = cover_row;
+    const auto length = [](mpfr row::*which) {
+        return [which](const row& r) { return decimal_cell(r.*which, r.scalar.digits); };
     };
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        point_column<row>(),
+        {"radius", "radius of convergence R about it, dimensionless time", length(&row::radius)},
+        {"tstar", "T*, dimensionless", length(&row::effective_period)},
+        {"covers", "whether the circle of convergence holds both ends of [0, T*]: yes | boundary | no",
+         [](const row& r) { return covers_text(r.covers); }},
+        {"rate", "max(x, 1-x) T*/R: factor of the error on [0, T*] a power, by theory", length(&row::rate)},
+        {"measured_rate", "the same from the norms of the first and the last order; empty with one order",
+         [](const row& r) { return decimal_cell(r.measured_rate, digits_of_norms); }},
+        {"height", "K~', imaginary part of the nearest singularity, dimensionless time", length(&row::height)},
+        {"scalar", "arithmetic of radius, rate and series", [](const row& r) { return r.scalar.name(); }},
+        gap_column<row>(),
+    });
     return all;
 }
 
-const std::vector<column>& norm_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom"},
-        {"order", "N, last power of the series about the point"},
-        {"norm", "max of |series - theta| over [0, T*], radians"},
-        {"log10_norm", "log10 of norm"},
-    };
+struct norm_row {
+    const sweep_energy& at;
+    const exact& point;
+    int order;
+    mpfr norm;
+};
+
+const column_list<norm_row>& norm_columns() {
+    using row = norm_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        point_column<row>(),
+        {"order", "N, last power of the series about the point", [](const row& r) { return r.order; }},
+        {"norm", "max of |series - theta| over [0, T*], radians",
+         [](const row& r) { return decimal_cell(r.norm, digits_of_norms); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+    });
     return all;
 }
-
-std::string covers_text(int sign) { return sign > 0 ? "yes" : sign == 0 ? "boundary" : "no"; }
 
 // (norm_b/norm_a)^(1/(b-a)) of the first and the last order.
-std::string measured_rate(const std::vector<int>& orders, const std::vector<mpfr>& norms) {
+std::optional<mpfr> measured_rate(const std::vector<int>& orders, const std::vector<mpfr>& norms) {
     const int apart = orders.back() - orders.front();
     if (apart == 0 || norms.front() == 0 || norms.back() == 0) {
-        return "";
+        return std::nullopt;
     }
-    return to_decimal(mpfr(pow(mpfr(norms.back() / norms.front()), mpfr(1) / apart)), digits_of_norms);
+    return mpfr(pow(mpfr(norms.back() / norms.front()), mpfr(1) / apart));
 }
 
 // Digits that the smallest norm of one energy lies below theta.
@@ -66,13 +94,14 @@ long digits_below(const motion& m, const std::vector<exact>& points, int order) 
 }
 
 // Both tables of one energy.
-std::pair<rows, rows> rows_at(const sweep_energy& at, const std::vector<exact>& points, const std::vector<int>& orders,
-                              const scalar_spec& scalar) {
+std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& points, const std::vector<int>& orders,
+                           const scalar_spec& scalar) {
     const motion m = motion::of_energy(at.value);
     const long below = digits_below(m, points, orders.back());
     const precision_scope scope(std::max(scalar.digits, digits_of_norms) + below + guard_digits);
     cover_errors errors(m);
-    std::pair<rows, rows> all;
+    std::vector<cover_row> covers;
+    std::vector<norm_row> norm_rows;
     for (const exact& point : points) {
         const rational& x = point.coefficient;
         with_scalar(scalar, below + guard_digits, [&]<class T>() {
@@ -85,34 +114,24 @@ std::pair<rows, rows> rows_at(const sweep_energy& at, const std::vector<exact>& 
                 } else {
                     norms.push_back(errors.norm(x, order).norm);
                 }
-                all.second.push_back({at.energy, point.text, std::to_string(order),
-                                      to_decimal(norms.back(), digits_of_norms), log10_text(norms.back())});
+                norm_rows.push_back({at, point, order, norms.back()});
             }
-            const auto text = [&](const T& value) { return to_decimal(value, scalar.digits); };
-            all.first.push_back({at.energy, point.text, text(cover.radius), text(cover.effective_period),
-                                 covers_text(cover.covers), text(cover.rate), measured_rate(orders, norms),
-                                 text(cover.height), scalar.name(), at.gap});
+            covers.push_back({at, point, scalar, widen(cover.radius), widen(cover.effective_period), widen(cover.rate),
+                              widen(cover.height), cover.covers, measured_rate(orders, norms)});
         });
     }
-    return all;
+    return {make_table(columns(), covers), make_table(norm_columns(), norm_rows)};
 }
 
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies, "theta is constant and every radius infinite", "T* is infinite");
-    std::vector<int> orders = request.orders;
-    std::sort(orders.begin(), orders.end());
+    const pendulum_sweep sweep(request.values);
+    const std::vector<int> orders = sorted_orders(request, 0, "");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown("expansion_point, energies", request.energies.size(), request.shown);
-    const auto found = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(request.energies[i], request.points, orders, scalar);
-    });
-    study_table covers{"", scalar, {columns(), {}}};
-    study_table norms{"norms", scalar, {norm_columns(), {}}};
-    for (const auto& [cover_rows, norm_rows] : found) {
-        covers.data.rows.insert(covers.data.rows.end(), cover_rows.begin(), cover_rows.end());
-        norms.data.rows.insert(norms.data.rows.end(), norm_rows.begin(), norm_rows.end());
-    }
-    return {std::move(covers), std::move(norms)};
+    progress shown("expansion_point, energies", sweep.energies.size(), request.shown);
+    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return rows_at(sweep.energies[i], sweep.points, orders, scalar);
+    }));
+    return {{"", scalar, tables[0]}, {"norms", scalar, tables[1]}};
 }
 
 }  // namespace
@@ -133,6 +152,7 @@ const study& expansion_point() {
             "the bottom for 1 < E < 4, and not for every E < 2. The second figure shows the same rate over the "
             "expansion point: the best is half way at every energy, so the top is optimal in its radius and not in "
             "what it costs to cover the way; what speaks for the top is that half of its coefficients vanish.",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.05:1.95:39,2.02,2.1:3:10,3.25:8:20", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1/4,1/2,3/4,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
@@ -140,6 +160,7 @@ const study& expansion_point() {
                        {"--scalar", "mpfr:40", "arithmetic of radius, rate and series"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6,12", ""}, {"--points", "0,1", ""}},
         .seconds = 3,
+        .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .run = run};
     return result;
 }

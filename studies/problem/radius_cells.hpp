@@ -2,14 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/convergence/radius_report.hpp"
 #include "libration/pendulum/error/series_on_descent.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "sweep/study.hpp"
+#include "sweep_columns.hpp"
 
 namespace libration::studies {
 
@@ -20,48 +20,54 @@ inline constexpr long digits_for_judging = 20;
 /// Lists are handed to the tests in this many radii, so that no test is served the answer 1.
 inline rational hidden_unit() { return rational(9) / 8; }
 
-inline std::vector<column> radius_columns() {
-    return {
-        {"radius", "estimated radius of convergence, dimensionless time; empty where the test does not apply"},
-        {"uncertainty", "that the test gives, dimensionless time: an estimate, not a bound"},
-        {"exact", "radius of convergence from the lattice of singularities, dimensionless time"},
-        {"relative_error", "|radius/exact - 1|"},
-        {"log10_relative_error", "log10 of relative_error"},
-        {"log10_relative_uncertainty", "log10 of uncertainty/exact"},
-    };
-}
-
 /// |radius/exact - 1|, in the working precision in force.
 template <rounding_scalar T>
 mpfr relative_error(const radius_estimate<T>& found, const mpfr& exact) {
     return abs(mpfr(widen(*found.radius) / exact - 1));
 }
 
-/// The cells of radius_columns(). `exact` has more digits than the estimate.
+/// An answer with what is true. `exact` has more digits than the answer.
+struct judged_radius {
+    std::optional<mpfr> radius;
+    mpfr uncertainty;
+    mpfr exact;
+    long digits;
+    std::optional<mpfr> error;
+    std::optional<mpfr> relative_uncertainty;
+};
+
 template <rounding_scalar T>
-std::vector<std::string> radius_cells(const radius_estimate<T>& found, const mpfr& exact, long digits) {
-    const std::string truth = to_decimal(exact, digits);
+judged_radius judged(const radius_estimate<T>& found, const mpfr& exact, long digits) {
     if (!found.radius) {
-        return {"", "", truth, "", "", ""};
+        return {std::nullopt, mpfr(0), exact, digits, std::nullopt, std::nullopt};
     }
-    const mpfr error = relative_error(found, exact);
-    return {to_decimal(*found.radius, digits),
-            to_decimal(found.uncertainty, 3),
-            truth,
-            to_decimal(error, digits_of_errors),
-            log10_text(error),
-            log10_text(mpfr(widen(found.uncertainty) / exact))};
+    const mpfr uncertainty = widen(found.uncertainty);
+    return {widen(*found.radius), uncertainty, exact, digits, relative_error(found, exact), mpfr(uncertainty / exact)};
 }
 
-/// The cells of several columns in one row.
-inline std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
+/// The columns of a judged radius.
+inline const column_list<judged_radius>& radius_columns() {
+    using row = judged_radius;
+    static const column_list<row> all{
+        {"radius", "estimated radius of convergence, dimensionless time; empty where the test does not apply",
+         [](const row& r) { return decimal_cell(r.radius, r.digits); }},
+        {"uncertainty", "that the test gives, dimensionless time: an estimate, not a bound",
+         [](const row& r) { return r.radius ? decimal_cell(r.uncertainty, 3) : cell(); }},
+        {"exact", "radius of convergence from the lattice of singularities, dimensionless time",
+         [](const row& r) { return decimal_cell(r.exact, r.digits); }},
+        {"relative_error", "|radius/exact - 1|", [](const row& r) { return decimal_cell(r.error, digits_of_errors); }},
+        {"log10_relative_error", "log10 of relative_error", [](const row& r) { return log10_cell(r.error); }},
+        {"log10_relative_uncertainty", "log10 of uncertainty/exact",
+         [](const row& r) { return log10_cell(r.relative_uncertainty); }},
+    };
+    return all;
 }
 
-inline std::vector<column> joined(std::vector<column> first, const std::vector<column>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
+/// The expansion point of rows with a member `point`.
+template <class Row>
+column_of<Row> point_column() {
+    return {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom",
+            [](const Row& r) { return read_cell(r.point.text); }};
 }
 
 /// The list a_0 .. a_N of a longer one.
@@ -70,26 +76,37 @@ power_series<T> cut(const power_series<T>& list, int order) {
     return power_series<T>({list.coefficients().begin(), list.coefficients().begin() + std::ptrdiff_t{order} + 1});
 }
 
-inline std::vector<column> answer_columns() {
-    auto all = joined({{"energy", "E, in units of m g l"},
-                       {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom"},
-                       {"order", "N, last power of t of the list"},
-                       {"method", "verdict, or the radius test"}},
-                      radius_columns());
-    all.push_back({"note", "why there is no radius, or what a reader should know"});
+/// An answer to one list.
+struct answer_row {
+    const sweep_energy& at;
+    const exact& point;
+    int order;
+    std::string method;
+    judged_radius found;
+    std::string note;
+};
+
+inline const column_list<answer_row>& answer_columns() {
+    using row = answer_row;
+    static const auto all = with_typed_energy<row>(joined(
+        joined<row>({energy_column<row>(),
+                     point_column<row>(),
+                     {"order", "N, last power of t of the list", [](const row& r) { return r.order; }},
+                     {"method", "verdict, or the radius test", [](const row& r) { return r.method; }}},
+                    columns_within(radius_columns(), &row::found)),
+        {{"note", "why there is no radius, or what a reader should know", [](const row& r) { return r.note; }}}));
     return all;
 }
 
 /// What the tests that are `shown` answer to the lists of these orders (the largest last), about one point of
-/// one motion: rows of answer_columns().
+/// one motion.
 template <class Shown>
-std::vector<std::vector<std::string>> answers_about(const sweep_energy& at, const exact& point,
-                                                    const std::vector<int>& orders, const scalar_spec& scalar,
-                                                    const Shown& shown) {
+table answers_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
+                    const scalar_spec& scalar, const Shown& shown) {
     const precision_scope scope(scalar.digits + digits_for_judging);
     const motion m = motion::of_energy(at.value);
     const mpfr truth = cover_from<mpfr>(m, point.coefficient).radius;
-    std::vector<std::vector<std::string>> all;
+    std::vector<answer_row> all;
     with_scalar(scalar, 0, [&]<class T>() {
         const auto list = series_on_descent<T>(m, point.coefficient, orders.back(), hidden_unit());
         for (const int order : orders) {
@@ -100,14 +117,13 @@ std::vector<std::vector<std::string>> answers_about(const sweep_energy& at, cons
                 if (shown(answer.method)) {
                     const auto found = in_unit(answer, list.unit);
                     const precision_scope judging(scalar.digits + digits_for_judging);
-                    all.push_back(joined({at.energy, point.text, std::to_string(order), found.method},
-                                         radius_cells(found, truth, scalar.digits)));
-                    all.back().push_back(found.note);
+                    all.push_back({at, point, order, found.method, judged(found, truth, scalar.digits), found.note});
                 }
             }
         }
     });
-    return all;
+    const precision_scope judging(scalar.digits + digits_for_judging);
+    return make_table(answer_columns(), all);
 }
 
 }  // namespace libration::studies

@@ -1,57 +1,16 @@
 // Can an unknown radius, and with it the optimal expansion point, be deduced from coefficients? [paper sec:conclusions]
 #include <algorithm>
-#include <iterator>
-#include <utility>
+#include <optional>
 
 #include "radius_cells.hpp"
 #include "run/parallel.hpp"
-#include "sweep/study.hpp"
-#include "text/input_error.hpp"
 
 namespace libration::studies {
 
 namespace radius_map_study {
 namespace {
 
-using rows = std::vector<std::vector<std::string>>;
-
 constexpr int least_order = 4;
-
-std::vector<column> columns() {
-    return joined(
-        {{"energy", "E, in units of m g l"},
-         {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom"},
-         {"order", "N, last power of t of the list"}},
-        joined(radius_columns(),
-               {{"position_re", "Re of the estimated nearest singularity, from the point, dimensionless time"},
-                {"position_im", "Im of it"},
-                {"position_error", "its distance from (1-x) T* + i K~', over R"},
-                {"log10_position_error", "log10 of position_error"},
-                {"kind", "of the singularity by the verdict: logarithm is right"},
-                {"count", "singularities on the circle by the verdict: 4 about the top and 2 elsewhere is right"},
-                {"rate", "max(x, 1-x) T*/radius: factor of the error on [0, T*] a power"},
-                {"tstar", "T*, dimensionless"},
-                {"height", "K~', dimensionless"},
-                {"gap", "2 - E"},
-                {"log10_gap", "log10 of |2 - E|"},
-                {"note", "which test decided, or why there is no radius"}}));
-}
-
-const std::vector<column>& optimum_columns() {
-    static const std::vector<column> all{
-        {"energy", "E, in units of m g l"},
-        {"order", "N, last power of t of the lists"},
-        {"points", "points whose list gave a radius"},
-        {"largest_radius_point", "fraction of T* about which the estimated radius is largest"},
-        {"largest_radius", "estimated there, dimensionless time"},
-        {"exact_largest_radius_point", "the same by the exact radii of these points; of all points it is 0, the top"},
-        {"least_rate_point", "fraction of T* about which the estimated max(x, 1-x) T*/R is least"},
-        {"least_rate", "estimated there"},
-        {"exact_least_rate_point", "the same by the exact radii of these points; of all points it is 1/2"},
-        {"gap", "2 - E"},
-    };
-    return all;
-}
 
 // The verdict on one list against what is exact, all in a precision that holds more digits than the verdict.
 struct judged_point {
@@ -76,31 +35,107 @@ std::vector<judged_point> judged_about(const motion& m, const exact& point, cons
     return all;
 }
 
-std::vector<std::string> row_of(const sweep_energy& at, int order, const judged_point& p, long digits) {
-    const auto text = [&](const mpfr& x) { return to_decimal(x, digits); };
-    std::vector<std::string> place(4);
+// A verdict with its place against the truth.
+struct map_row {
+    const sweep_energy& at;
+    const exact& point;
+    long digits;
+    int order;
+    judged_radius judged;
+    radius_estimate<mpfr> found;
+    descent_cover<mpfr> cover;
+    std::optional<mpfr> position_error;
+};
+
+map_row row_of(const sweep_energy& at, int order, const judged_point& p, long digits) {
+    std::optional<mpfr> error;
     if (p.found.position) {
-        const mpfr error =
-            modulus_of(*p.found.position - nearest_on_descent(p.cover, p.point.coefficient)) / p.cover.radius;
-        place = {text(p.found.position->re), text(p.found.position->im), to_decimal(error, digits_of_errors),
-                 log10_text(error)};
+        error = modulus_of(*p.found.position - nearest_on_descent(p.cover, p.point.coefficient)) / p.cover.radius;
     }
-    const bool answered = p.found.radius.has_value();
-    return joined(
-        joined(joined({at.energy, p.point.text, std::to_string(order)}, radius_cells(p.found, p.cover.radius, digits)),
-               place),
-        {answered ? name_of(p.found.kind) : "", answered ? std::to_string(p.found.count) : "",
-         answered ? text(mpfr(p.cover.reach / *p.found.radius)) : "", text(p.cover.effective_period),
-         text(p.cover.height), at.gap, log10_text(abs(from_rational<mpfr>(rational(2 - at.value)))), p.found.note});
+    return {at, p.point, digits, order, judged(p.found, p.cover.radius, digits), p.found, p.cover, error};
+}
+
+column_list<map_row> place_columns() {
+    using row = map_row;
+    return {
+        {"position_re", "Re of the estimated nearest singularity, from the point, dimensionless time",
+         [](const row& r) { return r.found.position ? decimal_cell(r.found.position->re, r.digits) : cell(); }},
+        {"position_im", "Im of it",
+         [](const row& r) { return r.found.position ? decimal_cell(r.found.position->im, r.digits) : cell(); }},
+        {"position_error", "its distance from (1-x) T* + i K~', over R",
+         [](const row& r) { return decimal_cell(r.position_error, digits_of_errors); }},
+        {"log10_position_error", "log10 of position_error", [](const row& r) { return log10_cell(r.position_error); }},
+        {"kind", "of the singularity by the verdict: logarithm is right",
+         [](const row& r) { return r.found.radius ? cell(name_of(r.found.kind)) : cell(); }},
+        {"count", "singularities on the circle by the verdict: 4 about the top and 2 elsewhere is right",
+         [](const row& r) { return r.found.radius ? cell(r.found.count) : cell(); }},
+        {"rate", "max(x, 1-x) T*/radius: factor of the error on [0, T*] a power",
+         [](const row& r) {
+             return r.found.radius ? decimal_cell(mpfr(r.cover.reach / *r.found.radius), r.digits) : cell();
+         }},
+        {"tstar", "T*, dimensionless", [](const row& r) { return decimal_cell(r.cover.effective_period, r.digits); }},
+        {"height", "K~', dimensionless", [](const row& r) { return decimal_cell(r.cover.height, r.digits); }},
+        gap_column<row>(),
+        log10_gap_column<row>(),
+        {"note", "which test decided, or why there is no radius", [](const row& r) { return r.found.note; }}};
+}
+
+const column_list<map_row>& columns() {
+    using row = map_row;
+    static const auto all = with_typed_energy<row>(
+        joined(joined<row>({energy_column<row>(),
+                            point_column<row>(),
+                            {"order", "N, last power of t of the list", [](const row& r) { return r.order; }}},
+                           columns_within(radius_columns(), &row::judged)),
+               place_columns()));
+    return all;
+}
+
+// The best points by the estimates, where there are any, and by the exact radii.
+struct optimum_row {
+    const sweep_energy& at;
+    long digits;
+    int order;
+    std::size_t seen;
+    const judged_point* widest;
+    const judged_point* fastest;
+    const exact& exactly_widest;
+    const exact& exactly_fastest;
+};
+
+const column_list<optimum_row>& optimum_columns() {
+    using row = optimum_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of t of the lists", [](const row& r) { return r.order; }},
+        {"points", "points whose list gave a radius", [](const row& r) { return r.seen; }},
+        {"largest_radius_point", "fraction of T* about which the estimated radius is largest",
+         [](const row& r) { return r.widest != nullptr ? read_cell(r.widest->point.text) : cell(); }},
+        {"largest_radius", "estimated there, dimensionless time",
+         [](const row& r) { return r.widest != nullptr ? decimal_cell(r.widest->found.radius, r.digits) : cell(); }},
+        {"exact_largest_radius_point", "the same by the exact radii of these points; of all points it is 0, the top",
+         [](const row& r) { return read_cell(r.exactly_widest.text); }},
+        {"least_rate_point", "fraction of T* about which the estimated max(x, 1-x) T*/R is least",
+         [](const row& r) { return r.fastest != nullptr ? read_cell(r.fastest->point.text) : cell(); }},
+        {"least_rate", "estimated there",
+         [](const row& r) {
+             return r.fastest != nullptr
+                        ? decimal_cell(mpfr(r.fastest->cover.reach / *r.fastest->found.radius), r.digits)
+                        : cell();
+         }},
+        {"exact_least_rate_point", "the same by the exact radii of these points; of all points it is 1/2",
+         [](const row& r) { return read_cell(r.exactly_fastest.text); }},
+        gap_column<row>(),
+    });
+    return all;
 }
 
 // The points of largest radius and of least rate, estimated and exact, for one order.
-std::vector<std::string> optimum_of(const sweep_energy& at, int order, const std::vector<judged_point>& points,
-                                    long digits) {
+optimum_row optimum_of(const sweep_energy& at, int order, const std::vector<judged_point>& points, long digits) {
     const auto by_radius = [](const auto& a, const auto& b) { return a.cover.radius < b.cover.radius; };
     const auto by_rate = [](const auto& a, const auto& b) { return a.cover.rate < b.cover.rate; };
-    const std::string exactly_widest = std::max_element(points.begin(), points.end(), by_radius)->point.text;
-    const std::string exactly_fastest = std::min_element(points.begin(), points.end(), by_rate)->point.text;
+    const exact& exactly_widest = std::max_element(points.begin(), points.end(), by_radius)->point;
+    const exact& exactly_fastest = std::min_element(points.begin(), points.end(), by_rate)->point;
     std::vector<const judged_point*> seen;
     seen.reserve(points.size());
     for (const judged_point& p : points) {
@@ -109,64 +144,45 @@ std::vector<std::string> optimum_of(const sweep_energy& at, int order, const std
         }
     }
     if (seen.empty()) {
-        return {at.energy, std::to_string(order), "0", "", "", exactly_widest, "", "", exactly_fastest, at.gap};
+        return {at, digits, order, 0, nullptr, nullptr, exactly_widest, exactly_fastest};
     }
     const auto best = [&](const auto& better) { return *std::min_element(seen.begin(), seen.end(), better); };
     const auto* widest = best([](auto* a, auto* b) { return *a->found.radius > *b->found.radius; });
     const auto* fastest =
         best([](auto* a, auto* b) { return a->cover.reach * *b->found.radius < b->cover.reach * *a->found.radius; });
-    return {at.energy,
-            std::to_string(order),
-            std::to_string(seen.size()),
-            widest->point.text,
-            to_decimal(*widest->found.radius, digits),
-            exactly_widest,
-            fastest->point.text,
-            to_decimal(mpfr(fastest->cover.reach / *fastest->found.radius), digits),
-            exactly_fastest,
-            at.gap};
+    return {at, digits, order, seen.size(), widest, fastest, exactly_widest, exactly_fastest};
 }
 
 // Both tables of one energy.
-std::pair<rows, rows> rows_at(const sweep_energy& at, const std::vector<exact>& points, const std::vector<int>& orders,
-                              const scalar_spec& scalar) {
+std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& points, const std::vector<int>& orders,
+                           const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + digits_for_judging);
     const motion m = motion::of_energy(at.value);
     std::vector<std::vector<judged_point>> by_order(orders.size());
-    std::pair<rows, rows> all;
+    std::vector<map_row> map;
+    std::vector<optimum_row> optimum;
     for (const exact& point : points) {
         const auto judged = judged_about(m, point, orders, scalar);
         for (std::size_t i = 0; i < orders.size(); ++i) {
-            all.first.push_back(row_of(at, orders[i], judged[i], scalar.digits));
+            map.push_back(row_of(at, orders[i], judged[i], scalar.digits));
             by_order[i].push_back(judged[i]);
         }
     }
     for (std::size_t i = 0; i < orders.size(); ++i) {
-        all.second.push_back(optimum_of(at, orders[i], by_order[i], scalar.digits));
+        optimum.push_back(optimum_of(at, orders[i], by_order[i], scalar.digits));
     }
-    return all;
+    return {make_table(columns(), map), make_table(optimum_columns(), optimum)};
 }
 
 std::vector<study_table> run(const study_request& request) {
-    refuse_limits(request.energies, "theta is constant and every radius infinite", "T* is infinite");
-    std::vector<int> orders = request.orders;
-    std::sort(orders.begin(), orders.end());
-    if (orders.front() < least_order) {
-        throw input_error("--orders", std::to_string(orders.front()), "is too short a list for a radius test",
-                          "write orders from " + std::to_string(least_order) + " on");
-    }
+    const pendulum_sweep sweep(request.values);
+    const std::vector<int> orders = sorted_orders(request, least_order, "is too short a list for a radius test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    progress shown("radius_map, energies", request.energies.size(), request.shown);
-    const auto found = parallel_map(request.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(request.energies[i], request.points, orders, scalar);
-    });
-    study_table map{"", scalar, {columns(), {}}};
-    study_table optimum{"optimum", scalar, {optimum_columns(), {}}};
-    for (const auto& [map_rows, optimum_rows] : found) {
-        map.data.rows.insert(map.data.rows.end(), map_rows.begin(), map_rows.end());
-        optimum.data.rows.insert(optimum.data.rows.end(), optimum_rows.begin(), optimum_rows.end());
-    }
-    return {std::move(map), std::move(optimum)};
+    progress shown("radius_map, energies", sweep.energies.size(), request.shown);
+    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return rows_at(sweep.energies[i], sweep.points, orders, scalar);
+    }));
+    return {{"", scalar, tables[0]}, {"optimum", scalar, tables[1]}};
 }
 
 }  // namespace
@@ -189,6 +205,7 @@ const study& radius_map() {
             "expansion point can be deduced numerically: the largest estimated radius is at the top and the least "
             "estimated rate half way at every energy from N = 60 (second table; from N = 20 the top is missed at E = "
             "1, where that list gives no verdict).",
+        .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.5,1,1.71,1.9998,2.02,3", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0:1:21", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
@@ -196,6 +213,7 @@ const study& radius_map() {
                        {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
         .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
         .seconds = 7,
+        .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .run = run};
     return result;
 }

@@ -57,10 +57,12 @@ std::map<std::string, rooms> order_of_rooms() {
         time = energy + rooms{"pendulum/time"}, solution = time + rooms{"pendulum/solution"},
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
         arc = taylor + rooms{"pendulum/arc"}, proofs = balls + rooms{"approximant/proved", "elliptic/proved"},
-        library = arc + proofs +
-                  rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
-        text = library + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
-        sweep = option + rooms{"src/sweep"}, command = sweep + rooms{"src/motion"};
+        pendulum = arc + proofs +
+                   rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
+        problem = ode + proofs + rooms{"problem"}, library = pendulum + problem + rooms{"problem/known"},
+        // What every study and command stands on knows no pendulum.
+        text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
+        sweep = option + rooms{"src/sweep"}, study = sweep + library, command = study + rooms{"src/motion"};
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
@@ -91,19 +93,21 @@ std::map<std::string, rooms> order_of_rooms() {
         {"pendulum/error", arc},
         {"pendulum/error/proved", arc + proofs + rooms{"pendulum/error"}},
         {"pendulum", arc + rooms{"pendulum/error", "pendulum/sampler"}},
+        {"problem", ode + proofs},
+        {"problem/known", pendulum + problem},
         {"library", library},
-        {"src/text", library},
+        {"src/text", problem},
         {"src/run", text},
         {"src/option", run},
         {"src/sweep", option},
-        {"src/claims", sweep},
-        {"src/motion", sweep},
+        {"src/claims", study},
+        {"src/motion", study},
         {"src/table", command},
-        {"src/verify", sweep},
+        {"src/verify", command},
         {"src/report", command + rooms{"src/claims", "src/table"}},
         {"src", command + rooms{"src/claims", "src/table", "src/verify", "src/report"}},
-        {"studies/problem", sweep},
-        {"studies/pendulum", sweep + rooms{"studies/problem"}},
+        {"studies/problem", study},
+        {"studies/pendulum", study + rooms{"studies/problem"}},
     };
 }
 
@@ -303,9 +307,12 @@ TEST_CASE("a crooked house is noticed", "[house]") {
                       convergence = "include/libration/convergence/radius_verdict.hpp",
                       elliptic = "include/libration/elliptic/jacobi.hpp",
                       pendulum = "include/libration/pendulum/energy/period.hpp", sweep = "src/sweep/study.hpp",
-                      study = "studies/problem/error_norm.cpp", command = "src/main.cpp";
-    const house straight{{scalar, ""},   {series, ""}, {approximant, ""}, {convergence, ""}, {elliptic, ""},
-                         {pendulum, ""}, {sweep, ""},  {study, ""},       {command, ""}};
+                      problem = "include/libration/problem/problem.hpp",
+                      known = "include/libration/problem/known/pendulum.hpp", study = "studies/problem/error_norm.cpp",
+                      command = "src/main.cpp";
+    const house straight{{scalar, ""},   {series, ""},   {approximant, ""}, {convergence, ""},
+                         {elliptic, ""}, {pendulum, ""}, {problem, ""},     {known, ""},
+                         {sweep, ""},    {study, ""},    {command, ""}};
     const auto complaints_if = [&](const std::string& from, const std::string& line) {
         auto crooked = straight;
         crooked[from] = "#pragma once\n" + line + "\n";
@@ -322,7 +329,9 @@ TEST_CASE("a crooked house is noticed", "[house]") {
                                        {elliptic, scalar},
                                        {pendulum, elliptic},
                                        {pendulum, convergence},
-                                       {sweep, pendulum},
+                                       {sweep, problem},
+                                       {problem, convergence},
+                                       {known, pendulum},
                                        {study, sweep},
                                        {study, pendulum},
                                        {command, sweep},
@@ -345,6 +354,13 @@ TEST_CASE("a crooked house is noticed", "[house]") {
             INFO(from << " -> " << to);
             CHECK(complaints_if(from, include(to)).size() == 1);
         }
+        for (const std::string& general : {std::string("src/text/table.hpp"), std::string("src/run/grid.hpp"),
+                                           std::string("src/option/options.hpp"), sweep}) {
+            INFO(general);
+            CHECK(complaints_if(general, include(pendulum)).size() == 1);
+            CHECK(complaints_if(general, include(known)).size() == 1);
+        }
+        CHECK(complaints_if(problem, include(pendulum)).size() == 1);
         CHECK(complaints_if(sweep, "  #  include \"../main.cpp\" // indented").size() == 1);
         CHECK(complaints_if(sweep, include(study).replace(10, 3, "../../")).size() == 1);
         CHECK(complaints_if(study, include(command).replace(10, 3, "../../")).size() == 1);

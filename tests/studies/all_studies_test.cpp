@@ -91,19 +91,19 @@ TEST_CASE("each study makes rectangular tables under the columns that it promise
         std::set<std::string> suffixes;
         for (const study_table& part : tables) {
             suffixes.insert(part.suffix);
-            const std::string header = to_csv({part.data.columns, {}});
+            const std::string header = to_csv(table(part.data.columns()));
             if (part.suffix.empty()) {
                 CHECK(header.starts_with(promised_columns(each->name)));
             }
             std::set<std::string> names;
-            for (const column& c : part.data.columns) {
+            for (const column& c : part.data.columns()) {
                 names.insert(c.name);
                 CHECK_FALSE(c.meaning.empty());
             }
-            CHECK(names.size() == part.data.columns.size());
-            CHECK_FALSE(part.data.rows.empty());
-            CHECK(std::all_of(part.data.rows.begin(), part.data.rows.end(),
-                              [&](const auto& row) { return row.size() == part.data.columns.size(); }));
+            CHECK(names.size() == part.data.columns().size());
+            CHECK_FALSE(part.data.rows().empty());
+            CHECK(std::all_of(part.data.rows().begin(), part.data.rows().end(),
+                              [&](const auto& row) { return row.size() == part.data.columns().size(); }));
         }
         CHECK(suffixes.size() == tables.size());  // each table has a file of its own
         CHECK(suffixes.contains(""));             // and one of them is NAME.csv, which the figure reads

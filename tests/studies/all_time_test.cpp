@@ -16,7 +16,7 @@ namespace {
 const study& all_time() { return study_of("all_time"); }
 
 std::vector<table_row> rows_for(const study_words& words, std::size_t table = 0) {
-    return csv_rows(to_csv(all_time().run(order_of(all_time(), words, 2).request).at(table).data));
+    return csv_rows(to_csv(tables_of(order_of(all_time(), words, 2)).at(table).data));
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ TEST_CASE("times are marked as those of the machine", "[studies][cost]") {
     REQUIRE(tables.size() == 2);
     CHECK_FALSE(tables[0].timed);
     CHECK(tables[1].timed);
-    CHECK(tables[0].data.rows.size() == 36);
-    CHECK(tables[1].data.rows.size() == 32);  // two energies and two orders: no arcsine in the second energy
+    CHECK(tables[0].data.rows().size() == 36);
+    CHECK(tables[1].data.rows().size() == 32);  // two energies and two orders: no arcsine in the second energy
     const precision_scope scope(30);
     for (const table_row& row : csv_rows(to_csv(tables[1].data))) {
         CHECK(number_of(row.at("seconds")) > 0);

@@ -1,5 +1,7 @@
 // The study error_norm: its norms against a search of our own with nothing but the reference tables and the sum over
 // separatrix solutions, and what theory says about them.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>
@@ -20,14 +22,17 @@ using words = std::vector<std::string>;
 const study& error_norm() { return study_of("error_norm"); }
 
 study_request asked(const words& energies, const words& gaps, const std::vector<int>& orders) {
+    const auto numbers = [](const auto& texts) {
+        std::vector<exact> values;
+        for (const auto& text : texts) {
+            values.push_back(read_exact(fmt::format("{}", text)));
+        }
+        return values;
+    };
     study_request request;
-    for (const std::string& energy : energies) {
-        request.energies.push_back(energy_from(read_exact(energy)));
-    }
-    for (const std::string& gap : gaps) {
-        request.energies.push_back(energy_from_gap(read_exact(gap)));
-    }
-    request.orders = orders;
+    request.values.set("energy", numbers(energies));
+    request.values.set("gap", numbers(gaps));
+    request.values.set("order", numbers(orders));
     request.jobs = 2;
     return request;
 }
@@ -320,15 +325,16 @@ TEST_CASE("one scalar asked for is one table without a suffix", "[studies][error
         const auto tables = error_norm().run(request);
         REQUIRE(tables.size() == 1);
         CHECK(tables.front().suffix.empty());
-        CHECK(tables.front().data.rows.size() == 2);
-        CHECK(tables.front().data.rows.front().at(5) == scalar);
+        CHECK(tables.front().data.rows().size() == 2);
+        CHECK(tables.front().data.rows().front().at(5).text() == scalar);
     }
 }
 
 TEST_CASE("E = 0 and E = 2 have no norm", "[studies][error_norm]") {
-    CHECK_THROWS_AS(error_norm().run(asked({"2"}, {}, {5})), libration::error);
-    CHECK_THROWS_AS(error_norm().run(asked({"1", "0"}, {}, {5})), libration::error);
-    CHECK_THROWS_WITH(error_norm().run(asked({}, {"0"}, {5})), Catch::Contains("energy 2"));
+    const auto refused = [](const study_words& words) { order_of(error_norm(), words, 1); };
+    CHECK_THROWS_AS(refused({{"--energies", "2"}}), libration::error);
+    CHECK_THROWS_AS(refused({{"--energies", "1,0"}}), libration::error);
+    CHECK_THROWS_WITH(refused({{"--gaps", "0"}}), Catch::Contains("energy 2"));
 }
 
 // /usr/bin/python3 -c "
@@ -346,7 +352,7 @@ TEST_CASE("E = 0 and E = 2 have no norm", "[studies][error_norm]") {
 TEST_CASE("the baseline is the march from (0, 2) against the closed solution", "[studies][error_norm]") {
     const precision_scope scope(60);
     study_request request = asked({"1"}, {}, {5});
-    request.step = read_exact("1/4");
+    request.values.set("step", {read_exact("1/4")});
     const auto rows = run(request).at("baseline");
     REQUIRE(rows.size() == 4);  // 25 = 100/4 is beyond t = 10
     CHECK(rows.at(0).at("step") == "2.5");
@@ -364,7 +370,7 @@ TEST_CASE("the baseline is the march from (0, 2) against the closed solution", "
               unit * 200 * exp(mpfr(10)));
         CHECK(number_of(row.at("norm_without_growth")) < number_of(row.at("norm")));
     }
-    request.step = read_exact("20");
+    request.values.set("step", {read_exact("20")});
     CHECK_THROWS_WITH(run(request), Catch::Contains("0 Runge-Kutta steps"));
 }
 

@@ -17,7 +17,7 @@ namespace {
 const study& surface() { return study_of("surface"); }
 
 std::vector<table_row> rows_for(const study_words& words) {
-    return csv_rows(to_csv(surface().run(order_of(surface(), words, 2).request).front().data));
+    return csv_rows(to_csv(tables_of(order_of(surface(), words, 2)).front().data));
 }
 
 }  // namespace

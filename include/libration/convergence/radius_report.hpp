@@ -22,31 +22,43 @@
 
 namespace libration {
 
-/// A test by name.
+/// What a test looks at.
+enum class radius_test_kind {
+    ratios,      ///< of successive coefficients, for one singularity
+    sizes,       ///< of the coefficients alone
+    pair,        ///< a conjugate pair of singularities
+    recurrence,  ///< a recurrence fitted to the coefficients
+};
+
+/// A test: how it is called, and how far it is trusted.
 template <rounding_scalar T>
 struct radius_test {
     std::string method;
     radius_estimate<T> (*run)(const strided_series<T>&);
+    radius_test_kind kind;
+    /// Whether a verdict may rest on it: its uncertainty follows the error also where its assumption is wrong.
+    bool may_decide = false;
     bool as_given = false;  ///< on all coefficients, zeros included, and not on the class that symmetry leaves
 };
 
 /// All tests, the simplest first.
 template <rounding_scalar T>
 std::vector<radius_test<T>> all_radius_tests() {
-    return {{"ratio", ratio_test<T>, true},
-            {"ratio-in-power", ratio_test_in_power<T>},
-            {"domb-sykes", domb_sykes<T>},
-            {"root", root_test<T>},
-            {"root-corrected", corrected_root_test<T>},
-            {"top-line", top_line_test<T>},
-            {"three-term", three_term_test<T>},
-            {"six-term", six_term_test<T>},
-            {"mercer-roberts", mercer_roberts<T>},
-            {"hunter-guerrieri", hunter_guerrieri<T>},
-            {"pole", pole_test<T>},
-            {"pole-of-derivative", pole_test_of_derivative<T>},
-            {"differential-approximant", differential_approximants<T>},
-            {"differential-approximant-2", second_order_approximants<T>}};
+    using enum radius_test_kind;
+    return {{"ratio", ratio_test<T>, ratios, false, true},
+            {"ratio-in-power", ratio_test_in_power<T>, ratios},
+            {"domb-sykes", domb_sykes<T>, ratios},
+            {"root", root_test<T>, sizes},
+            {"root-corrected", corrected_root_test<T>, sizes},
+            {"top-line", top_line_test<T>, sizes},
+            {"three-term", three_term_test<T>, pair},
+            {"six-term", six_term_test<T>, pair},
+            {"mercer-roberts", mercer_roberts<T>, pair},
+            {"hunter-guerrieri", hunter_guerrieri<T>, pair},
+            {"pole", pole_test<T>, recurrence, true},
+            {"pole-of-derivative", pole_test_of_derivative<T>, recurrence, true},
+            {"differential-approximant", differential_approximants<T>, recurrence, true},
+            {"differential-approximant-2", second_order_approximants<T>, recurrence, true}};
 }
 
 /// What a list of coefficients says.
@@ -98,6 +110,7 @@ radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
         }
         for (const auto& test : tests) {
             report.tests.push_back(test.run(test.as_given ? all : part));
+            report.tests.back().may_decide = test.may_decide;
         }
         report.verdict = verdict_of(report.tests, report.pattern);
     }

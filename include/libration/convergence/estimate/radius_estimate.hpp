@@ -36,8 +36,9 @@ struct radius_estimate {
     std::optional<T> exponent;                  ///< nu of (1 - x/x0)^nu there; 0 is a logarithm
     T exponent_uncertainty = T(0);
     singularity_kind kind = singularity_kind::unknown;
-    int count = 0;     ///< singularities on the circle of convergence; 0 where the test does not tell
-    std::string note;  ///< the reason for no radius, or what a reader should know
+    int count = 0;            ///< singularities on the circle of convergence; 0 where the test does not tell
+    std::string note;         ///< the reason for no radius, or what a reader should know
+    bool may_decide = false;  ///< its test is one whose uncertainty can be trusted (radius_test)
 };
 
 /// The answer of a test that does not apply.
@@ -72,6 +73,7 @@ radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
     result.kind = estimate.kind;
     result.count = estimate.count;
     result.note = estimate.note;
+    result.may_decide = estimate.may_decide;
     return result;
 }
 

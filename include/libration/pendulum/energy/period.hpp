@@ -1,6 +1,8 @@
 // The period T and the effective period T* of a motion [paper (T), (Tstar)], dimensionless.
 #pragma once
 
+#include <string_view>
+
 #include "libration/elliptic/complete_integral.hpp"
 #include "libration/elliptic/complete_integral_series.hpp"
 #include "libration/pendulum/energy/energy.hpp"
@@ -27,6 +29,11 @@ T effective_period_resummed(const orbit<T>& o, int order) {
 
 /// Ways to T*: the arithmetic-geometric mean, or a partial sum of (Kold) or (Knew) up to k^(2N).
 enum class period_method { agm, series, resummed };
+
+/// agm | series | resummed.
+constexpr std::string_view name_of(period_method method) {
+    return method == period_method::agm ? "agm" : method == period_method::series ? "series" : "resummed";
+}
 
 /// A way to T* with its order N, which the mean has no use for.
 struct period_rule {

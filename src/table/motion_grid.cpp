@@ -1,8 +1,8 @@
-#include "option/motion_grid.hpp"
+#include "table/motion_grid.hpp"
 
 #include <fmt/format.h>
 
-#include "option/options.hpp"
+#include "motion/motion_options.hpp"
 #include "run/grid.hpp"
 #include "text/input_error.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "libration/pendulum/motion/typed_motion.hpp"
+#include "libration/problem/known/pendulum.hpp"
 #include "option/option_words.hpp"
-#include "option/sweep_energy.hpp"
 
 namespace libration {
 
