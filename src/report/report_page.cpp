@@ -6,10 +6,10 @@
 #include <initializer_list>
 #include <set>
 
-#include "report/measured_text.hpp"
 #include "report/report.hpp"
 #include "run/provenance.hpp"
 #include "text/html.hpp"
+#include "text/measured_text.hpp"
 
 namespace libration {
 

@@ -49,7 +49,7 @@ struct study {
     std::string label;     ///< the figure of the paper that it regenerates (fig:surf), or empty
     std::string question;  ///< ends in a question mark
     /// How to read the figure and what it shows: whole sentences for a reader of the report. Numbers that were measured
-    /// stand in {{...}} and are taken from the tables (report/measured_text.hpp).
+    /// stand in {{...}} and are taken from the tables (text/measured_text.hpp).
     std::string reading;
     const problem* of = nullptr;  ///< whose axes it has, besides those of every study
     std::vector<study_parameter> parameters;

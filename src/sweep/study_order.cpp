@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <thread>
 
 #include "run/grid.hpp"
@@ -17,6 +18,7 @@ namespace {
 constexpr long largest_order = 100'000;
 constexpr long largest_digits = 10'000;
 constexpr const char* scalar_option = "--scalar";
+constexpr std::string_view typed_ending = "_typed";
 
 void require_digits(const exact& digits) {
     if (digits.coefficient < 1) {
@@ -159,21 +161,30 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
     }
 }
 
-// Whether a column says nothing but what another says: its cells are empty or the same.
-bool repeats(const table& data, std::size_t typed, std::size_t plain) {
-    return std::all_of(data.rows().begin(), data.rows().end(),
-                       [&](const table_row_cells& row) { return row[typed].is_empty() || row[typed] == row[plain]; });
+// The column that is called as this one is without _typed; none where there is none.
+std::optional<std::size_t> plain_of(const table& data, std::size_t typed) {
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        if (data.columns()[i].name + std::string(typed_ending) == data.columns()[typed].name) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+// Whether a column says nothing but what others say: its cells are empty, those of the other column, or, where there
+// is none, decimals, which were kept exactly.
+bool repeats(const table& data, std::size_t typed) {
+    const auto plain = plain_of(data, typed);
+    return std::all_of(data.rows().begin(), data.rows().end(), [&](const table_row_cells& row) {
+        const cell& said = row[typed];
+        return said.is_empty() || (plain ? said == row[*plain] : read_cell(said.text()).is_number());
+    });
 }
 
 table without_repeated_columns(const table& data) {
-    constexpr std::string_view typed = "_typed";
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < data.columns().size(); ++i) {
-        const std::string& name = data.columns()[i].name;
-        const auto plain = std::find_if(data.columns().begin(), data.columns().end(),
-                                        [&](const column& c) { return c.name + std::string(typed) == name; });
-        if (plain == data.columns().end() ||
-            !repeats(data, i, static_cast<std::size_t>(plain - data.columns().begin()))) {
+        if (!data.columns()[i].name.ends_with(typed_ending) || !repeats(data, i)) {
             kept.push_back(i);
         }
     }

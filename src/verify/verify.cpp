@@ -145,8 +145,6 @@ void judge_all(csv_records& records, const verify_columns& columns, const verify
     show_progress(0);
 }
 
-namespace {
-
 // A tolerance is a decimal or a fraction, so that judging compares with it exactly.
 rational tolerance_of(const std::string& option, const std::string& value) {
     const exact tolerance = positive_number_of(option, value);
@@ -155,8 +153,6 @@ rational tolerance_of(const std::string& option, const std::string& value) {
     }
     return tolerance.coefficient;
 }
-
-}  // namespace
 
 verify_rules rules_of(const verify_options& options) {
     verify_rules rules;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/problem/known/pendulum.hpp"
 #include "studies/study_rows.hpp"
 
 namespace studies_period_effect_test {

@@ -140,6 +140,11 @@ TEST_CASE("a column of what was typed that says nothing new is left out", "[swee
                                                {{"1", "1", "0.5", "1/2"}, {"2", "", "2", "2"}})}};
     };
     CHECK(to_csv(tables_of(order_of(what, {}, 1)).front().data) == "a,b,b_typed\n1,0.5,1/2\n2,2,2\n");
+    what.run = [](const study_request&) {  // decimals are exact in whatever was derived from them
+        return std::vector<study_table>{
+            {"", read_scalar("double"), table({{"a", ""}, {"b_typed", ""}, {"c_typed", ""}}, {{1, "1e-3", "1/3"}})}};
+    };
+    CHECK(to_csv(tables_of(order_of(what, {}, 1)).front().data) == "a,c_typed\n1,1/3\n");
 }
 
 TEST_CASE("a parameter that the study does not have is refused", "[sweep][study]") {

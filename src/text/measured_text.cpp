@@ -1,4 +1,4 @@
-#include "report/measured_text.hpp"
+#include "text/measured_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Numbers in prose come from tables, and every placeholder of a study finds its number in the published ones.
-#include "report/measured_text.hpp"
+#include "text/measured_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 #include "sweep/study.hpp"
 
-namespace report_measured_text_test {
+namespace text_measured_text_test {
 
 using namespace libration;
 using Catch::Contains;
@@ -69,4 +69,4 @@ TEST_CASE("every placeholder of a study finds its number in the published tables
     CHECK(measured >= 5);
 }
 
-}  // namespace report_measured_text_test
+}  // namespace text_measured_text_test
