@@ -15,7 +15,7 @@
 namespace libration::judging {
 
 /// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise
-/// rotation runs from pi to 0. At the working precision in force; throws std::domain_error at E = 2.
+/// rotation runs from pi to 0. At the working precision in force; throws error at E = 2.
 class way_down {
 public:
     explicit way_down(const motion& m)

@@ -29,11 +29,11 @@ constexpr long most_rows = 1'000'001;
 
 long read_power(const std::string& text) {
     long power = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
         throw error(error_kind::argument, "power", "", "is not a whole number");
     }
-    if (error != std::errc() || power < 0 || power > largest_power) {
+    if (problem != std::errc() || power < 0 || power > largest_power) {
         throw error(error_kind::argument, "power", "", fmt::format("is not between 0 and {}", largest_power));
     }
     return power;

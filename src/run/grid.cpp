@@ -99,8 +99,8 @@ std::vector<exact> read_range(const std::vector<std::string_view>& parts) {
     const bool logarithmic = parts[2].ends_with("log");
     const std::string_view digits = parts[2].substr(0, parts[2].size() - (logarithmic ? 3 : 0));
     long count = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    if (error != std::errc() || end != digits.data() + digits.size() || count < 1 || count > most_grid_values) {
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    if (problem != std::errc() || end != digits.data() + digits.size() || count < 1 || count > most_grid_values) {
         throw error(error_kind::argument, "list", "",
                     "has the count '" + std::string(parts[2]) + "', which is not between 1 and " +
                         std::to_string(most_grid_values));
@@ -135,11 +135,11 @@ std::vector<exact> read_grid(std::string_view text) {
 
 int read_count(std::string_view text, int largest) {
     long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
         throw error(error_kind::argument, "list", "", "is not a whole number");
     }
-    if (error != std::errc() || value < 0 || value > largest) {
+    if (problem != std::errc() || value < 0 || value > largest) {
         throw error(error_kind::argument, "list", "", "is not between 0 and " + std::to_string(largest));
     }
     return static_cast<int>(value);

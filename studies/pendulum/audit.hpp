@@ -127,7 +127,7 @@ inline std::vector<std::vector<std::string>> judged_rows(const audit_case& one, 
             judged_row(one, library, theta, reference, &received, condition)};
 }
 
-/// The table of an audit. Throws std::domain_error for E = 0 and E >= 2, where there is no k below 1.
+/// The table of an audit. Throws error for E = 0 and E >= 2, where there is no k below 1.
 inline std::vector<study_table> run_audit(const std::string& name, const std::string& library, const audited_peer& peer,
                                           const study_request& request) {
     refuse_limits(request.energies, "the motion is the constant 0", "the motion has no period");

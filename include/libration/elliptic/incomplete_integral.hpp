@@ -84,7 +84,7 @@ T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& cha
 
 /// F(phi, k) for any real phi, unwrapped: F(phi + pi) = F(phi) + 2K. A few units in the last place, given phi and the
 /// modulus as exact: sine and cosine are taken with twice the digits, for near odd multiples of pi/2 with k near 1 the
-/// cosine carries all of them. Throws std::domain_error at k = 1.
+/// cosine carries all of them. Throws error at k = 1.
 template <scalar T>
 T incomplete_integral(const T& phi, const modulus<T>& m) {
     using std::cos;

@@ -100,7 +100,7 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
 
 /// sn, cn, dn at any real u, given u and the modulus as exact: a few units in the last place each, times the condition
 /// |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' = 1e-100, K
-/// is 232). Throws std::domain_error at k = 1.
+/// is 232). Throws error at k = 1.
 template <scalar T>
 jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     const auto reduced = reduce_argument(u, m);

@@ -31,7 +31,7 @@ std::vector<jet<T>> numerical_solution(const jet<T>& start, const std::vector<T>
 }
 
 /// The same without a word on the way.
-/// Throws std::domain_error when a march takes more than runge_kutta_march::most_steps.
+/// Throws error when a march takes more than runge_kutta_march::most_steps.
 template <scalar T>
 std::vector<jet<T>> numerical_solution(const jet<T>& start, const std::vector<T>& times, const T& step) {
     return numerical_solution(start, times, step,

@@ -20,7 +20,7 @@ namespace libration {
 template <scalar T, class F>
 class periodic_extension {
 public:
-    /// Throws std::domain_error at E = 2.
+    /// Throws error at E = 2.
     periodic_extension(const motion& m, F on_descent, const period_rule& by = {})
         : motion_(m),
           timeline_(m, by),

@@ -23,7 +23,7 @@ struct descent {
 
 /// With the T* of a rule that is not exact, what is made of the descent is what the paper's formulas make with that T*:
 /// the resummation has theta* and omega* there, though the motion has them at another time.
-/// Throws std::domain_error at E = 2.
+/// Throws error at E = 2.
 template <scalar T>
 descent<T> descent_of(const motion& m, const period_rule& by = {}) {
     using std::atan2;

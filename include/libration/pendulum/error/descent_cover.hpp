@@ -46,7 +46,7 @@ int cover_sign(const motion& m, const rational& x, const singularity_lattice<T>&
     return decided_sign(widen(T(lattice.height * lattice.height - along)));
 }
 
-/// The cover from a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws std::domain_error at
+/// The cover from a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws error at
 /// E = 0 and 2.
 template <rounding_scalar T>
 descent_cover<T> cover_from(const motion& m, const rational& x) {

@@ -13,7 +13,7 @@ namespace libration {
 template <scalar T>
 class exact_descent {
 public:
-    /// Throws std::domain_error at E = 2.
+    /// Throws error at E = 2.
     exact_descent(const motion& canonical, const period_rule& by)
         : solution_(canonical),
           effective_period_(effective_period_by(by, orbit_of<T>(canonical))),
@@ -41,7 +41,7 @@ struct angle_pair {
 /// The largest error of theta at the times (p + i/points) T, i = 0 .. points, of the canonical motion of an energy,
 /// counterclockwise, whose descent is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T*
 /// errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations.
-/// Throws std::domain_error at E = 2.
+/// Throws error at E = 2.
 template <rounding_scalar T>
 angle_pair<T> folding_error(const rational& energy, const period_rule& by, const integer& periods, int points) {
     using std::abs;

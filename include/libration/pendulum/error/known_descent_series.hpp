@@ -11,7 +11,7 @@ namespace libration {
 
 /// theta about the fraction x of T* after the top, in dimensionless time: logarithms at (1-x) T* + i K~' and its mirror
 /// images, four about the top (at E = 1 in one power of t) and two elsewhere; about the bottom they lie on the
-/// imaginary axis. Throws std::domain_error at E = 0 and 2.
+/// imaginary axis. Throws error at E = 0 and 2.
 inline known_series<mpfr> known_descent_series(std::string name, const motion& m, const rational& x) {
     const auto expand = [m, x](int order) {
         const auto cover = cover_from<mpfr>(m, x);

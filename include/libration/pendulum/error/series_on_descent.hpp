@@ -20,7 +20,7 @@ struct descent_list {
 
 /// The list about the fraction x of T*, in a unit of `radii` radii of convergence; other than 1 it hides the radius
 /// from the tests. The coefficients come from the recurrence in more digits than T has, so that rounding them is their
-/// only noise. O(N^2) products. Throws std::domain_error at E = 0 and 2, std::invalid_argument for a negative order.
+/// only noise. O(N^2) products. Throws error at E = 0 and 2, error for a negative order.
 template <rounding_scalar T>
 descent_list<T> series_on_descent(const motion& m, const rational& x, int order, const rational& radii = 1) {
     constexpr long guard_digits = 25;

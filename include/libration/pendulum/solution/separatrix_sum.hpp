@@ -19,7 +19,7 @@ namespace libration {
 template <scalar T>
 class separatrix_sum {
 public:
-    /// Throws std::domain_error at E = 2 (where there is one column) and E = 0 (where they are infinitely many).
+    /// Throws error at E = 2 (where there is one column) and E = 0 (where they are infinitely many).
     explicit separatrix_sum(const motion& m) : motion_(m), timeline_(m) {
         const orbit<T> o = orbit_of<T>(m);
         effective_period_ = effective_period(o);

@@ -20,7 +20,7 @@ inline motion motion_from_bottom(const rational& energy) {
 template <scalar T>
 class bottom_series {
 public:
-    /// O(order^2). Throws std::invalid_argument for a negative order, std::domain_error at E = 2.
+    /// O(order^2). Throws error for a negative order, error at E = 2.
     bottom_series(const rational& energy, int order)
         : exact_(motion_from_bottom(energy)),
           effective_period_(libration::effective_period(orbit_of<T>(exact_.of()))),

@@ -6,7 +6,7 @@
 namespace libration {
 
 /// t sqrt(gravity/length): the typed time in units of sqrt(length/gravity), which are 1 where no units were given; T in
-/// it is the exact period. A few units in the last place. Throws std::domain_error for a multiple of T at E = 2.
+/// it is the exact period. A few units in the last place. Throws error for a multiple of T at E = 2.
 template <scalar T>
 T dimensionless_time(const motion& m, const exact& time) {
     if (time.measure != unit::period) {
@@ -19,7 +19,7 @@ T dimensionless_time(const motion& m, const exact& time) {
     return effective_period(orbit_of<T>(m)) * from_rational<T>(quarters);
 }
 
-/// t/T, exact where the time was typed as a multiple of T. Throws std::domain_error at E = 2.
+/// t/T, exact where the time was typed as a multiple of T. Throws error at E = 2.
 template <scalar T>
 T elapsed_periods(const motion& m, const exact& time) {
     if (time.measure == unit::period) {
