@@ -27,9 +27,10 @@ struct growing_digits {
     long last = 10'240;
     digit_growth by = digit_growth::twofold;
 
-    /// The growing digits of the run after one with so many; beyond `last` there is none.
+    /// The growing digits of the run after one with so many, one more at least; beyond `last` there is none.
     long after(long now) const {
-        return by == digit_growth::twofold ? 2 * now : by == digit_growth::by_half ? now + now / 2 : now + first;
+        const long more = by == digit_growth::twofold ? now : by == digit_growth::by_half ? now / 2 : first;
+        return now + std::max(more, 1L);
     }
 };
 
@@ -50,7 +51,7 @@ template <class Attempt>
 auto with_growing_precision(const growing_digits& digits, const std::string& subject, Attempt&& attempt) ->
     typename std::invoke_result_t<Attempt&, const precision_run&>::value_type {
     long used = digits.wanted + digits.first;
-    for (long more = digits.first; more > 0 && more <= digits.last; more = digits.after(more)) {
+    for (long more = digits.first; more <= digits.last; more = digits.after(more)) {
         used = digits.wanted + more;
         const precision_scope scope(used);
         try {
