@@ -128,7 +128,7 @@ claim infinite_period() {
                 mpfr smallest(10);
                 for (const char* gap : {"1e-10", "-1e-10", "1e-30", "-1e-30"}) {
                     const rational g = fraction(gap);
-                    const mpfr time = effective_period(orbit_of<mpfr>(motion::of_energy(rational(2 - g))));
+                    const mpfr time = effective_period(energy_level_of<mpfr>(motion::of_energy(rational(2 - g))));
                     const mpfr growth = log(32 / abs(from_rational<mpfr>(g))) / 2;
                     smallest = std::min(smallest, mpfr(time / growth));
                 }

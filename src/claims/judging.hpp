@@ -75,6 +75,6 @@ inline power_series<mpfr> printed_series(const jet<mpfr>& start, int order, cons
 }
 
 /// T*.
-inline mpfr effective_period_of(std::string_view energy) { return effective_period(orbit_of<mpfr>(of_energy(energy))); }
+inline mpfr effective_period_of(std::string_view energy) { return effective_period(energy_level_of<mpfr>(of_energy(energy))); }
 
 }  // namespace libration::judging

@@ -33,7 +33,7 @@ exact angle_of(const std::string& option, const std::string& value) {
 
 }  // namespace
 
-exact stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
+exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
     if (length.has_value() != gravity.has_value()) {
         throw input_error(length ? "--length '" + *length + "' comes without --gravity: give both or neither"
                                  : "--gravity '" + *gravity + "' comes without --length: give both or neither");
@@ -104,11 +104,10 @@ chosen_motion motion_options::by_energy() const {
     }
     const int sense = direction_of(direction_);
     const auto angle = theta0_ ? std::optional(angle_of("--theta0", *theta0_)) : std::nullopt;
-    const motion of =
-        angle ? reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
-                        [&] { return motion::of_energy_from(energy, *angle, sense); })
-              : reading(option, value, number_remedy, [&] { return motion::of_energy(energy, sense); });
-    return {.of = of.with_stiffness(stiffness()),
+    const motion of = angle ? reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
+                                      [&] { return motion::of_energy_from(energy, *angle, sense); })
+                            : reading(option, value, number_remedy, [&] { return motion::of_energy(energy, sense); });
+    return {.of = of.with_squared_frequency(squared_frequency()),
             .by_state = false,
             .option = option,
             .value = value,
@@ -132,7 +131,7 @@ chosen_motion motion_options::by_state() const {
     const exact angle = angle_of("--theta0", *theta0_);
     const exact speed = number_of("--omega0", *omega0_);
     motion of =
-        reading("--omega0", *omega0_, number_remedy, [&] { return motion::of_state(angle, speed, stiffness()); });
+        reading("--omega0", *omega0_, number_remedy, [&] { return motion::of_state(angle, speed, squared_frequency()); });
     std::optional<std::string> energy;
     std::optional<std::string> gap;
     if (of.energy()) {
@@ -210,7 +209,7 @@ std::vector<std::string> times_in_decimals(const motion& of, const std::vector<e
         }
         const auto value = [&](long guard) {
             const precision_scope scope(digits + guard);
-            const mpfr period = effective_period(orbit_of<mpfr>(of)) * quarters_per_period(of.regime());
+            const mpfr period = effective_period(energy_level_of<mpfr>(of)) * quarters_per_period(of.regime());
             const mpfr multiple = period * from_rational<mpfr>(time.periods()) * time_unit<mpfr>(of);
             return std::vector<mpfr>{multiple + from_exact<mpfr>(time.without_periods())};
         };

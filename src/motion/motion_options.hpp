@@ -26,7 +26,7 @@ struct chosen_motion {
 };
 
 /// gravity/length of --length and --gravity, 1 where neither is given. Throws input_error where one of them is.
-exact stiffness_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
+exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
 
 /// 1 or -1 of --direction + or -, 1 where it is not given. Throws input_error.
 int direction_of(const std::optional<std::string>& words);
@@ -41,7 +41,7 @@ public:
     std::optional<std::string> first_given() const;
     /// What was given for the option of this name, "--energy" say.
     const std::optional<std::string>& given(std::string_view option) const;
-    exact stiffness() const { return stiffness_of(length_, gravity_); }
+    exact squared_frequency() const { return squared_frequency_of(length_, gravity_); }
 
 private:
     chosen_motion choose() const;

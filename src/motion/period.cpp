@@ -76,7 +76,7 @@ template <class T>
 std::vector<wide_t<T>> period_values(const period_request& request) {
     const motion& m = request.chosen.of;
     const T seconds = time_unit<T>(m);
-    const T tstar = effective_period_by({request.method, request.order.value_or(0)}, orbit_of<T>(m)) * seconds;
+    const T tstar = effective_period_by({request.method, request.order.value_or(0)}, energy_level_of<T>(m)) * seconds;
     return {widen(T(tstar * quarters_per_period(m.regime()))), widen(tstar)};
 }
 
@@ -97,7 +97,7 @@ std::string error_of(const std::string& tstar, const period_request& request) {
     const motion& m = request.chosen.of;
     const auto difference = [&]<class T>() {
         const precision_scope more(request.numbers.digits + working_digits());
-        const T truth = effective_period(orbit_of<T>(m)) * time_unit<T>(m);
+        const T truth = effective_period(energy_level_of<T>(m)) * time_unit<T>(m);
         return std::vector<T>{abs(from_exact<T>(read_exact(tstar)) - truth)};
     };
     return printed_right(request.numbers.scalar, error_digits, difference).front().text;

@@ -61,8 +61,8 @@ std::vector<wide_t<T>> follow(const trajectory_request& request, const Function&
 }
 
 template <class T, class Function>
-std::vector<wide_t<T>> follow_extension(const trajectory_request& request, Function on_descent) {
-    return follow<T>(request, periodic_extension<T, Function>(request.chosen.of, std::move(on_descent)));
+std::vector<wide_t<T>> follow_extension(const trajectory_request& request, Function on_arc) {
+    return follow<T>(request, periodic_extension<T, Function>(request.chosen.of, std::move(on_arc)));
 }
 
 std::vector<ball> followed_exactly(const trajectory_request& request) {
@@ -109,9 +109,9 @@ std::vector<mpfr> follow_runge_kutta(const trajectory_request& request) {
     }
     progress shown("rk4, times", times.size());
     const jet<T> at_zero{start.theta, start.omega};
-    const auto states = numerical_solution(at_zero, times, step, [&](runge_kutta_march<T>& way, std::size_t i) {
+    const auto states = numerical_solution(at_zero, times, step, [&](runge_kutta_march<T>& arc, std::size_t i) {
         jet<T> state = reading("--times", request.times[i].text, "choose nearer times or a larger --step",
-                               [&] { return way.advance_to(times[i]); });
+                               [&] { return arc.advance_to(times[i]); });
         shown.step();
         return state;
     });
@@ -124,9 +124,9 @@ std::vector<wide_t<T>> values_in(const trajectory_request& request) {
     const motion& m = request.chosen.of;
     switch (request.method) {
         case trajectory_method::series:
-            return follow_extension<T>(request, series_from_top(descent_of<T>(m), request.order));
+            return follow_extension<T>(request, series_from_top(arc_of<T>(m), request.order));
         case trajectory_method::resummed:
-            return follow_extension<T>(request, resummation_from_top(descent_of<T>(m), request.order));
+            return follow_extension<T>(request, resummation_from_top(arc_of<T>(m), request.order));
         case trajectory_method::uniform:
             // Balls of the sum itself, without the bound of what it leaves out.
             if constexpr (proved_scalar<T>) {

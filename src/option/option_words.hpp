@@ -13,10 +13,10 @@ namespace libration {
 
 /// Words by option, in the order in which a command line says them. An object that was offered to a parser stays where
 /// it is.
-class said_words {
+class option_words {
 public:
-    said_words() = default;
-    said_words(std::initializer_list<std::pair<std::string, std::string>> words);
+    option_words() = default;
+    option_words(std::initializer_list<std::pair<std::string, std::string>> words);
 
     /// Adds an option such as "--times,--time" to a command; its words are then found under the first name.
     void offer(CLI::App& command, const std::string& names, const std::string& type_name, const std::string& help);

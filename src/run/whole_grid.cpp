@@ -60,13 +60,15 @@ private:
     if (!is_whole(values.front()) || !is_whole(values.back())) {
         throw error(error_kind::argument, "list", "", start + "whose ends are not whole numbers from 0 on");
     }
-    throw error(error_kind::argument, "list", "", start + "whose values are not whole; the nearest counts whose values are: " +
-                                whole_range(item, values).nearest_counts());
+    throw error(error_kind::argument, "list", "",
+                start + "whose values are not whole; the nearest counts whose values are: " +
+                    whole_range(item, values).nearest_counts());
 }
 
 void require_bound(const exact& value, long largest) {
     if (largest > 0 && value.coefficient > largest) {
-        throw error(error_kind::argument, "list", "", "has '" + value.text + "', which is not between 0 and " + std::to_string(largest));
+        throw error(error_kind::argument, "list", "",
+                    "has '" + value.text + "', which is not between 0 and " + std::to_string(largest));
     }
 }
 
@@ -93,7 +95,8 @@ std::vector<grid_item> read_whole_items(std::string_view text, long largest) {
             if (item.is_range) {
                 refuse_range(text.substr(begin, end - begin), item.values);
             }
-            throw error(error_kind::argument, "list", "", "has '" + item.values.front().text + "', which is not a whole number");
+            throw error(error_kind::argument, "list", "",
+                        "has '" + item.values.front().text + "', which is not a whole number");
         }
         for (const exact& value : item.values) {
             require_bound(value, largest);

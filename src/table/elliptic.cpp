@@ -13,7 +13,7 @@ namespace {
 struct elliptic_options {
     output_options output;
     std::string function;
-    said_words said;
+    option_words said;
     std::optional<std::string> digits;
 };
 

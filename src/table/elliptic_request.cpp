@@ -30,7 +30,7 @@ std::vector<exact> read_moduli(const std::string& option, const std::string& typ
     return moduli;
 }
 
-void read_parameters(elliptic_request& request, const said_words& said, elliptic_grid grid) {
+void read_parameters(elliptic_request& request, const option_words& said, elliptic_grid grid) {
     using make = exact_parameter (*)(const exact&);
     constexpr std::array<std::pair<const char*, make>, 3> ways{{{"--k", &exact_parameter::from_modulus},
                                                                 {"--m", &exact_parameter::from_parameter},
@@ -57,7 +57,7 @@ void read_parameters(elliptic_request& request, const said_words& said, elliptic
     }
 }
 
-void refuse_argument(const char* option, const said_words& said, const std::string& function, const char* remedy) {
+void refuse_argument(const char* option, const option_words& said, const std::string& function, const char* remedy) {
     if (said[option]) {
         throw input_error(option, *said[option], "has no meaning for " + function, remedy);
     }
@@ -66,7 +66,7 @@ void refuse_argument(const char* option, const said_words& said, const std::stri
 // The name of a function's argument; nothing for K.
 std::string argument_name(const std::string& function) { return function == "K" ? "" : function == "F" ? "phi" : "u"; }
 
-void read_arguments(elliptic_request& request, const said_words& said) {
+void read_arguments(elliptic_request& request, const option_words& said) {
     const std::string& function = request.functions.front();
     if (function == "K") {
         refuse_argument("--u", said, "K", "leave it out");
@@ -101,7 +101,7 @@ std::optional<jacobi_function> jacobi_of(const std::string& name) {
 
 }  // namespace
 
-void offer_elliptic(said_words& said, CLI::App& command) {
+void offer_elliptic(option_words& said, CLI::App& command) {
     const auto offer = [&](const char* option, const char* type_name, const char* help) {
         said.offer(command, option, type_name, help);
     };
@@ -114,7 +114,7 @@ void offer_elliptic(said_words& said, CLI::App& command) {
 
 bool is_elliptic_function(const std::string& name) { return jacobi_of(name) || name == "K" || name == "F"; }
 
-elliptic_request read_elliptic(const std::vector<std::string>& functions, const said_words& said, elliptic_grid grid) {
+elliptic_request read_elliptic(const std::vector<std::string>& functions, const option_words& said, elliptic_grid grid) {
     elliptic_request request{functions, "", {}, argument_name(functions.front()), {}};
     read_parameters(request, said, grid);
     read_arguments(request, said);
@@ -129,7 +129,7 @@ ball function_ball(const std::string& function, const exact& at, const exact_par
     const precision_scope wider(working_digits() + digits_before_point(at));
     const auto jacobi = jacobi_of(function);
     return jacobi            ? jacobi_value(*jacobi, at, p)
-           : function == "K" ? complete_integral(p.shape<ball>())
+           : function == "K" ? complete_integral(p.modulus<ball>())
                              : incomplete_value(at, p);
 }
 

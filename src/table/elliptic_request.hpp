@@ -28,7 +28,7 @@ struct elliptic_request {
 };
 
 /// --u, --phi, --k, --m, --m1.
-void offer_elliptic(said_words& said, CLI::App& command);
+void offer_elliptic(option_words& said, CLI::App& command);
 
 /// Whether a name is one of am, sn, cn, dn, K, F.
 bool is_elliptic_function(const std::string& name);
@@ -37,7 +37,7 @@ bool is_elliptic_function(const std::string& name);
 enum class elliptic_grid { one, lists };
 
 /// Reads what was said for functions that take the same argument. Throws input_error.
-elliptic_request read_elliptic(const std::vector<std::string>& functions, const said_words& said, elliptic_grid grid);
+elliptic_request read_elliptic(const std::vector<std::string>& functions, const option_words& said, elliptic_grid grid);
 
 /// The function as a ball, in the working precision and as many digits more as the argument has before its point.
 /// Throws precision_exhausted as jacobi_value does, and error where the function is infinite.

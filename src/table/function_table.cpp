@@ -123,7 +123,7 @@ std::vector<std::string> functions_of(const std::string& list) {
     return functions;
 }
 
-table function_table(const std::vector<std::string>& functions, const said_words& said, long digits, input_style style,
+table function_table(const std::vector<std::string>& functions, const option_words& said, long digits, input_style style,
                      int jobs) {
     const auto request = read_elliptic(functions, said, elliptic_grid::lists);
     const std::size_t cells = request.parameters.size() * request.arguments.size();

@@ -26,7 +26,7 @@ std::vector<exact> angles_of(const std::string& words) {
 }
 
 // The motions of one list of energies or gaps, from every angle where there are some.
-void add_by_energy(std::vector<grid_motion>& motions, const said_words& said, const std::string& option,
+void add_by_energy(std::vector<grid_motion>& motions, const option_words& said, const std::string& option,
                    const typed_motion& usual) {
     const bool by_gap = option == "--gaps";
     const std::string& words = *said[option];
@@ -57,7 +57,7 @@ void add_by_energy(std::vector<grid_motion>& motions, const said_words& said, co
     }
 }
 
-void add_by_state(std::vector<grid_motion>& motions, const said_words& said, const typed_motion& usual) {
+void add_by_state(std::vector<grid_motion>& motions, const option_words& said, const typed_motion& usual) {
     const std::string& speed_words = *said["--omega0"];
     const auto speeds = reading("--omega0", speed_words, speeds_remedy, [&] { return read_grid(speed_words); });
     for (const exact& angle : angles_of(*said["--theta0"])) {
@@ -71,7 +71,7 @@ void add_by_state(std::vector<grid_motion>& motions, const said_words& said, con
     }
 }
 
-void require_one_kind(const said_words& said) {
+void require_one_kind(const option_words& said) {
     const bool energetic = said["--energies"] || said["--gaps"];
     const auto& omega0 = said["--omega0"];
     if (energetic && omega0) {
@@ -93,7 +93,7 @@ void require_one_kind(const said_words& said) {
 
 }  // namespace
 
-void offer_motions(said_words& said, CLI::App& command) {
+void offer_motions(option_words& said, CLI::App& command) {
     const auto offer = [&](const char* names, const char* type_name, const char* help) {
         said.offer(command, names, type_name, help);
     };
@@ -107,11 +107,11 @@ void offer_motions(said_words& said, CLI::App& command) {
     offer("--times,--time", "LIST", "times: 0,1.5,T/4 or a range 0:T:9");
 }
 
-std::vector<grid_motion> motions_of(const said_words& said) {
+std::vector<grid_motion> motions_of(const option_words& said) {
     require_one_kind(said);
     typed_motion usual;
     usual.direction = direction_of(said["--direction"]);
-    usual.stiffness = stiffness_of(said["--length"], said["--gravity"]);
+    usual.squared_frequency = squared_frequency_of(said["--length"], said["--gravity"]);
     std::vector<grid_motion> motions;
     if (said["--omega0"]) {
         add_by_state(motions, said, usual);
@@ -124,7 +124,7 @@ std::vector<grid_motion> motions_of(const said_words& said) {
     return motions;
 }
 
-std::vector<exact> times_for(const std::vector<grid_motion>& motions, const said_words& said) {
+std::vector<exact> times_for(const std::vector<grid_motion>& motions, const option_words& said) {
     const auto& words = said["--times"];
     if (!words) {
         throw input_error("no times are given: add --times LIST");

@@ -18,14 +18,14 @@ struct grid_motion {
 };
 
 /// --energies, --gaps, --theta0, --omega0, --direction, --length, --gravity, --times.
-void offer_motions(said_words& said, CLI::App& command);
+void offer_motions(option_words& said, CLI::App& command);
 
 /// The motions in the order in which they were typed, --energies before --gaps, each from every angle where
 /// there are some. Throws input_error.
-std::vector<grid_motion> motions_of(const said_words& said);
+std::vector<grid_motion> motions_of(const option_words& said);
 
 /// The times. Throws input_error, also where one of the motions has no period that they are multiples of, and where
 /// they are too many.
-std::vector<exact> times_for(const std::vector<grid_motion>& motions, const said_words& said);
+std::vector<exact> times_for(const std::vector<grid_motion>& motions, const option_words& said);
 
 }  // namespace libration

@@ -59,7 +59,7 @@ private:
     std::map<long, conditioned_motion> made_;
 };
 
-std::vector<column> columns_of(const said_words& said, input_style style) {
+std::vector<column> columns_of(const option_words& said, input_style style) {
     const bool seconds = said["--length"].has_value();
     const std::string of_time = seconds ? "s" : "sqrt(l/g)";
     const std::string speed = seconds ? "rad/s" : "sqrt(g/l)";
@@ -99,7 +99,7 @@ std::vector<column> columns_of(const said_words& said, input_style style) {
 // What the rows of one motion share: the cells before the time, and those behind omega.
 class motion_rows {
 public:
-    motion_rows(const grid_motion& of, const said_words& said, long digits, input_style style)
+    motion_rows(const grid_motion& of, const option_words& said, long digits, input_style style)
         : of_(of), said_(said), digits_(digits), style_(style), states_(of.of, digits), conditions_(of) {}
 
     rows at(const exact* begin, const exact* end) {
@@ -177,7 +177,7 @@ private:
     }
 
     const grid_motion& of_;
-    const said_words& said_;
+    const option_words& said_;
     long digits_;
     input_style style_;
     proved_states states_;
@@ -195,7 +195,7 @@ std::string decimal_text(const exact& number, long digits) {
     return proved_value(digits, [&] { return from_exact<ball>(number); }).text;
 }
 
-table motion_table(const said_words& said, long digits, input_style style, int jobs) {
+table motion_table(const option_words& said, long digits, input_style style, int jobs) {
     const auto motions = motions_of(said);
     const auto times = times_for(motions, said);
     const std::size_t blocks = (times.size() + times_a_step - 1) / times_a_step;

@@ -24,6 +24,6 @@ std::string decimal_text(const exact& number, long digits);
 ///
 /// condition = (|t omega| + sum |x dtheta/dx|)/max(1, |theta|) over the numbers x that give the motion: what verify
 /// prints, by conditioned_motion, to three digits and heuristic; everything else is proved. Throws input_error.
-table motion_table(const said_words& said, long digits, input_style style, int jobs);
+table motion_table(const option_words& said, long digits, input_style style, int jobs);
 
 }  // namespace libration

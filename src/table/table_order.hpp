@@ -12,7 +12,7 @@ namespace libration {
 /// What was asked for: pendulum or a list of elliptic functions, and the words of their options.
 struct table_order {
     std::string what;
-    said_words said;
+    option_words said;
     long digits = 50;
 
     /// The command that asks for it, without --out and --jobs.

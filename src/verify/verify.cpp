@@ -173,7 +173,7 @@ verify_rules rules_of(const verify_options& options) {
     rules.inputs_are_doubles = options.inputs == "double";
     const auto given = [&](const char* name) { return options.motion.given(name).value_or(""); };
     rules.usual = {given("--theta0"), given("--omega0"), given("--gap"), given("--energy"), given("--direction")};
-    rules.stiffness = options.motion.stiffness();
+    rules.squared_frequency = options.motion.squared_frequency();
     const bool by_energy = !rules.usual.gap.empty() || !rules.usual.energy.empty();
     if (by_energy || (!rules.usual.theta0.empty() && !rules.usual.omega0.empty())) {
         options.motion.choose_for({scalar_kind::proved, 50});  // complains as every command does

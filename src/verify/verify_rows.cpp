@@ -199,7 +199,7 @@ row_judge::known_motion& row_judge::motion_for(const motion_cells& cells) {
     if (rules_.inputs_are_doubles) {
         typed = typed.in_double();
     }
-    typed.stiffness = rules_.stiffness;
+    typed.squared_frequency = rules_.squared_frequency;
     libration::motion exactly = typed.motion();
     known_.insert(known_.begin(), std::make_unique<known_motion>(known_motion{text, typed, std::move(exactly), {}}));
     known_.resize(std::min(known_.size(), most_known_motions));

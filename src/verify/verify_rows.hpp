@@ -46,7 +46,7 @@ struct verify_rules {
     std::optional<rational> ulps;
     bool inputs_are_doubles = false;
     motion_cells usual;  ///< what a row has not of a motion
-    exact stiffness = exactly(1);
+    exact squared_frequency = exactly(1);
 };
 
 enum class row_verdict { ok, miss, malformed };

@@ -6,7 +6,7 @@
 #include "../problem/sweep_columns.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/error/folding_error.hpp"
-#include "libration/pendulum/solution/rounded_clock.hpp"
+#include "libration/pendulum/solution/rounded_phase_map.hpp"
 #include "periodic_rows.hpp"
 #include "run/parallel.hpp"
 
@@ -103,21 +103,21 @@ template <fixed_scalar T>
 table reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const std::vector<integer>& periods) {
     constexpr int points = 64;
     const motion m = motion::of_energy(at.value);
-    const rounded_clock<T> rounded(m);
-    const timeline<T> typed(m);
+    const rounded_phase_map<T> rounded(m);
+    const phase_map<T> typed(m);
     std::vector<reduction_row> rows;
     const precision_scope of_rows(scalar.digits * 2 + guard_digits);
     for (const bool wide : {true, false}) {
         for (const integer& count : periods) {
             const long before_point = static_cast<long>(count.str().size());
             const auto worst = resolved(scalar.digits, 2 * before_point + 40, [&] {
-                const mpfr error = wide ? clock_error<T>(at.value, typed, count, points)
-                                        : clock_error<T>(at.value, rounded, count, points);
+                const mpfr error = wide ? phase_map_error<T>(at.value, typed, count, points)
+                                        : phase_map_error<T>(at.value, rounded, count, points);
                 return std::vector<judged>{{error, error, error, false}};
             });
             const precision_scope scope(scalar.digits * 2 + guard_digits);
             const mpfr& error = worst.front().error;
-            const mpfr bound = rounded_clock_bound<T>(at.value, count);
+            const mpfr bound = rounded_phase_map_bound<T>(at.value, count);
             rows.push_back({at, scalar, wide, count, error, wide ? std::nullopt : std::optional(bound)});
         }
     }

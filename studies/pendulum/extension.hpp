@@ -51,21 +51,21 @@ inline const column_list<extension_row>& extension_columns() {
 }
 
 /// What a value is equal to in exact arithmetic: both approximations at the top, the resummation at the bottom too.
-inline bool interpolates(descent_method method, const phase<mpfr>& at) {
+inline bool interpolates(arc_method method, const phase<mpfr>& at) {
     const bool top = quarter_of_four(at.quarter) % 2 != 0;
-    return at.side == 0 && (top || method == descent_method::resummed);
+    return at.side == 0 && (top || method == arc_method::resummed);
 }
 
-/// The extension of one function of the descent, in the arithmetic T, against the exact solution in the working
+/// The extension of one function of the fundamental arc, in the arithmetic T, against the exact solution in the working
 /// precision.
 template <class T, class F>
-std::vector<judged> follow(const motion& m, const std::vector<exact>& times, descent_method method,
+std::vector<judged> follow(const motion& m, const std::vector<exact>& times, arc_method method,
                            const periodic_extension<T, F>& extension, bool slope_at_top) {
     const exact_solution<mpfr> truth(m);
     std::vector<judged> values;
     values.reserve(times.size());
     for (const exact& time : times) {
-        const phase<mpfr> at = truth.clock().at(time);
+        const phase<mpfr> at = truth.phases().at(time);
         const pendulum_state<mpfr> expected = truth.at(at);
         const jet<T> found = extension(time);
         judged value{widen(found.value), widen(found.slope), mpfr(0), interpolates(method, at)};
@@ -81,17 +81,17 @@ std::vector<judged> follow(const motion& m, const std::vector<exact>& times, des
 }
 
 /// All times of one energy and order.
-inline std::vector<judged> extended(const motion& m, const std::vector<exact>& times, descent_method method, int order,
+inline std::vector<judged> extended(const motion& m, const std::vector<exact>& times, arc_method method, int order,
                                     const scalar_spec& scalar) {
     return resolved(scalar.digits, digits_below(m, order), [&] {
         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
-            const descent<T> way = descent_of<T>(m);
+            const fundamental_arc<T> arc = arc_of<T>(m);
             const bool slope_at_top = order >= 1;
-            if (method == descent_method::series) {
-                const auto f = series_from_top(way, order);
+            if (method == arc_method::series) {
+                const auto f = series_from_top(arc, order);
                 return follow<T>(m, times, method, periodic_extension<T, truncated_series<T>>(m, f), slope_at_top);
             }
-            const auto f = resummation_from_top(way, order);
+            const auto f = resummation_from_top(arc, order);
             return follow<T>(m, times, method, periodic_extension<T, endpoint_approximant<T>>(m, f), slope_at_top);
         });
     });
@@ -99,7 +99,7 @@ inline std::vector<judged> extended(const motion& m, const std::vector<exact>& t
 
 /// One study's tables at one energy: the approximations of all orders; the numerical solution; the exact one.
 inline std::vector<table> extension_at(const sweep_energy& energy, const pendulum_sweep& sweep,
-                                       const study_request& request, descent_method method, const scalar_spec& scalar) {
+                                       const study_request& request, arc_method method, const scalar_spec& scalar) {
     const motion m = motion::of_energy(energy.value);
     const auto curve = [&](std::optional<int> order, std::string_view name, const std::vector<time_cells>& at,
                            const std::vector<judged>& values, long digits) {
@@ -130,7 +130,7 @@ inline std::vector<table> extension_at(const sweep_energy& energy, const pendulu
 }
 
 /// The three tables of such a study.
-inline std::vector<study_table> run_extension(const std::string& name, descent_method method,
+inline std::vector<study_table> run_extension(const std::string& name, arc_method method,
                                               const study_request& request) {
     const pendulum_sweep sweep(request.values);
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));

@@ -20,11 +20,11 @@ inline std::vector<judged> folded(const motion& m, const std::vector<exact>& tim
         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
             const exact_solution<mpfr> truth(m);
             const periodic_extension<T, endpoint_approximant<T>> extension(
-                m, resummation_from_top(descent_of<T>(m, by), order), by);
+                m, resummation_from_top(arc_of<T>(m, by), order), by);
             std::vector<judged> values;
             values.reserve(times.size());
             for (const exact& time : times) {
-                const phase<mpfr> at = truth.clock().at(time);
+                const phase<mpfr> at = truth.phases().at(time);
                 const mpfr expected = truth.at(at).theta;
                 const jet<T> found = extension(time);
                 // The start, and with the exact T* every top and bottom, are exact.
@@ -43,8 +43,8 @@ inline judged period_by(const motion& m, const period_rule& by, const scalar_spe
                     [&] {
                         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
                             const int quarters = quarters_per_period(m.regime());
-                            const mpfr expected = effective_period(orbit_of<mpfr>(m)) * quarters;
-                            const mpfr period = widen(effective_period_by(by, orbit_of<T>(m))) * quarters;
+                            const mpfr expected = effective_period(energy_level_of<mpfr>(m)) * quarters;
+                            const mpfr period = widen(effective_period_by(by, energy_level_of<T>(m))) * quarters;
                             return std::vector<judged>{
                                 {period, period, abs(period - expected), by.method == period_method::agm}};
                         });

@@ -23,7 +23,7 @@ const study& libration_series() {
         .seconds = 0.4,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("libration_series", descent_method::series, request);
+            return run_extension("libration_series", arc_method::series, request);
         }};
     return result;
 }

@@ -26,7 +26,7 @@ const study& near_separatrix_resummed() {
         .seconds = 0.6,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("near_separatrix_resummed", descent_method::resummed, request);
+            return run_extension("near_separatrix_resummed", arc_method::resummed, request);
         }};
     return result;
 }

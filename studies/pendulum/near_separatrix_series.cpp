@@ -26,7 +26,7 @@ const study& near_separatrix_series() {
         .seconds = 0.6,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("near_separatrix_series", descent_method::series, request);
+            return run_extension("near_separatrix_series", arc_method::series, request);
         }};
     return result;
 }

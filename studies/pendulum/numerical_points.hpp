@@ -32,7 +32,7 @@ inline std::vector<judged> marched(const motion& m, const std::vector<exact>& ti
         std::vector<judged> values;
         values.reserve(times.size());
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const phase<mpfr> at = truth.clock().at(times[i]);
+            const phase<mpfr> at = truth.phases().at(times[i]);
             const mpfr theta = widen(states[i].value);
             values.push_back({theta, widen(states[i].slope), abs(theta - truth.at(at).theta), at.side == 0});
         }

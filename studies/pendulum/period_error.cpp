@@ -48,7 +48,7 @@ const column_list<sum_row>& columns() {
 
 // T* by the sum in the scalar, as a wide value.
 mpfr sum_in(const scalar_spec& scalar, long guard, const motion& m, const period_rule& rule) {
-    return with_scalar(scalar, guard, [&]<class T>() { return widen(effective_period_by(rule, orbit_of<T>(m))); });
+    return with_scalar(scalar, guard, [&]<class T>() { return widen(effective_period_by(rule, energy_level_of<T>(m))); });
 }
 
 table rows_at(const sweep_energy& at, const std::vector<int>& orders, const scalar_spec& scalar) {
@@ -56,7 +56,7 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const scal
     const int highest = orders.empty() ? 0 : *std::max_element(orders.begin(), orders.end());
     const long guard = period_digits_below(m, highest) + guard_digits;
     const precision_scope scope(scalar.digits + guard);
-    const orbit<mpfr> o = orbit_of<mpfr>(m);
+    const energy_level<mpfr> o = energy_level_of<mpfr>(m);
     const mpfr truth = effective_period(o);
     std::vector<sum_row> rows;
     rows.reserve(orders.size() * 2);

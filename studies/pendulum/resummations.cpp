@@ -4,7 +4,7 @@
 
 #include "../problem/sweep_columns.hpp"
 #include "libration/digits/growing_precision.hpp"
-#include "libration/pendulum/error/descent_approximations.hpp"
+#include "libration/pendulum/error/arc_approximations.hpp"
 #include "run/parallel.hpp"
 
 namespace libration::studies {
@@ -72,19 +72,19 @@ resummation_row row_of(const sweep_energy& at, approximation a, int count, const
             mpfr(found.place * bounds.effective_period),
             two_method,
             proved_norm(a, size, bounds),
-            rate_a_coefficient(a, bounds)};
+            convergence_rate(a, bounds)};
 }
 
 energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
     const motion m = motion::of_energy(at.value);
-    descent_errors errors(m);
+    arc_errors errors(m);
     energy_rows result{{}, mpfr(1)};
     for (const approximation a : all_approximations) {
         for (const int count : counts) {
             if (!size_for(a, count, errors.bounds().parity)) {
                 continue;
             }
-            with_approximation(a, m, errors.way(), count, [&](const auto& f) {
+            with_approximation(a, m, errors.arc(), count, [&](const auto& f) {
                 const norm_at<mpfr> found = errors.norm_of(f, 2 * count);
                 const mpfr other = errors.second_opinion_of(f, found.place);
                 const bool agreed =

@@ -21,7 +21,7 @@ const study& rotation_series() {
         .seconds = 0.4,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("rotation_series", descent_method::series, request);
+            return run_extension("rotation_series", arc_method::series, request);
         }};
     return result;
 }

@@ -147,7 +147,7 @@ const column_list<convergence_row>& convergence_columns() {
 
 convergence_row convergence_of(const plane& p, int order) {
     const auto found = stable_pade_poles(p.m, order, digits_of_logarithms);
-    const auto theta = theta_in_radii(descent_of<mpfr>(p.m), p.radius, order);
+    const auto theta = theta_in_radii(arc_of<mpfr>(p.m), p.radius, order);
     return {p.at,
             order,
             distance_from_first(found, p.lattice),

@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "../problem/sweep_columns.hpp"
-#include "libration/pendulum/arc/uniform_rate.hpp"
+#include "libration/pendulum/arc/uniform_convergence_rate.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
 #include "run/parallel.hpp"
@@ -63,13 +63,13 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
     for (const int count : counts) {
         const int order = 2 * count - parity;
         const precision_scope scope(uniform_digits_below(m, order) + 2 * printed_digits);
-        descent_errors errors(m);
+        arc_errors errors(m);
         const auto f = uniform_from_top<mpfr>(m, order);
         const norm_at<mpfr> found = errors.norm_of(f, order);
         const mpfr other = errors.second_opinion_of(f, found.place);
         const bool agreed = abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
         const mpfr bound = f.bounds().norm(order);
-        const mpfr rate = uniform_rate(errors.bounds(), 1);
+        const mpfr rate = uniform_convergence_rate(errors.bounds(), 1);
         const mpfr& effective_period = errors.bounds().effective_period;
         in_mpfr.push_back(
             {at, count, order, found.norm, mpfr(found.place * effective_period), "mpfr", agreed, bound, rate});

@@ -73,15 +73,15 @@ struct given {
 };
 
 given<mpfr> given_by(const motion& m, int order) {
-    const auto way = descent_of<mpfr>(m);
-    const parity of_theta = way.o.regime == regime::rotation ? parity::odd : parity::even;
+    const auto arc = arc_of<mpfr>(m);
+    const parity of_theta = arc.o.regime == regime::rotation ? parity::odd : parity::even;
     const auto lattice = *singularities<mpfr>(m);
-    const auto top = timeline<mpfr>::at_quarter(exact_solution<mpfr>::top_quarter(m));
-    return {{way.top, way.o.pair, of_theta},
+    const auto top = phase_map<mpfr>::at_quarter(exact_solution<mpfr>::top_quarter(m));
+    return {{arc.top, arc.o.pair, of_theta},
             lattice.radius(top),
             lattice.height,
-            descent_series(way, order),
-            descent_endpoint(way)};
+            arc_series(arc, order),
+            arc_endpoint(arc)};
 }
 
 // The same numbers in another arithmetic.

@@ -28,8 +28,8 @@ struct plotted {
 
 plotted plotted_list(const sweep_energy& at, const exact& point, int order) {
     motion m = motion::of_energy(at.value);
-    const mpfr radius = cover_from<mpfr>(m, point.coefficient).radius;
-    auto list = series_on_descent<mpfr>(m, point.coefficient, order).scaled;
+    const mpfr radius = coverage_from<mpfr>(m, point.coefficient).radius;
+    auto list = series_on_arc<mpfr>(m, point.coefficient, order).scaled;
     const auto zero = zeros_of(list, epsilon<mpfr>());
     for (int n = 0; n <= order; ++n) {
         list[n] = zero[static_cast<std::size_t>(n)] ? mpfr(0) : list[n];

@@ -17,15 +17,15 @@ namespace {
 constexpr long guard_digits = 15;
 
 // The bounds hold from the first omitted power 4, and from N = 1, on.
-std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, descent_method method, int order) {
-    if (method == descent_method::series) {
+std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, arc_method method, int order) {
+    if (method == arc_method::series) {
         return bounds.first_omitted(order) >= 4 ? std::optional(bounds.series_norm(order)) : std::nullopt;
     }
     return order >= 1 ? std::optional(bounds.resummation_norm(order)) : std::nullopt;
 }
 
 // Whether the second route finds the same norm to the digits printed.
-bool confirmed(const descent_errors& errors, descent_method method, int order, const norm_at<mpfr>& found,
+bool confirmed(const arc_errors& errors, arc_method method, int order, const norm_at<mpfr>& found,
                long digits) {
     const mpfr other = errors.second_opinion(method, order, found.place);
     return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
@@ -35,14 +35,14 @@ bool confirmed(const descent_errors& errors, descent_method method, int order, c
 struct asked_norm {
     const sweep_energy& at;
     int order;
-    descent_method method;
+    arc_method method;
 };
 
 // A norm and its time as they are printed.
 struct norm_row {
     const sweep_energy& at;
     int order;
-    descent_method method;
+    arc_method method;
     cell norm;
     cell time;
     std::string rigour;
@@ -90,7 +90,7 @@ std::vector<asked_norm> norms_at(const sweep_energy& at, const std::vector<int>&
     std::vector<asked_norm> cells;
     cells.reserve(2 * orders.size());
     for (const int order : orders) {
-        for (const auto method : {descent_method::series, descent_method::resummed}) {
+        for (const auto method : {arc_method::series, arc_method::resummed}) {
             cells.push_back({at, order, method});
         }
     }
@@ -114,7 +114,7 @@ table proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, con
     std::vector<cell> times;
     const auto norms = proved_decimals(scalar.digits, [&] {
         const precision_scope wider(working_digits() + below);
-        const proved_descent_errors errors(at.value);
+        const proved_arc_errors errors(at.value);
         times.clear();
         std::vector<ball> values;
         values.reserve(cells.size());
@@ -128,7 +128,7 @@ table proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, con
         return values;
     });
     const precision_scope scope(scalar.digits + guard_digits);
-    const auto bounds = top_bounds<mpfr>::of(orbit_of<mpfr>(m));
+    const auto bounds = top_bounds<mpfr>::of(energy_level_of<mpfr>(m));
     std::vector<norm_row> rows;
     rows.reserve(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -149,7 +149,7 @@ std::vector<table> rounded_rows_at(const sweep_energy& at, const std::vector<int
     }
     const long all_digits = digits + most_digits_below(m, orders) + guard_digits;
     const precision_scope scope(all_digits);
-    descent_errors errors(m);
+    arc_errors errors(m);
     std::vector<std::vector<norm_row>> rows(scalars.size());
     for (const asked_norm& here : norms_at(at, orders)) {
         norm_at<mpfr> found = errors.norm(here.method, here.order);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "libration/pendulum/error/descent_cover.hpp"
+#include "libration/pendulum/error/expansion_coverage.hpp"
 #include "run/parallel.hpp"
 #include "sweep_columns.hpp"
 
@@ -88,7 +88,7 @@ std::optional<mpfr> measured_rate(const std::vector<int>& orders, const std::vec
 long digits_below(const motion& m, const std::vector<exact>& points, int order) {
     long below = 0;
     for (const exact& point : points) {
-        below = std::max(below, cover_digits_below(m, point.coefficient, order));
+        below = std::max(below, coverage_digits_below(m, point.coefficient, order));
     }
     return below;
 }
@@ -99,13 +99,13 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& poi
     const motion m = motion::of_energy(at.value);
     const long below = digits_below(m, points, orders.back());
     const precision_scope scope(std::max(scalar.digits, digits_of_norms) + below + guard_digits);
-    cover_errors errors(m);
+    coverage_errors errors(m);
     std::vector<cover_row> covers;
     std::vector<norm_row> norm_rows;
     for (const exact& point : points) {
         const rational& x = point.coefficient;
         with_scalar(scalar, below + guard_digits, [&]<class T>() {
-            const auto cover = cover_from<T>(m, x);
+            const auto cover = coverage_from<T>(m, x);
             std::vector<mpfr> norms;
             norms.reserve(orders.size());
             for (const int order : orders) {
@@ -116,7 +116,7 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& poi
                 }
                 norm_rows.push_back({at, point, order, norms.back()});
             }
-            covers.push_back({at, point, scalar, widen(cover.radius), widen(cover.effective_period), widen(cover.rate),
+            covers.push_back({at, point, scalar, widen(cover.radius), widen(cover.effective_period), widen(cover.convergence_rate),
                               widen(cover.height), cover.covers, measured_rate(orders, norms)});
         });
     }

@@ -17,7 +17,7 @@ constexpr long guard_digits = 15;
 struct floor_row {
     const sweep_energy& at;
     int order;
-    descent_method method;
+    arc_method method;
     const scalar_spec& scalar;
     mpfr norm;
     mpfr exact_norm;
@@ -63,7 +63,7 @@ mpfr epsilon_of(const scalar_spec& scalar) {
     return with_scalar(scalar, 0, []<class T>() { return widen(epsilon<T>()); });
 }
 
-mpfr norm_in(const scalar_spec& scalar, descent_errors& errors, descent_method method, int order, const motion& m,
+mpfr norm_in(const scalar_spec& scalar, arc_errors& errors, arc_method method, int order, const motion& m,
              const mpfr& place) {
     switch (scalar.kind) {
         case scalar_kind::binary64: return errors.norm_in<double>(method, order, m, place).norm;
@@ -82,11 +82,11 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const std:
     const int highest = orders.empty() ? 0 : *std::max_element(orders.begin(), orders.end());
     // Both floors and exact norms are to have their printed digits.
     const precision_scope scope(std::max(digits, digits_below(m, highest)) + printed_digits + guard_digits);
-    descent_errors errors(m);
+    arc_errors errors(m);
     std::vector<floor_row> rows;
     rows.reserve(orders.size() * scalars.size() * 2);
     for (const int order : orders) {
-        for (const auto method : {descent_method::series, descent_method::resummed}) {
+        for (const auto method : {arc_method::series, arc_method::resummed}) {
             const norm_at<mpfr> exact = errors.norm(method, order);
             for (const scalar_spec& scalar : scalars) {
                 const mpfr norm = norm_in(scalar, errors, method, order, m, exact.place);

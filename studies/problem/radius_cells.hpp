@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "libration/convergence/radius_report.hpp"
-#include "libration/pendulum/error/series_on_descent.hpp"
+#include "libration/pendulum/error/series_on_arc.hpp"
 #include "sweep_columns.hpp"
 
 namespace libration::studies {
@@ -105,10 +105,10 @@ table answers_about(const sweep_energy& at, const exact& point, const std::vecto
                     const scalar_spec& scalar, const Shown& shown) {
     const precision_scope scope(scalar.digits + digits_for_judging);
     const motion m = motion::of_energy(at.value);
-    const mpfr truth = cover_from<mpfr>(m, point.coefficient).radius;
+    const mpfr truth = coverage_from<mpfr>(m, point.coefficient).radius;
     std::vector<answer_row> all;
     with_scalar(scalar, 0, [&]<class T>() {
-        const auto list = series_on_descent<T>(m, point.coefficient, orders.back(), hidden_unit());
+        const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit());
         for (const int order : orders) {
             const auto report = report_on_radius(cut(list.scaled, order), epsilon<T>());
             std::vector<radius_estimate<T>> answers{report.verdict};

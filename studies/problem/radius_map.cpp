@@ -15,7 +15,7 @@ constexpr int least_order = 4;
 // The verdict on one list against what is exact, all in a precision that holds more digits than the verdict.
 struct judged_point {
     const exact& point;
-    descent_cover<mpfr> cover;
+    expansion_coverage<mpfr> cover;
     radius_estimate<mpfr> found;
 };
 
@@ -25,11 +25,11 @@ std::vector<judged_point> judged_about(const motion& m, const exact& point, cons
     std::vector<judged_point> all;
     all.reserve(orders.size());
     with_scalar(scalar, 0, [&]<class T>() {
-        const auto list = series_on_descent<T>(m, point.coefficient, orders.back(), hidden_unit());
+        const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit());
         for (const int order : orders) {
             const auto verdict = in_unit(report_on_radius(cut(list.scaled, order), epsilon<T>()).verdict, list.unit);
             const precision_scope judging(scalar.digits + digits_for_judging);
-            all.push_back({point, cover_from<mpfr>(m, point.coefficient), widened(verdict)});
+            all.push_back({point, coverage_from<mpfr>(m, point.coefficient), widened(verdict)});
         }
     });
     return all;
@@ -43,14 +43,14 @@ struct map_row {
     int order;
     judged_radius judged;
     radius_estimate<mpfr> found;
-    descent_cover<mpfr> cover;
+    expansion_coverage<mpfr> cover;
     std::optional<mpfr> position_error;
 };
 
 map_row row_of(const sweep_energy& at, int order, const judged_point& p, long digits) {
     std::optional<mpfr> error;
     if (p.found.position) {
-        error = modulus_of(*p.found.position - nearest_on_descent(p.cover, p.point.coefficient)) / p.cover.radius;
+        error = modulus_of(*p.found.position - nearest_on_arc(p.cover, p.point.coefficient)) / p.cover.radius;
     }
     return {at, p.point, digits, order, judged(p.found, p.cover.radius, digits), p.found, p.cover, error};
 }
@@ -133,7 +133,7 @@ const column_list<optimum_row>& optimum_columns() {
 // The points of largest radius and of least rate, estimated and exact, for one order.
 optimum_row optimum_of(const sweep_energy& at, int order, const std::vector<judged_point>& points, long digits) {
     const auto by_radius = [](const auto& a, const auto& b) { return a.cover.radius < b.cover.radius; };
-    const auto by_rate = [](const auto& a, const auto& b) { return a.cover.rate < b.cover.rate; };
+    const auto by_rate = [](const auto& a, const auto& b) { return a.cover.convergence_rate < b.cover.convergence_rate; };
     const exact& exactly_widest = std::max_element(points.begin(), points.end(), by_radius)->point;
     const exact& exactly_fastest = std::min_element(points.begin(), points.end(), by_rate)->point;
     std::vector<const judged_point*> seen;

@@ -7,7 +7,7 @@
 #include "libration/convergence/known/known_series.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
-#include "libration/pendulum/error/known_descent_series.hpp"
+#include "libration/pendulum/error/known_arc_series.hpp"
 #include "run/parallel.hpp"
 #include "sweep_columns.hpp"
 
@@ -33,7 +33,7 @@ problem_list problems_of(const pendulum_sweep& sweep) {
     auto all = all_known_series<mpfr>();
     for (const sweep_energy& at : sweep.energies) {
         for (const exact& point : sweep.points) {
-            all.push_back(known_descent_series(label_of(at, point), motion::of_energy(at.value), point.coefficient));
+            all.push_back(known_arc_series(label_of(at, point), motion::of_energy(at.value), point.coefficient));
         }
     }
     return all;

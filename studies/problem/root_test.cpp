@@ -42,7 +42,7 @@ const column_list<root_row>& columns() {
         {"log10_corrected_error", "log10 of the size of corrected_error",
          [](const row& r) { return log10_cell(mpfr(r.corrected - 1)); }},
         {"amplitude", "A: twice the number of singularities on the circle; |a_n| is at most about A/n R^-n",
-         [](const row& r) { return 2 * nearest_count_on_descent(r.point.coefficient); }},
+         [](const row& r) { return 2 * nearest_count_on_arc(r.point.coefficient); }},
         gap_column<row>(),
     });
     return all;
@@ -59,8 +59,8 @@ bool by_size(const std::string& method) {
 table roots_of_list(const sweep_energy& at, const exact& point, int order, long digits) {
     const precision_scope scope(digits + guard_digits);
     const motion m = motion::of_energy(at.value);
-    const mpfr radius = cover_from<mpfr>(m, point.coefficient).radius;
-    const auto list = series_on_descent<mpfr>(m, point.coefficient, order).scaled;
+    const mpfr radius = coverage_from<mpfr>(m, point.coefficient).radius;
+    const auto list = series_on_arc<mpfr>(m, point.coefficient, order).scaled;
     const auto zero = zeros_of(list, epsilon<mpfr>());
     std::vector<root_row> all;
     for (int n = 1; n <= order; ++n) {

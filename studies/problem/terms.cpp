@@ -17,7 +17,7 @@ constexpr long printed_digits = 12;
 struct terms_row {
     const sweep_energy& at;
     int digits;
-    descent_method method;
+    arc_method method;
     least_order least;
     int terms;
     mpfr predicted;
@@ -51,19 +51,19 @@ const column_list<terms_row>& columns() {
 }
 
 // Coefficients that are not 0: every second one, and pi in rotation.
-int terms_of(const top_bounds<mpfr>& bounds, descent_method method, int order) {
+int terms_of(const top_bounds<mpfr>& bounds, arc_method method, int order) {
     const int of_series = bounds.parity == 0 ? order / 2 + 1 : (order + 1) / 2 + 1;
-    return of_series + (method == descent_method::resummed ? 2 : 0);
+    return of_series + (method == arc_method::resummed ? 2 : 0);
 }
 
 table rows_at(const sweep_energy& at, const std::vector<int>& falling) {
     const motion m = motion::of_energy(at.value);
     const precision_scope scope(working_digits_for(m, falling.front()) + printed_digits);
-    const descent_orders search(m, falling.front());
+    const arc_orders search(m, falling.front());
     const auto& bounds = search.bounds();
     std::vector<terms_row> rows;
     rows.reserve(falling.size() * 2);
-    for (const auto method : {descent_method::series, descent_method::resummed}) {
+    for (const auto method : {arc_method::series, arc_method::resummed}) {
         const auto found = search.least(method, falling);
         for (std::size_t i = 0; i < falling.size(); ++i) {
             rows.push_back({at, falling[i], method, found[i], terms_of(bounds, method, found[i].order),
@@ -76,9 +76,9 @@ table rows_at(const sweep_energy& at, const std::vector<int>& falling) {
 std::vector<int> falling_digits(std::vector<int> digits) {
     std::sort(digits.begin(), digits.end(), std::greater<>());
     digits.erase(std::unique(digits.begin(), digits.end()), digits.end());
-    if (!digits.empty() && digits.front() > descent_orders::most_digits) {
+    if (!digits.empty() && digits.front() > arc_orders::most_digits) {
         throw input_error("--digits", std::to_string(digits.front()), "is more than this search takes",
-                          "write at most " + std::to_string(descent_orders::most_digits));
+                          "write at most " + std::to_string(arc_orders::most_digits));
     }
     return digits;
 }

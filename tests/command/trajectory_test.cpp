@@ -132,7 +132,7 @@ TEST_CASE("the resummation at 401 times is as far from the motion as it says, an
         const motion m = motion::of_energy(read_exact(s.energy).coefficient, s.sign);
         const precision_scope scope(50);
         const mpfr largest = check_errors(rows, m);
-        const mpfr bound = top_bounds<mpfr>::of(orbit_of<mpfr>(m)).resummation_norm(20);
+        const mpfr bound = top_bounds<mpfr>::of(energy_level_of<mpfr>(m)).resummation_norm(20);
         CHECK(largest <= bound);
         CHECK(largest > bound / 10'000);  // an error of that order is there to be seen
     }
@@ -145,7 +145,7 @@ TEST_CASE("the series and the Runge-Kutta solution are as far from the motion as
         const motion m = motion::of_energy(read_exact(energy).coefficient);
         const words motion_words{"--energy", energy};
         const precision_scope scope(50);
-        const mpfr bound = top_bounds<mpfr>::of(orbit_of<mpfr>(m)).series_norm(10);
+        const mpfr bound = top_bounds<mpfr>::of(energy_level_of<mpfr>(m)).series_norm(10);
         const mpfr series =
             check_errors(trajectory_of(motion_words + times + words{"--method", "series", "--order", "10"}), m);
         CHECK(series <= bound);

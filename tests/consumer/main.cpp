@@ -7,6 +7,6 @@ int main() {
     using namespace libration;
     const precision_scope digits(60);
     const motion swing = motion::of_state(read_exact("90deg"), read_exact("0"));
-    std::cout << to_decimal(effective_period(orbit_of<mpfr>(swing)), 50) << '\n';
-    std::cout << to_decimal(effective_period(orbit_of<quad>(swing)), 30) << '\n';
+    std::cout << to_decimal(effective_period(energy_level_of<mpfr>(swing)), 50) << '\n';
+    std::cout << to_decimal(effective_period(energy_level_of<quad>(swing)), 30) << '\n';
 }

@@ -7,7 +7,7 @@ int main() {
     using namespace libration;
     const precision_scope digits(60);
     const motion swing = motion::of_state(read_exact("90deg"), read_exact("0"));
-    const auto period = to_proved_decimal(effective_period(orbit_of<ball>(swing)), 50);
+    const auto period = to_proved_decimal(effective_period(energy_level_of<ball>(swing)), 50);
     std::cout << (period ? period->text + " +/- " + period->uncertainty : "not proved") << '\n';
     return period ? 0 : 1;
 }

@@ -54,7 +54,7 @@ TEST_CASE("claim two_columns_are_the_motion: holds, what is left is |2-E|/8", "[
     // At the bottom of libration, where theta = 0, the two columns are 2 gd(2y) - pi = -2 atan(1/sinh 2y), and |2-E| is
     // 32 exp(-2y) there.
     const precision_scope precision(60);
-    const auto o = orbit_of<mpfr>(with_gap("1e-20"));
+    const auto o = energy_level_of<mpfr>(with_gap("1e-20"));
     const mpfr y = half_column_distance(o);
     CHECK(abs(atan(1 / sinh(y * 2)) * 2 / mpfr("1.25e-21") - 1) < mpfr("1e-3"));
 }

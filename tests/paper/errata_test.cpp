@@ -61,10 +61,10 @@ TEST_CASE("errata: the table of bounds over errors is right to its last digit", 
         INFO("E = " << energy << ", N = " << order);
         const motion m = with_energy(energy);
         const precision_scope precision(20 + digits_below(m, order));
-        descent_errors errors(m);
-        const mpfr series = errors.bounds().series_norm(order) / errors.norm(descent_method::series, order).norm;
+        arc_errors errors(m);
+        const mpfr series = errors.bounds().series_norm(order) / errors.norm(arc_method::series, order).norm;
         const mpfr resummed =
-            errors.bounds().resummation_norm(order) / errors.norm(descent_method::resummed, order).norm;
+            errors.bounds().resummation_norm(order) / errors.norm(arc_method::resummed, order).norm;
         CHECK(to_decimal(series, 3) == (*at)[3]);
         CHECK(to_decimal(resummed, 3) == (*at)[4]);
         ++rows;

@@ -18,7 +18,7 @@ using namespace libration::tests;
 namespace {
 
 struct comparison {
-    explicit comparison(const motion& m) : d(descent_of<mpfr>(m)), solution(m) {}
+    explicit comparison(const motion& m) : d(arc_of<mpfr>(m)), solution(m) {}
 
     jet<mpfr> truth(const mpfr& x) const {
         const auto s = solution.from_top(x);
@@ -32,7 +32,7 @@ struct comparison {
     mpfr series_norm(int order) const { return norm(series_from_top(d, order)); }
     mpfr resummed_norm(int order) const { return norm(resummation_from_top(d, order)); }
 
-    descent<mpfr> d;
+    fundamental_arc<mpfr> d;
     exact_solution<mpfr> solution;
 };
 

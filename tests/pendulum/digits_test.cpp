@@ -74,7 +74,7 @@ TEST_CASE("coefficients are those of the equation", "[pendulum][digits]") {
 
 TEST_CASE("the norm of order 0 of the series is the angle of release", "[pendulum][digits]") {
     // |theta - a_0| is largest at the bottom: a_0 = pi/2 for E = 1.
-    const auto norm = [](const auto& f) { return f({.energy = "1"}, descent_method::series, 0, 25); };
+    const auto norm = [](const auto& f) { return f({.energy = "1"}, arc_method::series, 0, 25); };
     check_both("1.570796326794896619231322", norm(rounded::error_norm), norm(proved::error_norm));
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("bad questions say which quantity is wrong", "[pendulum][digits]") {
     CHECK(refused([] { rounded::period({.energy = "1"}, 0); }).subject() == "number of digits");
     CHECK(refused([] { rounded::period({}, 20); }).subject() == "motion");
     CHECK(refused([] { rounded::period({.energy = "1", .gap = "1"}, 20); }).subject() == "gap");
-    CHECK(refused([] { proved::error_norm({.energy = "2"}, descent_method::series, 4, 20); }).subject() == "energy");
+    CHECK(refused([] { proved::error_norm({.energy = "2"}, arc_method::series, 4, 20); }).subject() == "energy");
     CHECK(refused([] { rounded::coefficient({.energy = "2"}, "top", 4, 20); }).subject() == "point");
 }
 

@@ -142,11 +142,11 @@ std::vector<power_series<T>> all_ways(const taylor_start<T>& start) {
 bool holds(const interval& a, const mpfr& x) { return mpfi_is_inside_fr(handle(x), a.backend().data()) != 0; }
 
 void check_enclosures(const std::vector<power_series<interval>>& found, const std::vector<power_series<mpfr>>& truth) {
-    for (std::size_t way = 0; way < found.size(); ++way) {
+    for (std::size_t arc = 0; arc < found.size(); ++arc) {
         for (int n = 1; n <= order; ++n) {
-            INFO("way " << way << ", degree " << n);
-            CHECK(holds(found[way][n], truth.front()[n]));
-            CHECK(width(found[way][n]) < pow(mpfr(10), -40));
+            INFO("way " << arc << ", degree " << n);
+            CHECK(holds(found[arc][n], truth.front()[n]));
+            CHECK(width(found[arc][n]) < pow(mpfr(10), -40));
         }
     }
 }
@@ -215,11 +215,11 @@ TEST_CASE("a dual number differentiates the pendulum's series by the angle at th
             quotients.push_back((above[n] - below[n]) / (h * 2));
         }
     }
-    for (std::size_t way = 0; way < found.size(); ++way) {
+    for (std::size_t arc = 0; arc < found.size(); ++arc) {
         for (int n = 0; n <= order; ++n) {
-            INFO("way " << way << ", degree " << n);
-            CHECK(abs(mpfr(found[way][n].value - plain[way][n])) < pow(mpfr(10), -46));  // mpfr fuses
-            CHECK(abs(mpfr(found[way][n].slope - quotients[static_cast<std::size_t>(n)])) < pow(mpfr(10), -44));
+            INFO("way " << arc << ", degree " << n);
+            CHECK(abs(mpfr(found[arc][n].value - plain[arc][n])) < pow(mpfr(10), -46));  // mpfr fuses
+            CHECK(abs(mpfr(found[arc][n].slope - quotients[static_cast<std::size_t>(n)])) < pow(mpfr(10), -44));
         }
     }
     // theta = theta0 + omega0 t - sin(theta0) t^2/2 - ..., in t/2.

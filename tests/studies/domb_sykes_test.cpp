@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/error/descent_cover.hpp"
+#include "libration/pendulum/error/expansion_coverage.hpp"
 #include "studies/study_rows.hpp"
 #include "text/input_error.hpp"
 
@@ -91,7 +91,7 @@ TEST_CASE("the answers about a point of every kind are judged by the exact radiu
     std::size_t verdicts = 0;
     for (const table_row& row :
          rows_under("intercepts", {{"--energies", "1,1.71"}, {"--orders", "12,50"}, {"--points", "0,1/2,1"}})) {
-        const auto cover = cover_from<mpfr>(motion::of_energy(read_exact(row.at("energy")).coefficient),
+        const auto cover = coverage_from<mpfr>(motion::of_energy(read_exact(row.at("energy")).coefficient),
                                             read_exact(row.at("point")).coefficient);
         CHECK_THAT(row.at("exact"), right_to_the_last_digit_of(cover.radius));
         CHECK(row.at("radius").empty() == row.at("relative_error").empty());

@@ -62,9 +62,9 @@ const tables_by_suffix& default_tables() {
 // The way from the top to the bottom at energies of the reference tables. Nothing here is of the library but its mpfr:
 // T* and R^2 = T*^2 + K~'^2 are read from motions.csv, the coefficients from coefficients.csv, and theta is
 // -+[2 gd(c r) + sum_{i>=1} (-+1)^i 4 atan(sinh(c r)/cosh(2 i c T*))], r = t - T*, c = pi/(2 K~') (DESIGN section 3).
-class tabulated_descent {
+class tabulated_arc {
 public:
-    explicit tabulated_descent(const std::string& energy)
+    explicit tabulated_arc(const std::string& energy)
         : rotates_(number_of(energy) > 2), energy_(number_of(energy)) {
         for (const table_row& row : reference_table("motions.csv")) {
             if (row.at("energy") == energy) {
@@ -179,16 +179,16 @@ largest search(const F& f, const mpfr& end) {
 TEST_CASE("the norms are those of a search over the reference tables", "[studies][error_norm]") {
     const precision_scope scope(80);
     for (const std::string energy : {"1.71", "2.02"}) {
-        const tabulated_descent way(energy);
+        const tabulated_arc arc(energy);
         for (const table_row& row : run_in("mpfr:50", asked({energy}, {}, {10, 21}))) {
             const int order = std::stoi(row.at("order"));
             const bool is_series = row.at("method") == "series";
             INFO("E = " << energy << ", N = " << order << ", " << row.at("method"));
             const largest found = search(
                 [&](const mpfr& t) {
-                    return mpfr((is_series ? way.series(order, t) : way.resummed(order, t)) - way.theta(t));
+                    return mpfr((is_series ? arc.series(order, t) : arc.resummed(order, t)) - arc.theta(t));
                 },
-                way.duration());
+                arc.duration());
             // The tables have 60 digits and the norms are above 1e-6. The place is off by 1e-20, and a maximum is a
             // tenth of a unit of time wide or more, which leaves (1e-19)^2 of the norm.
             const mpfr norm = number_of(row.at("norm"));

@@ -43,10 +43,10 @@ public:
         const complex_number<T> target{time, imaginary};
         bool arrived = false;
         while (!arrived) {
-            const complex_number<T> way = target - now_;
-            const bool real = way.im == 0 && state_.omega.im == 0 && state_.sine.im == 0 && state_.cosine.im == 0 &&
+            const complex_number<T> path = target - now_;
+            const bool real = path.im == 0 && state_.omega.im == 0 && state_.sine.im == 0 && state_.cosine.im == 0 &&
                               state_.theta.im == 0;
-            arrived = real ? step<T>(way) : step<complex_number<T>>(way);
+            arrived = real ? step<T>(path) : step<complex_number<T>>(path);
         }
         now_ = target;
         return state_;
@@ -56,12 +56,12 @@ private:
     // One step on the way, over the real numbers where everything is real, which saves three of four products. Whether
     // it was the last.
     template <field R>
-    bool step(const complex_number<T>& way) {
+    bool step(const complex_number<T>& path) {
         const auto series = expand<R>();
-        const T length = modulus_of(way);
+        const T length = modulus_of(path);
         const T longest = longest_step(series.omega);
         const bool last = !(longest < length);
-        const complex_number<T> part = last ? way : way * T(longest / length);
+        const complex_number<T> part = last ? path : path * T(longest / length);
         const auto value = [&](const power_series<R>& a) { return complex_of(evaluate_value(a, number_of<R>(part))); };
         state_ = {value(series.theta), value(series.omega), value(series.sine), value(series.cosine)};
         now_ = now_ + part;

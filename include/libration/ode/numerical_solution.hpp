@@ -35,7 +35,7 @@ std::vector<jet<T>> numerical_solution(const jet<T>& start, const std::vector<T>
 template <scalar T>
 std::vector<jet<T>> numerical_solution(const jet<T>& start, const std::vector<T>& times, const T& step) {
     return numerical_solution(start, times, step,
-                              [&](runge_kutta_march<T>& way, std::size_t i) { return way.advance_to(times[i]); });
+                              [&](runge_kutta_march<T>& march, std::size_t i) { return march.advance_to(times[i]); });
 }
 
 }  // namespace libration

@@ -33,6 +33,6 @@ rounded_decimal coefficient(const given_motion& motion, const std::string& point
 
 /// max |theta - approximation| on [0, T*] from the top, in radians, of the series or its resummation of order N [paper
 /// fig:error]; of a motion whose energy is rational and neither 0 nor 2.
-rounded_decimal error_norm(const given_motion& motion, descent_method method, int order, long digits);
+rounded_decimal error_norm(const given_motion& motion, arc_method method, int order, long digits);
 
 }  // namespace libration::rounded

@@ -7,16 +7,16 @@
 namespace libration {
 
 exact_parameter exact_parameter_of(const given_modulus& given) {
-    struct way {
+    struct arc {
         const char* name;
         const std::string& text;
         exact_parameter (*from)(const rational&);
     };
-    const std::array<way, 3> ways{way{"modulus k", given.k, &exact_parameter::from_modulus},
+    const std::array<arc, 3> ways{arc{"modulus k", given.k, &exact_parameter::from_modulus},
                                   {"parameter m", given.m, &exact_parameter::from_parameter},
                                   {"complementary parameter m1", given.m1, &exact_parameter::from_complement}};
-    const way* chosen = nullptr;
-    for (const way& each : ways) {
+    const arc* chosen = nullptr;
+    for (const arc& each : ways) {
         if (each.text.empty()) {
             continue;
         }

@@ -46,7 +46,7 @@ rounded_decimal quarters(const given_motion& given, int count, long digits) {
     constexpr int epsilons = 512;
     return bounded(digits, epsilons, [&] {
         const int factor = count == 0 ? quarters_per_period(m.regime()) : count;
-        return mpfr(effective_period(orbit_of<mpfr>(m)) * time_unit<mpfr>(m) * factor);
+        return mpfr(effective_period(energy_level_of<mpfr>(m)) * time_unit<mpfr>(m) * factor);
     });
 }
 
@@ -97,12 +97,12 @@ rounded_decimal coefficient(const given_motion& motion, const std::string& point
         [&] { return vanishing_at(m, at, n, n); });
 }
 
-rounded_decimal error_norm(const given_motion& motion, descent_method method, int order, long digits) {
+rounded_decimal error_norm(const given_motion& motion, arc_method method, int order, long digits) {
     const libration::motion m = libration::motion::of_energy(energy_of_norm(exact_motion(motion), order));
     const long below = digits_below(m, order);
     return agreed(digits, [&] {
         const precision_scope wider(working_digits() + below);
-        return descent_errors(m).norm(method, order).norm;
+        return arc_errors(m).norm(method, order).norm;
     });
 }
 

@@ -12,7 +12,7 @@ void refuse_both(const char* one, const std::string& value, const char* other) {
     throw error(error_kind::argument, one, value, std::string("comes together with the ") + other);
 }
 
-rational stiffness_of(const given_motion& given) {
+rational squared_frequency_of(const given_motion& given) {
     if (given.length.empty() != given.gravity.empty()) {
         throw error(error_kind::argument, given.length.empty() ? "gravity" : "length",
                     given.length.empty() ? given.gravity : given.length,
@@ -56,9 +56,9 @@ motion exact_motion(const given_motion& given) {
     if (energetic && !given.omega0.empty()) {
         refuse_both("omega0", given.omega0, given.gap.empty() ? "energy" : "gap");
     }
-    const rational stiffness = stiffness_of(given);
+    const rational squared_frequency = squared_frequency_of(given);
     if (energetic) {
-        return of_energy(given).with_stiffness(stiffness);
+        return of_energy(given).with_squared_frequency(squared_frequency);
     }
     if (given.theta0.empty() || given.omega0.empty()) {
         throw error(error_kind::argument, "motion", "", "needs an energy, a gap, or theta0 and omega0");
@@ -67,7 +67,7 @@ motion exact_motion(const given_motion& given) {
         refuse_both("direction", given.direction, "omega0, which has a sign of its own");
     }
     const rational omega0 = given_fraction("omega0", given.omega0);
-    return motion::of_state(given_angle("theta0", given.theta0), {omega0, unit::one, given.omega0}, stiffness);
+    return motion::of_state(given_angle("theta0", given.theta0), {omega0, unit::one, given.omega0}, squared_frequency);
 }
 
 }  // namespace libration

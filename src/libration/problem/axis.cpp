@@ -54,7 +54,8 @@ std::vector<int> axis_values::counts(const std::string& name) const {
 
 void require_plain_number(const exact& value) {
     if (value.measure != unit::one) {
-        throw error(error_kind::argument, "value", "", "has '" + value.text + "', which is not a decimal or a fraction");
+        throw error(error_kind::argument, "value", "",
+                    "has '" + value.text + "', which is not a decimal or a fraction");
     }
 }
 

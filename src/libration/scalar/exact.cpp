@@ -75,7 +75,8 @@ int sign_of_exact(const exact& number) {
 mpfr mpfr_from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<mpfr>(number.coefficient);
-        case unit::period: throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+        case unit::period:
+            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         case unit::expression: break;
         default: return from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
     }

@@ -198,7 +198,8 @@ std::optional<number_bounds> expression::bounds_of(const atom& a, long bits) {
         case atom_kind::one: return of_fraction(1);
         case atom_kind::pi: return of_pi();
         case atom_kind::degree: return product(of_pi(), of_fraction(rational(1, 180)));
-        case atom_kind::period: throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
+        case atom_kind::period:
+            throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
         default: break;
     }
     const bounds left = a.left.bounds_at(bits);

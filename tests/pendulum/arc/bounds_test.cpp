@@ -64,7 +64,7 @@ struct norm_ratios {
 norm_ratios ratios_at(const rational& energy) {
     const motion m = motion::of_energy(energy);
     const exact_solution<mpfr> solution(m);
-    const auto d = descent_of<mpfr>(m);
+    const auto d = arc_of<mpfr>(m);
     const auto bounds = top_bounds<mpfr>::of(d.o);
     norm_ratios result;
     for (const int order : {4, 5, 7, 10, 21, 40, 60}) {
@@ -102,9 +102,9 @@ TEST_CASE("away from E = 2 the bounds are within recorded factors of the errors"
 TEST_CASE("theorem A bounds the coefficients at random energies up to n = 200", "[bounds]") {
     const precision_scope precision(60);
     for (const auto& energy : random_energies()) {
-        const auto d = descent_of<mpfr>(motion::of_energy(energy));
+        const auto d = arc_of<mpfr>(motion::of_energy(energy));
         const auto bounds = top_bounds<mpfr>::of(d.o);
-        const auto a = rescale(descent_series(d, 200), mpfr(1 / bounds.rho));
+        const auto a = rescale(arc_series(d, 200), mpfr(1 / bounds.rho));
         INFO("E = " << energy);
         int violations = 0;
         for (int n = 4; n <= 200; ++n) {
@@ -123,7 +123,7 @@ TEMPLATE_LIST_TEST_CASE("the constants of the bounds are those of the theorems",
             continue;
         }
         INFO(row.at("energy") << row.at("gap") << " " << row.at("theta0") << " " << row.at("omega0"));
-        const auto bounds = top_bounds<T>::of(orbit_of<T>(motion_of(row)));
+        const auto bounds = top_bounds<T>::of(energy_level_of<T>(motion_of(row)));
         const T period = narrow<T>(decimal(row.at("tstar")).value);
         const T radius = narrow<T>(decimal(row.at("radius")).value);
         // The table has 60 digits, of which R^2 - T*^2 may cancel a few.
@@ -140,8 +140,8 @@ TEMPLATE_LIST_TEST_CASE("the constants of the bounds are those of the theorems",
 TEMPLATE_LIST_TEST_CASE("the first omitted power has the parity of the series", "[bounds]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    const auto swing = top_bounds<T>::of(orbit_of<T>(with_energy("1")));
-    const auto turn = top_bounds<T>::of(orbit_of<T>(with_energy("3")));
+    const auto swing = top_bounds<T>::of(energy_level_of<T>(with_energy("1")));
+    const auto turn = top_bounds<T>::of(energy_level_of<T>(with_energy("3")));
     CHECK(swing.first_omitted(4) == 6);
     CHECK(swing.first_omitted(5) == 6);
     CHECK(turn.first_omitted(4) == 5);
@@ -151,8 +151,8 @@ TEMPLATE_LIST_TEST_CASE("the first omitted power has the parity of the series", 
 TEMPLATE_LIST_TEST_CASE("below their domain the theorems say nothing", "[bounds]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    const auto swing = top_bounds<T>::of(orbit_of<T>(with_energy("1")));
-    const auto turn = top_bounds<T>::of(orbit_of<T>(with_energy("3")));
+    const auto swing = top_bounds<T>::of(energy_level_of<T>(with_energy("1")));
+    const auto turn = top_bounds<T>::of(energy_level_of<T>(with_energy("3")));
     CHECK_THROWS_AS(swing.coefficient(3), libration::error);
     CHECK_NOTHROW(swing.coefficient(4));
     CHECK_THROWS_AS(swing.series_norm(1), libration::error);  // the first omitted power is 2
@@ -161,7 +161,7 @@ TEMPLATE_LIST_TEST_CASE("below their domain the theorems say nothing", "[bounds]
     CHECK_NOTHROW(turn.series_norm(3));                       // 5
     CHECK_THROWS_AS(swing.resummation_norm(0), libration::error);
     CHECK_NOTHROW(swing.resummation_norm(1));
-    CHECK_THROWS_AS(top_bounds<T>::of(orbit_of<T>(with_energy("0"))), libration::error);
+    CHECK_THROWS_AS(top_bounds<T>::of(energy_level_of<T>(with_energy("0"))), libration::error);
 }
 
 }  // namespace pendulum_bounds_test

@@ -18,7 +18,7 @@ namespace {
 
 template <class T>
 periodic_extension<T, endpoint_approximant<T>> resummed(const motion& m, int order) {
-    return {m, resummation_from_top(descent_of<T>(m), order)};
+    return {m, resummation_from_top(arc_of<T>(m), order)};
 }
 
 // Motions whose resummation converges quickly: every regime with a period, direction, well and kind of start.
@@ -46,7 +46,7 @@ TEMPLATE_LIST_TEST_CASE("the extension is within bound A2 of the exact solution 
     std::uniform_int_distribution<int> hundredth(-5000, 5000);
     for (const auto& [name, m] : extended_motions()) {
         const exact_solution<T> solution(m);
-        const auto bounds = top_bounds<T>::of(orbit_of<T>(m));
+        const auto bounds = top_bounds<T>::of(energy_level_of<T>(m));
         for (const int order : {4, 15, 40}) {
             const auto extension = resummed<T>(m, order);
             for (int i = 0; i < 24; ++i) {
@@ -72,20 +72,20 @@ TEMPLATE_LIST_TEST_CASE("an extension of the exact descent is the exact solution
         if (!m.energy()) {
             continue;  // the canonical motion of the same energy is known where that is rational
         }
-        const exact_solution<T> descent(canonical);
-        const T period = effective_period(orbit_of<T>(m));
-        const auto on_descent = [&](const T& x) {
-            const auto s = descent.from_top(x);
+        const exact_solution<T> arc(canonical);
+        const T period = effective_period(energy_level_of<T>(m));
+        const auto on_arc = [&](const T& x) {
+            const auto s = arc.from_top(x);
             return jet<T>{s.theta, s.omega * period};
         };
-        const periodic_extension<T, decltype(on_descent)> extension(m, on_descent);
+        const periodic_extension<T, decltype(on_arc)> extension(m, on_arc);
         for (const std::string time :
              {"0", "T/8", "-T/8", "T/3", "-T/3", "T/4", "-3T/4", "3T/2", "0.7", "-13.5", "1e12"}) {
             INFO(name << " at " << time);
             const auto expected = solution(read_exact(time));
             const jet<T> at = extension(read_exact(time));
             CHECK_THAT(at.value, near<T>(expected.theta, 3, T(abs(expected.theta) + 1)));
-            CHECK_THAT(at.slope, near<T>(expected.omega, 3, T(2 * orbit_of<T>(m).rate)));
+            CHECK_THAT(at.slope, near<T>(expected.omega, 3, T(2 * energy_level_of<T>(m).time_scale)));
         }
     }
 }
@@ -164,8 +164,8 @@ TEMPLATE_LIST_TEST_CASE("with the T* of a rule the extension is the paper's with
         const bool rotates = energy == "2.02";
         const motion m = with_energy(energy);
         for (const period_rule& by : {period_rule{period_method::series, 3}, period_rule{period_method::resummed, 1}}) {
-            const T effective_period = effective_period_by(by, orbit_of<T>(m));
-            const auto f = resummation_from_top(descent_of<T>(m, by), 8);
+            const T effective_period = effective_period_by(by, energy_level_of<T>(m));
+            const auto f = resummation_from_top(arc_of<T>(m, by), 8);
             CHECK(f(T(1)).value == (rotates ? T(pi<T>() * 2) : T(0)));
             using extension = periodic_extension<T, endpoint_approximant<T>>;
             const extension from_top(m, f, by);

@@ -34,7 +34,7 @@ TEMPLATE_LIST_TEST_CASE("the descent goes from the top to the bottom of the exac
     const typename TestType::precision precision;
     for (const auto& energy : energies_tested) {
         INFO(energy);
-        const auto d = descent_of<T>(with_energy(energy));
+        const auto d = arc_of<T>(with_energy(energy));
         const exact_solution<T> solution(with_energy(energy));
         const auto top = solution.from_top(T(0));
         const auto bottom = solution.from_top(T(1));
@@ -44,7 +44,7 @@ TEMPLATE_LIST_TEST_CASE("the descent goes from the top to the bottom of the exac
         CHECK_THAT(d.bottom.slope, near<T>(bottom.omega, 2));
         CHECK((d.bottom.slope < 0) == (fraction(energy) < 2));  // the bob of libration falls towards smaller angles
     }
-    CHECK_THROWS_AS(descent_of<T>(with_energy("2")), libration::error);
+    CHECK_THROWS_AS(arc_of<T>(with_energy("2")), libration::error);
 }
 
 TEMPLATE_LIST_TEST_CASE("theta_N has the value and the slope of theta at T*, whatever N", "[resummation]",
@@ -52,7 +52,7 @@ TEMPLATE_LIST_TEST_CASE("theta_N has the value and the slope of theta at T*, wha
     using T = typename TestType::type;
     const typename TestType::precision precision;
     for (const auto& energy : energies_tested) {
-        const auto d = descent_of<T>(with_energy(energy));
+        const auto d = arc_of<T>(with_energy(energy));
         for (const int order : {0, 1, 2, 5, 20, 41}) {
             INFO("E = " << energy << ", N = " << order);
             const jet<T> end = resummation_from_top(d, order)(T(1));
@@ -69,7 +69,7 @@ TEMPLATE_LIST_TEST_CASE("theta_N does not have the second derivative of theta at
     using std::abs;
     // theta'' = -sin theta* = 0; that of theta_N is twice the inner series at 1 (paper: "up to the 2nd derivative").
     for (const std::string energy : {"1.71", "2.02"}) {
-        const auto d = descent_of<T>(with_energy(energy));
+        const auto d = arc_of<T>(with_energy(energy));
         for (const int order : {2, 5, 20}) {
             const T second = evaluate(resummation_from_top(d, order).inner(), T(1)).value * 2;
             INFO("E = " << energy << ", N = " << order);
@@ -82,9 +82,9 @@ TEMPLATE_LIST_TEST_CASE("theta_N starts with the coefficients of the series", "[
     using T = typename TestType::type;
     const typename TestType::precision precision;
     for (const auto& energy : energies_tested) {
-        const auto d = descent_of<T>(with_energy(energy));
+        const auto d = arc_of<T>(with_energy(energy));
         for (const int order : {3, 20}) {
-            const auto a = descent_series(d, order);
+            const auto a = arc_series(d, order);
             // theta* + omega* T* (x-1) + (1-x)^2 sum h_n x^n, expanded by Cauchy products.
             auto polynomial = power_series<T>::zero(order);
             polynomial[0] = d.bottom.value - d.bottom.slope * d.effective_period;
@@ -111,9 +111,9 @@ TEMPLATE_LIST_TEST_CASE("theta_N in the form of the appendix has the alpha and b
     for (const auto& energy : energies_tested) {
         for (const int order : {2, 7, 20}) {
             INFO("E = " << energy << ", N = " << order);
-            const auto d = descent_of<T>(with_energy(energy));
-            const auto a = descent_series(d, order);
-            const auto corrected = endpoint_corrected(a, descent_endpoint(d));
+            const auto d = arc_of<T>(with_energy(energy));
+            const auto a = arc_series(d, order);
+            const auto corrected = endpoint_corrected(a, arc_endpoint(d));
             REQUIRE(corrected.order() == order + 2);
             // (efficient) in t, with sigma_N - theta* for the printed sigma_N.
             const T period = d.effective_period;
@@ -137,9 +137,9 @@ TEMPLATE_LIST_TEST_CASE("the ahat_n in t are the convolution of the paper", "[re
     const typename TestType::precision precision;
     for (const auto& energy : energies_tested) {
         const int order = 12;
-        const auto d = descent_of<T>(with_energy(energy));
+        const auto d = arc_of<T>(with_energy(energy));
         const T period = d.effective_period;
-        auto b = rescale(descent_series(d, order), T(1 / period));
+        auto b = rescale(arc_series(d, order), T(1 / period));
         b[0] += -d.bottom.value + period * d.bottom.slope;  // (b), with theta*
         b[1] -= d.bottom.slope;
         const auto inner = resummation_from_top(d, order).inner();
@@ -160,7 +160,7 @@ TEMPLATE_LIST_TEST_CASE("series and resummation converge to the exact solution",
     using T = typename TestType::type;
     const typename TestType::precision precision;
     for (const std::string energy : {"0.5", "1.71", "2.1", "10"}) {
-        const auto d = descent_of<T>(with_energy(energy));
+        const auto d = arc_of<T>(with_energy(energy));
         const exact_solution<T> solution(with_energy(energy));
         // rho = T*/R is below 0.89 here, and 0.89^2300 below 1e-116.
         const int order = digits<T>() * 6 + 100;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libration/pendulum/arc/periodic_extension.hpp"
-#include "libration/pendulum/arc/uniform_rate.hpp"
+#include "libration/pendulum/arc/uniform_convergence_rate.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 #include "pendulum/typed.hpp"
@@ -30,10 +30,10 @@ jet<mpfr> exact_at(const exact_solution<mpfr>& solution, const mpfr& effective_p
 constexpr int points = 16;
 
 // The same at the sixteenths of T*.
-std::vector<jet<mpfr>> exact_descent(const motion& m, long digits) {
+std::vector<jet<mpfr>> exact_arc(const motion& m, long digits) {
     const precision_scope scope(digits);
     const exact_solution<mpfr> solution(m);
-    const mpfr period = effective_period(orbit_of<mpfr>(m));
+    const mpfr period = effective_period(energy_level_of<mpfr>(m));
     std::vector<jet<mpfr>> all;
     all.reserve(points + 1);
     for (int i = 0; i <= points; ++i) {
@@ -55,7 +55,7 @@ TEMPLATE_LIST_TEST_CASE("at every energy theta is right to its rounding and the 
             const auto uniform = uniform_from_top<T>(m, order, columns);
             const mpfr bound = widen(uniform.bounds().norm(order));
             const mpfr slope_bound = widen(uniform.bounds().remainder(order, T(1)).slope);
-            const std::vector<jet<mpfr>> truth = exact_descent(m, decimal_digits(digits<T>()) + 130);
+            const std::vector<jet<mpfr>> truth = exact_arc(m, decimal_digits(digits<T>()) + 130);
             const mpfr fastest = abs(truth.back().slope);
             for (int i = 0; i <= points; ++i) {
                 const jet<T> at = uniform(T(i) / points);
@@ -96,7 +96,7 @@ TEST_CASE("proved: theta and its slope lie in the balls, at any order", "[unifor
                 const jet<ball> at = uniform(ball(i) / 4);
                 const precision_scope more(170);
                 const jet<mpfr> exact =
-                    exact_at(exact_solution<mpfr>(m), effective_period(orbit_of<mpfr>(m)), mpfr(i) / 4);
+                    exact_at(exact_solution<mpfr>(m), effective_period(energy_level_of<mpfr>(m)), mpfr(i) / 4);
                 CHECK(contains(at.value, ball(exact.value)));
                 CHECK(contains(at.slope, ball(exact.slope)));
                 if (order == 110) {
@@ -116,7 +116,7 @@ TEST_CASE("theorem U bounds the errors of value and slope, down to a factor of 1
     mpfr closest_slope(0);
     for (const auto& [name, m] : canonical_motions()) {
         const exact_solution<mpfr> solution(m);
-        const mpfr period = effective_period(orbit_of<mpfr>(m));
+        const mpfr period = effective_period(energy_level_of<mpfr>(m));
         for (const int order : {1, 2, 5, 8, 16, 31, 32, 60}) {
             const auto uniform = uniform_from_top<mpfr>(m, order);
             for (const mpfr& x : {mpfr(mpfr(1) / 3), mpfr(mpfr(4) / 5), mpfr(1)}) {
@@ -145,7 +145,7 @@ TEMPLATE_LIST_TEST_CASE("extended to all times it is the sum over all columns", 
         const int order = 2 * static_cast<int>(decimal_digits(digits<T>())) + 4;  // 3^-N is below epsilon
         const periodic_extension<T, uniform_resummation<T>> extended(m, uniform_from_top<T>(m, order));
         const separatrix_sum<T> sum(m);
-        const T speed = orbit_of<T>(m).rate * 2;
+        const T speed = energy_level_of<T>(m).time_scale * 2;
         for (const std::string time : {"0", "0.1", "1", "-13.5", "7.3", "T/8", "T/4", "-T/2", "7T/9"}) {
             INFO(name << " at " << time);
             using std::abs;
@@ -165,7 +165,7 @@ TEST_CASE("next to E = 2 the digits of a short time before the bottom are kept",
     const auto uniform = uniform_from_top<double>(m, 32);
     const double away = 1e-9;
     const precision_scope more(150);
-    const mpfr period = effective_period(orbit_of<mpfr>(m));
+    const mpfr period = effective_period(energy_level_of<mpfr>(m));
     const exact_solution<mpfr> solution(m);
     const mpfr theta = solution.at({integer(2), mpfr(period * -mpfr(away)), -1}).theta;
     CHECK(abs(widen(uniform.before_bottom(away).value) - theta) < abs(theta) * mpfr("1e-15"));
@@ -176,17 +176,17 @@ TEST_CASE("its rate is below 1/3 at every energy, and is that of the coefficient
     const precision_scope precision(120);
     for (const auto& [name, m] : canonical_motions()) {
         INFO(name);
-        const auto bounds = top_bounds<mpfr>::of(orbit_of<mpfr>(m));
-        CHECK(uniform_rate(bounds, 1) < mpfr(1) / 3);
-        CHECK(uniform_rate(bounds, 2) < mpfr(1) / 5);
+        const auto bounds = top_bounds<mpfr>::of(energy_level_of<mpfr>(m));
+        CHECK(uniform_convergence_rate(bounds, 1) < mpfr(1) / 3);
+        CHECK(uniform_convergence_rate(bounds, 2) < mpfr(1) / 5);
     }
     // |b_n| is (8/n) |sin(n phi)| rate^n but for further poles: the largest of some, to the power 1/n.
-    const auto o = orbit_of<mpfr>(with_energy("1.71"));
+    const auto o = energy_level_of<mpfr>(with_energy("1.71"));
     const auto bounds = top_bounds<mpfr>::of(o);
-    const auto rest = column_rest(o.regime, half_column_distance(o), 1, 160);
+    const auto rest = uniform_remainder(o.regime, half_column_distance(o), 1, 160);
     mpfr largest(0);
     for (int n = 130; n <= 160; n += 2) {
-        largest = std::max(largest, mpfr(abs(rest[n]) * n / 8 / pow(uniform_rate(bounds, 1), n)));
+        largest = std::max(largest, mpfr(abs(rest[n]) * n / 8 / pow(uniform_convergence_rate(bounds, 1), n)));
     }
     CHECK(largest <= mpfr("1.001"));
     CHECK(largest > mpfr("0.9"));

@@ -117,30 +117,30 @@ TEMPLATE_LIST_TEST_CASE("the modulus of an orbit is a pair of full precision", "
     const long roundings = 4;
     for (const auto& [name, m] : periodic_motions()) {
         INFO(name);
-        const auto o = orbit_of<T>(m);
+        const auto o = energy_level_of<T>(m);
         const bool rotates = m.regime() == regime::rotation;
         const T denominator = rotates ? o.pair.energy : T(2);
-        CHECK_THAT(T(o.shape.k * o.shape.k), near<T>(T((rotates ? T(2) : o.pair.energy) / denominator), roundings));
-        CHECK_THAT(T(o.shape.complement * o.shape.complement),
+        CHECK_THAT(T(o.modulus.k * o.modulus.k), near<T>(T((rotates ? T(2) : o.pair.energy) / denominator), roundings));
+        CHECK_THAT(T(o.modulus.complement * o.modulus.complement),
                    near<T>(T(o.pair.gap * (rotates ? -1 : 1) / denominator), roundings));
-        CHECK_THAT(T(o.rate * o.rate), near<T>(rotates ? T(o.pair.energy / 2) : T(1), roundings));
+        CHECK_THAT(T(o.time_scale * o.time_scale), near<T>(rotates ? T(o.pair.energy / 2) : T(1), roundings));
     }
 }
 
 TEMPLATE_LIST_TEST_CASE("E = 2 has no orbit", "[energy]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    CHECK_THROWS_AS(orbit_of<T>(with_energy("2")), libration::error);
-    CHECK_THROWS_AS(orbit_of<T>(with_state("120deg", "1")), libration::error);
-    CHECK_THROWS_AS(orbit_of<T>(with_state("pi", "0")), libration::error);
+    CHECK_THROWS_AS(energy_level_of<T>(with_energy("2")), libration::error);
+    CHECK_THROWS_AS(energy_level_of<T>(with_state("120deg", "1")), libration::error);
+    CHECK_THROWS_AS(energy_level_of<T>(with_state("pi", "0")), libration::error);
 }
 
 TEMPLATE_LIST_TEST_CASE("the unit of time is sqrt(length/gravity)", "[energy]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
     CHECK(time_unit<T>(with_energy("1")) == 1);
-    CHECK(time_unit<T>(with_energy("1").with_stiffness(4)) == T(1) / 2);
-    const T unit = time_unit<T>(with_energy("1").with_stiffness(rational(981, 25)));
+    CHECK(time_unit<T>(with_energy("1").with_squared_frequency(4)) == T(1) / 2);
+    const T unit = time_unit<T>(with_energy("1").with_squared_frequency(rational(981, 25)));
     CHECK_THAT(T(unit * unit * 981), near<T>(T(25), 3));  // quotient, root, square
 }
 

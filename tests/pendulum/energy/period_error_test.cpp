@@ -18,7 +18,7 @@ TEST_CASE("the bounds of T* hold on both sides of E = 2, and the digits below re
             INFO("E = " << energy << ", N = " << order);
             const long below = period_digits_below(m, order);
             const precision_scope precision(below + 20);
-            const auto o = orbit_of<mpfr>(m);
+            const auto o = energy_level_of<mpfr>(m);
             for (const auto method : {period_method::series, period_method::resummed}) {
                 const period_rule rule{method, order};
                 const mpfr error = effective_period(o) - effective_period_by(rule, o);
@@ -31,7 +31,7 @@ TEST_CASE("the bounds of T* hold on both sides of E = 2, and the digits below re
 }
 
 TEST_CASE("the mean leaves nothing out", "[period_error]") {
-    const auto o = orbit_of<double>(with_energy("1"));
+    const auto o = energy_level_of<double>(with_energy("1"));
     CHECK(effective_period_bound(period_rule{}, o) == 0);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 template <class T>
 T period_of(const motion& m) {
-    return effective_period(orbit_of<T>(m)) * quarters_per_period(m.regime());
+    return effective_period(energy_level_of<T>(m)) * quarters_per_period(m.regime());
 }
 
 // Relative error of T*: k' is good to 2 ulps, dlog K/dlog k' is below 1, the mean of K stops within an ulp, and pi,
@@ -59,8 +59,8 @@ TEMPLATE_LIST_TEST_CASE("rotation at E is libration at 4/E in slower time", "[pe
     using std::sqrt;
     for (const std::string energy : {"4", "10", "2.02", "1e6", "2.000000000000000000000000000001"}) {
         INFO(energy);
-        const T fast = effective_period(orbit_of<T>(with_energy(energy)));
-        const T slow = effective_period(orbit_of<T>(motion::of_energy(rational(4 / fraction(energy)))));
+        const T fast = effective_period(energy_level_of<T>(with_energy(energy)));
+        const T slow = effective_period(energy_level_of<T>(motion::of_energy(rational(4 / fraction(energy)))));
         CHECK_THAT(T(fast * sqrt(from_rational<T>(rational(fraction(energy) / 2)))), near<T>(slow, 2));
     }
 }
@@ -82,7 +82,7 @@ TEMPLATE_LIST_TEST_CASE("the period of 90 degrees is Gamma(1/4)^2/sqrt(pi)", "[p
 TEMPLATE_LIST_TEST_CASE("at E = 0 the period is 2 pi", "[period]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    const auto o = orbit_of<T>(with_energy("0"));
+    const auto o = energy_level_of<T>(with_energy("0"));
     CHECK_THAT(T(effective_period(o) * 4), near<T>(T(pi<T>() * 2), 1));  // the mean of 1 and 1 is exact
     CHECK_THROWS_AS(singularity_height(o), libration::error);
 }
@@ -103,7 +103,7 @@ TEMPLATE_LIST_TEST_CASE("periods agree with the table", "[period][reference]", a
         }
         const motion m = motion_of(row);
         INFO(row.at("energy") << row.at("gap") << " " << row.at("theta0") << " " << row.at("omega0"));
-        const T effective = effective_period(orbit_of<T>(m));
+        const T effective = effective_period(energy_level_of<T>(m));
         CHECK_THAT(effective, near<T>(decimal(row.at("tstar")), period_ulps));
         CHECK_THAT(T(effective * quarters_per_period(m.regime())), near<T>(decimal(row.at("period")), period_ulps));
     }
@@ -127,14 +127,14 @@ TEMPLATE_LIST_TEST_CASE("partial sums of both series of K are the sums of fracti
                 old_sum = {binomials, mpfr(0)};
                 new_sum = {binomials - artanhs + atanh(k) / k, mpfr(0)};
             }
-            const auto o = orbit_of<T>(with_energy(energy));
+            const auto o = energy_level_of<T>(with_energy(energy));
             // Half an ulp a sum, of random sign, as long as the decreasing terms change it.
             CHECK_THAT(effective_period_series(o, order), near<T>(old_sum, 3 + order / 4));
             CHECK_THAT(effective_period_resummed(o, order), near<T>(new_sum, 3 + order / 4));
         }
     }
-    CHECK_THROWS_AS(effective_period_series(orbit_of<T>(with_energy("1")), -1), libration::error);
-    CHECK_THROWS_AS(effective_period_resummed(orbit_of<T>(with_energy("1")), -1), libration::error);
+    CHECK_THROWS_AS(effective_period_series(energy_level_of<T>(with_energy("1")), -1), libration::error);
+    CHECK_THROWS_AS(effective_period_resummed(energy_level_of<T>(with_energy("1")), -1), libration::error);
 }
 
 }  // namespace pendulum_period_test

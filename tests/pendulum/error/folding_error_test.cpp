@@ -17,15 +17,15 @@ TEMPLATE_LIST_TEST_CASE("the exact descent is the motion, whatever T* measures i
     for (const std::string energy : {"1.71", "2.02"}) {
         const motion m = with_energy(energy);
         const exact_solution<T> solution(m);
-        const T exact_period = effective_period(orbit_of<T>(m));
+        const T exact_period = effective_period(energy_level_of<T>(m));
         for (const period_rule& by : {period_rule{}, period_rule{period_method::resummed, 2}}) {
-            const exact_descent<T> descent(m, by);
-            const T period = effective_period_by(by, orbit_of<T>(m));
-            CHECK_THAT(descent(T(0)).value, near<T>(solution.from_top(T(0)).theta, 2));
+            const exact_arc<T> arc(m, by);
+            const T period = effective_period_by(by, energy_level_of<T>(m));
+            CHECK_THAT(arc(T(0)).value, near<T>(solution.from_top(T(0)).theta, 2));
             const T x = T(1) / 2;
             const pendulum_state<T> expected = solution.from_top(T(x * period / exact_period));
-            CHECK_THAT(descent(x).value, near<T>(expected.theta, 4, T(4)));
-            CHECK_THAT(descent(x).slope, near<T>(T(expected.omega * period), 4, T(8)));
+            CHECK_THAT(arc(x).value, near<T>(expected.theta, 4, T(4)));
+            CHECK_THAT(arc(x).slope, near<T>(T(expected.omega * period), 4, T(8)));
         }
     }
 }
@@ -38,7 +38,7 @@ TEMPLATE_LIST_TEST_CASE("an exact T* folds without error, another one with its e
     const period_rule by{period_method::resummed, 3};
     for (const std::string energy : {"0.1", "8"}) {
         const motion m = with_energy(energy);
-        const orbit<T> o = orbit_of<T>(m);
+        const energy_level<T> o = energy_level_of<T>(m);
         const T off = abs(T(effective_period_by(by, o) - effective_period(o))) * quarters_per_period(o.regime);
         for (const int periods : {0, 3}) {
             const auto none = folding_error<T>(fraction(energy), {}, periods, 16);

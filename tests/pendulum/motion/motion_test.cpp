@@ -145,8 +145,8 @@ TEST_CASE("undecidable and impossible motions are refused", "[motion]") {
 
 TEST_CASE("units change the clock alone", "[motion]") {
     const motion plain = with_state("2.5", "-0.3");
-    const motion slow = plain.with_stiffness(rational(1, 4));
-    CHECK(slow.stiffness().coefficient == rational(1, 4));
+    const motion slow = plain.with_squared_frequency(rational(1, 4));
+    CHECK(slow.squared_frequency().coefficient == rational(1, 4));
     CHECK(slow.regime() == plain.regime());
     CHECK(slow.omega0_squared() == plain.omega0_squared());
     // 0.6 rad/s at gravity/length = 4 is 0.3 dimensionless.

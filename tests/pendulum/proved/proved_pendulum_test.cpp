@@ -39,12 +39,12 @@ TEST_CASE("balls of the exact solution contain the table of motions", "[pendulum
             CHECK_THAT(state.omega,
                        encloses(decimal(row.at("omega")), 2'000, mpfr(1 + abs(decimal(row.at("omega")).value))));
             if (!at_critical_energy(m.regime())) {
-                const ball tstar = effective_period(orbit_of<ball>(m));
+                const ball tstar = effective_period(energy_level_of<ball>(m));
                 CHECK_THAT(tstar, encloses(decimal(row.at("tstar")), 100));
                 CHECK(contains_table(tstar * quarters_per_period(m.regime()), row.at("period")));
                 const auto lattice = singularities<ball>(m);
                 if (lattice && row.at("radius") != "inf") {
-                    CHECK(contains_table(lattice->radius(timeline<ball>::at_quarter(1)), row.at("radius")));
+                    CHECK(contains_table(lattice->radius(phase_map<ball>::at_quarter(1)), row.at("radius")));
                 }
             }
         }
@@ -95,11 +95,11 @@ TEST_CASE("proved bounds of the tail and of the resummation hold between balls",
     for (const std::string energy : {"0.5", "1.71", "1.9998", "2.02", "4"}) {
         const motion m = with_energy(energy);
         const exact_solution<ball> truth(m);
-        const auto way = descent_of<ball>(m);
-        const auto bounds = top_bounds<ball>::of(way.o);
+        const auto arc = arc_of<ball>(m);
+        const auto bounds = top_bounds<ball>::of(arc.o);
         for (const int order : {4, 11, 30}) {
-            const auto series = series_from_top(way, order);
-            const auto resummed = resummation_from_top(way, order);
+            const auto series = series_from_top(arc, order);
+            const auto resummed = resummation_from_top(arc, order);
             for (const int tenths : {0, 3, 7, 10}) {
                 INFO("E = " << energy << ", order " << order << ", x = " << tenths << "/10");
                 const ball x = ball(tenths) / 10;
@@ -118,9 +118,9 @@ TEST_CASE("a time next to a quarter is decided with more digits or refused", "[p
     // T* of E = 1 to 40 digits: the distance of the typed time to the top is 1e-40.
     const motion m = with_energy("1");
     const std::string near = "1.854074677301371918433850347195260046218";
-    CHECK(exact_solution<ball>(m).clock().at(read_exact(near)).side != 0);
+    CHECK(exact_solution<ball>(m).phases().at(read_exact(near)).side != 0);
     const exact beyond = read_exact("1.8540746773013719184338503471952600462175988235217669055859488");
-    CHECK(std::abs(exact_solution<ball>(m).clock().at(beyond).side) == 1);
+    CHECK(std::abs(exact_solution<ball>(m).phases().at(beyond).side) == 1);
 }
 
 TEST_CASE("coefficients that vanish are found by fractions", "[pendulum][ball]") {

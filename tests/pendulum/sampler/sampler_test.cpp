@@ -48,14 +48,14 @@ std::vector<named_motion> all_motions() {
     motions.push_back({"next to the top", with_state("3.14159265358979", "1e-16")});
     motions.push_back({"next to the bottom, 3 turns back", with_state("-18.8495559215387", "2")});
     motions.push_back({"given energy, falling", motion::of_energy_from(fraction("1.9999999"), read_exact("-3"), -1)});
-    motions.push_back({"in seconds", with_state("2.5", "-0.3").with_stiffness(fraction("9.81/0.7"))});
+    motions.push_back({"in seconds", with_state("2.5", "-0.3").with_squared_frequency(fraction("9.81/0.7"))});
     return motions;
 }
 
 mpfr period_of(const motion& m) {
     const bool periodic = m.regime() == regime::libration || m.regime() == regime::rotation;
     const mpfr quarters(periodic ? quarters_per_period(m.regime()) : 4);
-    return (periodic ? effective_period(orbit_of<mpfr>(m)) : mpfr(3)) * quarters * time_unit<mpfr>(m);
+    return (periodic ? effective_period(energy_level_of<mpfr>(m)) : mpfr(3)) * quarters * time_unit<mpfr>(m);
 }
 
 // 0, the symmetric points, and times of either sign up to 1, 1000 and 10^9 periods, not in order.
@@ -245,13 +245,13 @@ TEST_CASE("the sampler refuses what it cannot sample", "[pendulum][sampler]") {
 
 TEST_CASE("a motion has fewer than 110 panels", "[pendulum][sampler]") {
     const precision_scope scope(40);
-    CHECK(swing_panels<double>(with_gap("1e-300")).size() == swing_panels<double>(with_energy("2")).size());
-    CHECK(swing_panels<double>(with_energy("2")).size() < 110);
-    CHECK(swing_panels<double>(with_energy("0")).size() == 1);
+    CHECK(half_cycle_panels<double>(with_gap("1e-300")).size() == half_cycle_panels<double>(with_energy("2")).size());
+    CHECK(half_cycle_panels<double>(with_energy("2")).size() < 110);
+    CHECK(half_cycle_panels<double>(with_energy("0")).size() == 1);
     for (const std::string energy : {"1e-300", "1e-10", "1", "3", "1e10", "1e100"}) {
         INFO("E = " << energy);
         // Far from E = 2 the way to the top takes at most 2 units of pi/2.
-        CHECK(swing_panels<double>(with_energy(energy)).size() <= 40);
+        CHECK(half_cycle_panels<double>(with_energy(energy)).size() <= 40);
     }
 }
 

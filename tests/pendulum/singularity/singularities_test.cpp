@@ -20,7 +20,7 @@ singularity_lattice<T> lattice_of(const std::string& energy) {
 
 template <class T>
 T radius_at(const motion& m, const std::string& time) {
-    return singularities<T>(m).value().radius(timeline<T>(m).at(read_exact(time)));
+    return singularities<T>(m).value().radius(phase_map<T>(m).at(read_exact(time)));
 }
 
 template <class T>
@@ -122,7 +122,7 @@ TEMPLATE_LIST_TEST_CASE("radii about the top agree with the table", "[singularit
         }
         INFO(row.at("energy") << row.at("gap") << " " << row.at("theta0") << " " << row.at("omega0"));
         const auto lattice = singularities<T>(motion_of(row)).value();
-        const T radius = lattice.radius(timeline<T>::at_quarter(1));
+        const T radius = lattice.radius(phase_map<T>::at_quarter(1));
         CHECK_THAT(radius, near<T>(decimal(row.at("radius")), radius_ulps));
     }
 }

@@ -17,14 +17,14 @@ TEMPLATE_LIST_TEST_CASE("a fraction of T* after the top is the phase of that tim
     for (const motion& m : {with_energy("1e-3"), with_energy("1.71"), with_gap("1e-10"), with_gap("-1e-10", -1),
                             with_energy("2.02", -1), with_energy("4")}) {
         const exact_solution<T> solution(m);
-        const T effective_period = libration::effective_period(orbit_of<T>(m));
+        const T effective_period = libration::effective_period(energy_level_of<T>(m));
         for (int eighths = 0; eighths <= 8; ++eighths) {
             INFO("E = " << *m.energy() << ", direction " << m.direction() << ", x = " << eighths << "/8");
             const rational x(eighths, 8);
             const phase<T> found = phase_from_top<T>(m, x, effective_period);
             // A canonical motion starts at the top, and its clock knows T; half way both ends are the nearest.
             const exact time{x / quarters_per_period(m.regime()), unit::period, ""};
-            const phase<T> expected = solution.clock().at(time);
+            const phase<T> expected = solution.phases().at(time);
             if (eighths != 4) {
                 CHECK(found.quarter == expected.quarter);
                 CHECK(found.side == expected.side);
@@ -43,7 +43,7 @@ TEST_CASE("half way is counted from the top, the ends are exact", "[expansion_po
     const precision_scope precision(30);
     for (const int direction : {1, -1}) {
         const motion m = with_energy("4", direction);
-        const ball effective_period = libration::effective_period(orbit_of<ball>(m));
+        const ball effective_period = libration::effective_period(energy_level_of<ball>(m));
         const integer top = direction;
         const auto at = [&](const rational& x) { return phase_from_top<ball>(m, x, effective_period); };
         CHECK(at(rational(1, 2)).quarter == top);

@@ -27,7 +27,7 @@ TEMPLATE_LIST_TEST_CASE("every motion is a sum of separatrix solutions in scaled
     for (const auto& [name, m] : periodic_motions()) {
         const exact_solution<T> solution(m);
         const separatrix_sum<T> sum(m);
-        const T speed = orbit_of<T>(m).rate * 2;  // the scale of omega: the speed of the nearest column
+        const T speed = energy_level_of<T>(m).time_scale * 2;  // the scale of omega: the speed of the nearest column
         for (const std::string time : {"0", "0.1", "1", "-13.5", "7.3", "1e6", "T/8", "T/4", "-T/2", "T/3", "7T/9"}) {
             INFO(name << " at " << time);
             const auto s = solution(read_exact(time));

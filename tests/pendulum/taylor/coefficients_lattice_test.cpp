@@ -52,7 +52,7 @@ std::vector<mpfr> lattice_sum(const std::string& energy, int order, int box, con
 // What the poles outside the box can add to n a_n R^n/8: at most 8 m poles of index sum m at distance m * shortest.
 mpfr left_out(const std::string& energy, int n, int box) {
     const auto lattice = singularities<mpfr>(with_energy(energy)).value();
-    const mpfr radius = lattice.radius(timeline<mpfr>::at_quarter(1));
+    const mpfr radius = lattice.radius(phase_map<mpfr>::at_quarter(1));
     const mpfr shortest = std::min(lattice.effective_period, lattice.height) * 2 * box / radius;
     return pow(shortest, -n) * (8 * box);
 }

@@ -125,7 +125,7 @@ TEMPLATE_LIST_TEST_CASE("the separatrix has the Taylor series of the Gudermannia
     // theta = 2 gd(t): a_1 = 2, a_3 = -1/3, a_5 = 1/12, a_7 = -61/2520 [DLMF 4.23(viii), secant numbers 1, 1, 5, 61].
     const std::vector<std::pair<int, rational>> known{
         {1, 2}, {3, rational(-1, 3)}, {5, rational(1, 12)}, {7, rational(-61, 2520)}};
-    const auto start = start_at(exact_solution<T>(with_energy("2")), timeline<T>::at_quarter(0));
+    const auto start = start_at(exact_solution<T>(with_energy("2")), phase_map<T>::at_quarter(0));
     const auto a = taylor_coefficients(start, 7, T(1));
     for (const auto& [n, value] : known) {
         CHECK_THAT(a[n], near<T>(from_rational<T>(value), n));
@@ -135,7 +135,7 @@ TEMPLATE_LIST_TEST_CASE("the separatrix has the Taylor series of the Gudermannia
 TEMPLATE_LIST_TEST_CASE("a negative order is refused", "[coefficients]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    const auto start = start_at(exact_solution<T>(with_energy("1")), timeline<T>::at_quarter(1));
+    const auto start = start_at(exact_solution<T>(with_energy("1")), phase_map<T>::at_quarter(1));
     CHECK_THROWS_AS(taylor_coefficients(start, -1, T(1)), libration::error);
     CHECK_THROWS_AS(taylor_coefficients(start, -1, T(1), recurrence::sine_cosine), libration::error);
 }

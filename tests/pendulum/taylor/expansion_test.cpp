@@ -41,12 +41,12 @@ TEMPLATE_LIST_TEST_CASE("top and bottom are those of the canonical motion", "[ex
     const typename TestType::precision precision;
     using std::acos;
     using std::sqrt;
-    const auto swing_top = expanded<T>(with_energy("0.5"), "top", 1);
-    CHECK_THAT(swing_top.scaled[0], near<T>(T(pi<T>() / 3), 3));  // arccos(1 - E)
-    CHECK(swing_top.scaled[1] == 0);
-    const auto swing_bottom = expanded<T>(with_energy("0.5"), "bottom", 1);
-    CHECK(swing_bottom.scaled[0] == 0);
-    CHECK_THAT(T(swing_bottom.scaled[1] / swing_bottom.scale), near<T>(T(-1), 2));  // -sqrt(2E)
+    const auto half_cycle_top = expanded<T>(with_energy("0.5"), "top", 1);
+    CHECK_THAT(half_cycle_top.scaled[0], near<T>(T(pi<T>() / 3), 3));  // arccos(1 - E)
+    CHECK(half_cycle_top.scaled[1] == 0);
+    const auto half_cycle_bottom = expanded<T>(with_energy("0.5"), "bottom", 1);
+    CHECK(half_cycle_bottom.scaled[0] == 0);
+    CHECK_THAT(T(half_cycle_bottom.scaled[1] / half_cycle_bottom.scale), near<T>(T(-1), 2));  // -sqrt(2E)
     for (const int direction : {1, -1}) {
         const auto top = expanded<T>(with_energy("10", direction), "top", 1);
         CHECK(top.scaled[0] == pi<T>());
@@ -97,7 +97,7 @@ TEMPLATE_LIST_TEST_CASE("a series inside its radius gives the motion back", "[ex
     using T = typename TestType::type;
     const typename TestType::precision precision;
     const rational step(1, 10);
-    for (const motion& m : {with_energy("1.71"), with_energy("2", -1), with_state("9.0", "-4").with_stiffness(1)}) {
+    for (const motion& m : {with_energy("1.71"), with_energy("2", -1), with_state("9.0", "-4").with_squared_frequency(1)}) {
         for (const std::string at : {"start", "1.3", "-20"}) {
             INFO(at);
             const exact_solution<T> solution(m);

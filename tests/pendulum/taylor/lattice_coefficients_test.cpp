@@ -150,12 +150,12 @@ TEST_CASE("the series of the way down is that of the recurrence, clockwise too",
                              {"gap -2", with_gap("-2")},
                              {"falling from (1, -0.5)", with_state("1", "-0.5")}}) {
         INFO(from.name);
-        const auto way = descent_of<mpfr>(from.m);
+        const auto arc = arc_of<mpfr>(from.m);
         const int order = 400;
-        const auto found = descent_series(way, order);
-        const auto checked = descent_series(way, order, recurrence::symmetric_squares);
+        const auto found = arc_series(arc, order);
+        const auto checked = arc_series(arc, order, recurrence::symmetric_squares);
         REQUIRE(found.order() == order);
-        const mpfr ratio = top_bounds<mpfr>::of(way.o).rho;
+        const mpfr ratio = top_bounds<mpfr>::of(arc.o).rho;
         mpfr unit = 8;
         for (int n = 1; n <= order; ++n) {
             unit *= ratio;

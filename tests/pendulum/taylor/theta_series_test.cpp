@@ -106,9 +106,9 @@ TEST_CASE("long expansions at many digits are made of thetas and narrower than b
             const exact_solution<ball> solution(from.m);
             const auto point = read_expansion_point(at);
             const auto view = view_from(from.m, phase_of(point, solution));
-            const auto way = way_of(*view, 0, order);
-            CHECK(way.second == head_by::thetas);
-            CHECK(way.first < order);
+            const auto arc = start_and_head(*view, 0, order);
+            CHECK(arc.second == head_by::thetas);
+            CHECK(arc.first < order);
             const auto found = expand(solution, point, order);
             const auto checked = expand_by(recurrence::symmetric_squares, solution, point, order);
             CHECK(overlaps(found.scaled[0], checked.scaled[0]));
@@ -134,8 +134,8 @@ TEST_CASE("long expansions of mpfr at many digits are made of thetas where the p
             const exact_solution<mpfr> solution(from.m);
             const auto point = read_expansion_point(at);
             const auto view = view_from(from.m, phase_of(point, solution));
-            CHECK(way_of(*view, 0, order).second == head_by::thetas);
-            CHECK(way_of(*view, 0, order).first < order);
+            CHECK(start_and_head(*view, 0, order).second == head_by::thetas);
+            CHECK(start_and_head(*view, 0, order).first < order);
             const auto found = expand(solution, point, order);
             const mpfr ulp = epsilon<mpfr>();
             const precision_scope finer(330);
@@ -164,9 +164,9 @@ TEST_CASE("few digits and short series keep to the recurrence, and mpfr that is 
     CHECK(thetas_cost_less<mpfr>(true, 150));
     const exact_solution<mpfr> solution(with_energy("1.71"));
     const auto view = view_from(solution.of(), phase_of({}, solution));
-    CHECK(way_of(*view, 0, 400).second == head_by::recurrence);
+    CHECK(start_and_head(*view, 0, 400).second == head_by::recurrence);
     const whole_quotient_scope by_whole_sequences(quotient_by_flint);
-    CHECK(way_of(*view, 0, 400).second == head_by::thetas);
+    CHECK(start_and_head(*view, 0, 400).second == head_by::thetas);
 }
 
 TEST_CASE("a quotient of thetas has no negative order", "[theta_series]") {

@@ -17,7 +17,7 @@ namespace {
 
 template <class T>
 phase<T> phase_at(const motion& m, const std::string& time) {
-    return timeline<T>(m).at(read_exact(time));
+    return phase_map<T>(m).at(read_exact(time));
 }
 
 // A tabulated T* with its 60 digits.
@@ -125,10 +125,10 @@ TEMPLATE_LIST_TEST_CASE("seconds are sqrt(gravity/length) units of time", "[phas
     const typename TestType::precision precision;
     const motion m = with_state("2.5", "-0.3");
     const auto plain = phase_at<T>(m, "21.9");
-    const auto seconds = phase_at<T>(m.with_stiffness(9), "7.3");
+    const auto seconds = phase_at<T>(m.with_squared_frequency(9), "7.3");
     CHECK(seconds.quarter == plain.quarter);
     CHECK(seconds.offset == plain.offset);
-    const auto fraction_of_period = phase_at<T>(m.with_stiffness(rational(981, 25)), "5T/16");
+    const auto fraction_of_period = phase_at<T>(m.with_squared_frequency(rational(981, 25)), "5T/16");
     CHECK(fraction_of_period.quarter == phase_at<T>(m, "5T/16").quarter);
     CHECK(fraction_of_period.offset == phase_at<T>(m, "5T/16").offset);
 }

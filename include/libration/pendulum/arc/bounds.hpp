@@ -22,7 +22,7 @@
 
 namespace libration {
 
-/// The constants of the theorems for one orbit. Not for E = 0 or 2.
+/// The constants of the theorems for one energy level. Not for E = 0 or 2.
 template <scalar T>
 struct top_bounds {
     T effective_period;  ///< T*
@@ -31,7 +31,7 @@ struct top_bounds {
     T prefactor;         ///< M
     int parity;          ///< 0 for libration (even powers), 1 for rotation (odd powers)
 
-    static top_bounds of(const orbit<T>& o) {
+    static top_bounds of(const energy_level<T>& o) {
         using std::sqrt;
         const T period = libration::effective_period(o);
         const T height = singularity_height(o);

@@ -29,7 +29,7 @@ namespace libration {
 /// theta^(j)(T*) T*^j/j!, j = 0 .. m-1, from the series about the bottom, where theta is odd but for its constant. They
 /// grow like (T*/K~')^j. O(m^2). Throws error for a negative m.
 template <scalar T>
-std::vector<T> descent_endpoint(const descent<T>& d, int conditions) {
+std::vector<T> arc_endpoint(const fundamental_arc<T>& d, int conditions) {
     if (conditions < 0) {
         throw error(error_kind::argument, "number of conditions", std::to_string(conditions),
                     "at the bottom is not one that there is");
@@ -44,13 +44,13 @@ std::vector<T> descent_endpoint(const descent<T>& d, int conditions) {
 
 /// theta as a function of x from the series to the power N and m derivatives at the bottom, of degree N + m.
 template <scalar T>
-endpoint_approximant<T> endpoint_from_top(const descent<T>& d, int order, int conditions) {
-    return {descent_series(d, order), descent_endpoint(d, conditions)};
+endpoint_approximant<T> endpoint_from_top(const fundamental_arc<T>& d, int order, int conditions) {
+    return {arc_series(d, order), arc_endpoint(d, conditions)};
 }
 
 /// The two-point expansion, m = N + 1.
 template <scalar T>
-endpoint_approximant<T> two_point_from_top(const descent<T>& d, int order) {
+endpoint_approximant<T> two_point_from_top(const fundamental_arc<T>& d, int order) {
     return endpoint_from_top(d, order, order + 1);
 }
 

@@ -38,9 +38,9 @@ struct pade_poles {
 
 /// theta about the top: a_n R^n, n = 0 .. N, with R the radius of convergence.
 template <scalar T>
-power_series<T> theta_in_radii(const descent<T>& way, const T& radius, int order) {
-    const parity of_theta = way.o.regime == regime::rotation ? parity::odd : parity::even;
-    return taylor_coefficients(taylor_start<T>{way.top, way.o.pair, of_theta}, order, radius);
+power_series<T> theta_in_radii(const fundamental_arc<T>& arc, const T& radius, int order) {
+    const parity of_theta = arc.o.regime == regime::rotation ? parity::odd : parity::even;
+    return taylor_coefficients(taylor_start<T>{arc.top, arc.o.pair, of_theta}, order, radius);
 }
 
 /// The series in s = (t/R)^2 from theta's coefficients a_n R^n about the top.
@@ -96,15 +96,15 @@ std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>
 /// M = 0 is the series itself, which has no pole. Nothing as poles_in_time(). Throws error at E = 2.
 template <rounding_scalar T>
 std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T& negligible) {
-    const descent<T> way = descent_of<T>(m);
+    const fundamental_arc<T> arc = arc_of<T>(m);
     const singularity_lattice<T> lattice = *singularities<T>(m);
     const T radius = modulus_of(complex_number<T>{lattice.effective_period, lattice.height});
-    const auto theta = theta_in_radii(way, radius, order);
-    const auto speed = order < 2 ? power_series<T>() : speed_in_square(theta, way.o.regime);
+    const auto theta = theta_in_radii(arc, radius, order);
+    const auto speed = order < 2 ? power_series<T>() : speed_in_square(theta, arc.o.regime);
     for (int down = (speed.order() + 1) / 2; down >= 1; --down) {
         const int up = speed.order() - down;
         if (const auto approximant = pade(speed, up, down, negligible)) {
-            const auto found = poles_in_time(*approximant, way.o.regime, radius, lattice);
+            const auto found = poles_in_time(*approximant, arc.o.regime, radius, lattice);
             return found ? std::optional(pade_poles<T>{up, down, *found}) : std::nullopt;
         }
     }

@@ -8,27 +8,27 @@
 
 namespace libration {
 
-/// theta and omega of a motion, from any function of x in [0, 1] that approximates its descent (jets in x).
+/// theta and omega of a motion, from any function of x in [0, 1] that approximates its fundamental arc (jets in x).
 ///
-/// With x the time since the nearest top over T*, before or after it, f the descent and i whole turns:
+/// With x the time since the nearest top over T*, before or after it, f the fundamental arc and i whole turns:
 ///   libration  theta - 2 pi turns = f near the top +theta_max, -f near the top -theta_max
 ///   rotation   theta = 2 pi (turns + d i) + d f after a top, 2 pi - f before it (d the direction).
 ///
 /// T* is exact, or that of a rule: then it is the T* of everything, of the modulo, of the mirrors at T*, 2 T* and 3 T*
-/// and of the shift of the origin by whole T*, and f has to be made with the same one (descent_of with the rule). A T*
+/// and of the shift of the origin by whole T*, and f has to be made with the same one (arc_of with the rule). A T*
 /// that is off by dT* puts the motion out of step by 4 dT* (rotation 2 dT*) in every period.
 template <scalar T, class F>
 class periodic_extension {
 public:
     /// Throws error at E = 2.
-    periodic_extension(const motion& m, F on_descent, const period_rule& by = {})
+    periodic_extension(const motion& m, F on_arc, const period_rule& by = {})
         : motion_(m),
-          timeline_(m, by),
-          effective_period_(effective_period_by(by, orbit_of<T>(m))),
-          f_(std::move(on_descent)) {}
+          phase_map_(m, by),
+          effective_period_(effective_period_by(by, energy_level_of<T>(m))),
+          f_(std::move(on_arc)) {}
 
     /// At an exact time.
-    jet<T> operator()(const exact& time) const { return at(timeline_.at(time)); }
+    jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
     /// At a phase.
     jet<T> at(const phase<T>& p) const {
@@ -37,7 +37,7 @@ public:
         const T away = p.offset * p.side / effective_period_;
         jet<T> part = top ? f_(away) : before_bottom(away);
         part.slope /= effective_period_;
-        // Before the nearest top the descent runs backwards. At a bottom "after" means coming down from the top before.
+        // Before the nearest top the fundamental arc runs backwards. At a bottom "after" means coming down from the top before.
         const bool after = top ? p.side >= 0 : p.side <= 0;
         const integer nearest_top = top ? p.quarter : integer(p.quarter + (after ? -1 : 1));
         return motion_.regime() == regime::rotation ? rotating(part, nearest_top, after)
@@ -69,7 +69,7 @@ private:
 
     born_precision<T> born_;
     motion motion_;
-    timeline<T> timeline_;
+    phase_map<T> phase_map_;
     T effective_period_;
     F f_;
 };

@@ -14,33 +14,33 @@ namespace libration {
 /// rotation counterclockwise from (pi, sqrt(2E-4)) to (2 pi, sqrt(2E)). All other motions are its mirror images and
 /// shifts [paper (seriesfixed), with the sign of (omegab) as it must be for a bob that falls].
 template <scalar T>
-struct descent {
-    orbit<T> o;
+struct fundamental_arc {
+    energy_level<T> o;
     T effective_period;
     pendulum_state<T> top;
     jet<T> bottom;  ///< theta* and omega*
-    motion m;       ///< whose descent it is: what is changed above is seen by the recurrences alone
+    motion m;       ///< whose fundamental arc it is: what is changed above is seen by the recurrences alone
 };
 
-/// With the T* of a rule that is not exact, what is made of the descent is what the paper's formulas make with that T*:
+/// With the T* of a rule that is not exact, what is made of the fundamental arc is what the paper's formulas make with that T*:
 /// the resummation has theta* and omega* there, though the motion has them at another time.
 /// Throws error at E = 2.
 template <scalar T>
-descent<T> descent_of(const motion& m, const period_rule& by = {}) {
+fundamental_arc<T> arc_of(const motion& m, const period_rule& by = {}) {
     using std::atan2;
-    const orbit<T> o = orbit_of<T>(m);
+    const energy_level<T> o = energy_level_of<T>(m);
     const T duration = effective_period_by(by, o);
     if (m.regime() == regime::rotation) {
-        const T slowest = o.rate * o.shape.complement * 2;
-        return {o, duration, {pi<T>(), slowest, T(1), T(0)}, {pi<T>() * 2, o.rate * 2}, m};
+        const T slowest = o.time_scale * o.modulus.complement * 2;
+        return {o, duration, {pi<T>(), slowest, T(1), T(0)}, {pi<T>() * 2, o.time_scale * 2}, m};
     }
-    const T highest = atan2(o.shape.k, o.shape.complement) * 2;
-    return {o, duration, {highest, T(0), o.shape.k, o.shape.complement}, {T(0), -o.shape.k * 2}, m};
+    const T highest = atan2(o.modulus.k, o.modulus.complement) * 2;
+    return {o, duration, {highest, T(0), o.modulus.k, o.modulus.complement}, {T(0), -o.modulus.k * 2}, m};
 }
 
 /// a_n T*^n, n = 0 .. N, about the top, by a recurrence alone.
 template <scalar T>
-power_series<T> descent_series(const descent<T>& d, int order, recurrence by) {
+power_series<T> arc_series(const fundamental_arc<T>& d, int order, recurrence by) {
     const parity of_theta = d.o.regime == regime::rotation ? parity::odd : parity::even;
     return taylor_coefficients(taylor_start<T>{d.top, d.o.pair, of_theta}, order, d.effective_period, by);
 }
@@ -49,9 +49,9 @@ power_series<T> descent_series(const descent<T>& d, int order, recurrence by) {
 /// up to the turns and the direction of the motion. The fixed scalars keep to the recurrence, whose rounding is what is
 /// asked of them.
 template <scalar T>
-power_series<T> descent_series(const descent<T>& d, int order) {
+power_series<T> arc_series(const fundamental_arc<T>& d, int order) {
     if constexpr (fixed_scalar<T>) {
-        return descent_series(d, order, recurrence::symmetric_squares);
+        return arc_series(d, order, recurrence::symmetric_squares);
     } else {
         require_taylor_order(order);
         const exact_solution<T> solution(d.m);
@@ -68,31 +68,31 @@ power_series<T> descent_series(const descent<T>& d, int order) {
 
 /// The data of the resummation at x = 1: theta* and omega* T*.
 template <scalar T>
-std::vector<T> descent_endpoint(const descent<T>& d) {
+std::vector<T> arc_endpoint(const fundamental_arc<T>& d) {
     return {d.bottom.value, d.bottom.slope * d.effective_period};
 }
 
 /// sigma_N as a function of x [paper (seriesfixed)]: error decays like rho^N, rho = T*/R.
 template <scalar T>
-truncated_series<T> series_from_top(const descent<T>& d, int order) {
-    return {descent_series(d, order), T(1)};
+truncated_series<T> series_from_top(const fundamental_arc<T>& d, int order) {
+    return {arc_series(d, order), T(1)};
 }
 
 /// theta_N as a function of x [paper (fullresummation), (efficient)]: theta* + omega*(t-T*) + (t-T*)^2 sum a-hat_n t^n,
 /// a polynomial of degree N + 2 that has the value and the slope of theta at T*. Same rate rho as the series; the norm
 /// of its error gains about N^2.
 template <scalar T>
-endpoint_approximant<T> resummation_from_top(const descent<T>& d, int order) {
-    return {descent_series(d, order), descent_endpoint(d)};
+endpoint_approximant<T> resummation_from_top(const fundamental_arc<T>& d, int order) {
+    return {arc_series(d, order), arc_endpoint(d)};
 }
 
 // Compiled once, in libration::libration.
 #ifdef LIBRATION_COMPILED
 #define LIBRATION_DECLARE(T)                                                            \
-    extern template descent<T> descent_of(const motion&, const period_rule&);           \
-    extern template power_series<T> descent_series(const descent<T>&, int, recurrence); \
-    extern template power_series<T> descent_series(const descent<T>&, int);             \
-    extern template endpoint_approximant<T> resummation_from_top(const descent<T>&, int);
+    extern template fundamental_arc<T> arc_of(const motion&, const period_rule&);           \
+    extern template power_series<T> arc_series(const fundamental_arc<T>&, int, recurrence); \
+    extern template power_series<T> arc_series(const fundamental_arc<T>&, int);             \
+    extern template endpoint_approximant<T> resummation_from_top(const fundamental_arc<T>&, int);
 LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif

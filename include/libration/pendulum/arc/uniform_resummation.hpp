@@ -5,7 +5,7 @@
 // x^N converges on [0, T*] exactly at the rate
 //     (T*/|(2P+1) T* + i K~'|)^N <= (2P+1)^-N,   3^-N for P = 1, at every energy other than 0 and 2,
 // while that of the series and of the paper's resummation, (T*/|T* + i K~'|)^N, tends to 1 at the separatrix. Theorem U
-// [column_rest.hpp] bounds the error by 4.5e-17 (rotation: 1.4e-16) with 16 powers, n <= 32 (31), whatever E.
+// [uniform_remainder.hpp] bounds the error by 4.5e-17 (rotation: 1.4e-16) with 16 powers, n <= 32 (31), whatever E.
 //
 // This is absolute. At tiny energies a column is 2 gd(y), up to pi, while theta is sqrt(2E): its relative digits
 // cancel, as they do in what the truncation leaves. There the plain series is better, whose rate T*/R is itself below
@@ -16,20 +16,20 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/arc/column_rest.hpp"
+#include "libration/pendulum/arc/uniform_remainder.hpp"
 #include "libration/scalar/compiled.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {
 
-/// theta as a function of x = t/T* on the descent from the top to the bottom, with its slope in x: the canonical
-/// motions of descent_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x| <= 1.
+/// theta as a function of x = t/T* on the fundamental arc from the top to the bottom, with its slope in x: the canonical
+/// motions of arc_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x| <= 1.
 /// O(N + P).
 template <scalar T>
 class uniform_resummation {
 public:
-    /// rest: b_0 .. b_N by column_rest(); constants: b_0 + k pi with what theorem U's identity adds, k = -2P .. 2P.
+    /// rest: b_0 .. b_N by uniform_remainder(); constants: b_0 + k pi with what theorem U's identity adds, k = -2P .. 2P.
     uniform_resummation(regime r, T half_distance, int columns, const power_series<T>& rest, std::vector<T> constants)
         : bounds_{parity_from_top(r), columns},
           order_(rest.order()),
@@ -150,8 +150,8 @@ uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns 
     {
         constexpr long guard_bits = 32;
         const precision_scope scope(decimal_digits(digits<T>() + guard_bits));
-        half_distance = half_column_distance(orbit_of<W>(m));
-        wide = column_rest(m.regime(), half_distance, columns, order);
+        half_distance = half_column_distance(energy_level_of<W>(m));
+        wide = uniform_remainder(m.regime(), half_distance, columns, order);
         const int own = m.regime() == regime::rotation || columns % 2 == 0 ? 1 : -1;
         wide_constants.reserve(4 * static_cast<std::size_t>(columns) + 1);
         for (int k = -2 * columns; k <= 2 * columns; ++k) {

@@ -60,16 +60,16 @@ energy_pair<T> energies(const motion& m) {
 ///   libration  k^2 = E/2,  k'^2 = (2-E)/2,  u = t
 ///   rotation   k^2 = 2/E,  k'^2 = (E-2)/E,  u = t sqrt(E/2)
 template <scalar T>
-struct orbit {
+struct energy_level {
     libration::regime regime;
     energy_pair<T> pair;
-    modulus<T> shape;
-    T rate;
+    modulus<T> modulus;
+    T time_scale;
 };
 
 /// Throws error at E = 2, where there is no modulus below 1.
 template <scalar T>
-orbit<T> orbit_of(const motion& m) {
+energy_level<T> energy_level_of(const motion& m) {
     using std::sqrt;
     if (at_critical_energy(m.regime())) {
         throw error(error_kind::argument, "energy", "2", "makes the period infinite");
@@ -90,11 +90,11 @@ orbit<T> orbit_of(const motion& m) {
 template <scalar T>
 T time_unit(const motion& m) {
     using std::sqrt;
-    const exact& stiffness = m.stiffness();
-    if (!stiffness.is_fraction()) {
-        return 1 / sqrt(from_exact<T>(stiffness));
+    const exact& squared_frequency = m.squared_frequency();
+    if (!squared_frequency.is_fraction()) {
+        return 1 / sqrt(from_exact<T>(squared_frequency));
     }
-    return stiffness.coefficient == 1 ? T(1) : T(sqrt(from_rational<T>(rational(1 / stiffness.coefficient))));
+    return squared_frequency.coefficient == 1 ? T(1) : T(sqrt(from_rational<T>(rational(1 / squared_frequency.coefficient))));
 }
 
 }  // namespace libration

@@ -11,20 +11,20 @@ namespace libration {
 
 /// T* = K(k)/rate: a quarter of the period below E = 2, half of it above. A few units in the last place.
 template <scalar T>
-T effective_period(const orbit<T>& o) {
-    return complete_integral(o.shape) / o.rate;
+T effective_period(const energy_level<T>& o) {
+    return complete_integral(o.modulus) / o.time_scale;
 }
 
 /// T*, from (Kold) cut after k^(2N).
 template <scalar T>
-T effective_period_series(const orbit<T>& o, int order) {
-    return complete_integral_series(o.shape, order) / o.rate;
+T effective_period_series(const energy_level<T>& o, int order) {
+    return complete_integral_series(o.modulus, order) / o.time_scale;
 }
 
 /// T*, from (Knew) cut after k^(2N).
 template <scalar T>
-T effective_period_resummed(const orbit<T>& o, int order) {
-    return complete_integral_resummed(o.shape, order) / o.rate;
+T effective_period_resummed(const energy_level<T>& o, int order) {
+    return complete_integral_resummed(o.modulus, order) / o.time_scale;
 }
 
 /// Ways to T*: the arithmetic-geometric mean, or a partial sum of (Kold) or (Knew) up to k^(2N).
@@ -43,7 +43,7 @@ struct period_rule {
 
 /// T* by a rule.
 template <scalar T>
-T effective_period_by(const period_rule& rule, const orbit<T>& o) {
+T effective_period_by(const period_rule& rule, const energy_level<T>& o) {
     switch (rule.method) {
         case period_method::series: return effective_period_series(o, rule.order);
         case period_method::resummed: return effective_period_resummed(o, rule.order);
@@ -57,8 +57,8 @@ constexpr int quarters_per_period(regime r) { return r == regime::rotation ? 2 :
 /// K~' = K'(k)/rate, the height of the singularities over the real time axis. Throws error at E = 0, where
 /// it is infinite.
 template <scalar T>
-T singularity_height(const orbit<T>& o) {
-    return complete_integral(o.shape.swapped()) / o.rate;
+T singularity_height(const energy_level<T>& o) {
+    return complete_integral(o.modulus.swapped()) / o.time_scale;
 }
 
 }  // namespace libration

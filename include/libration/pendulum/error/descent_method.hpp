@@ -4,6 +4,6 @@
 namespace libration {
 
 /// The approximations of theta on [0, T*]: the partial sum of the series from the top, and its resummation.
-enum class descent_method { series, resummed };
+enum class arc_method { series, resummed };
 
 }  // namespace libration

@@ -20,7 +20,7 @@ namespace libration {
 /// to carry beyond the digits wanted in the norm. N^-2 and a few digits for the constants are added.
 inline long digits_below(const motion& m, int order) {
     const precision_scope scope(20);
-    const orbit<mpfr> o = orbit_of<mpfr>(m);
+    const energy_level<mpfr> o = energy_level_of<mpfr>(m);
     const top_bounds<mpfr> bounds = top_bounds<mpfr>::of(o);
     const mpfr powers = -log10(bounds.rho) * (order + 3) + log10(mpfr(order + 1)) * 3;
     return 8 + static_cast<long>(nearest_integer(powers));
@@ -28,26 +28,26 @@ inline long digits_below(const motion& m, int order) {
 
 /// Error norms of one motion, with the truth sampled once. All of it at the working precision in force, which has to
 /// hold the wanted digits of the norm below theta: add digits_below().
-class descent_errors {
+class arc_errors {
 public:
     /// Throws error for E = 0 (theta is constant) and E = 2.
-    explicit descent_errors(const motion& m)
-        : truth_(m), second_route_(m), descent_(descent_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(descent_.o)) {}
+    explicit arc_errors(const motion& m)
+        : truth_(m), second_route_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.o)) {}
 
     const top_bounds<mpfr>& bounds() const { return bounds_; }
-    const descent<mpfr>& way() const { return descent_; }
+    const fundamental_arc<mpfr>& arc() const { return arc_; }
 
     /// The norm of order N as a true maximum and the fraction of T* where it is attained.
-    norm_at<mpfr> norm(descent_method method, int order) {
-        return method == descent_method::series ? norm_of(series_from_top(descent_, order), order)
-                                                : norm_of(resummation_from_top(descent_, order), order);
+    norm_at<mpfr> norm(arc_method method, int order) {
+        return method == arc_method::series ? norm_of(series_from_top(arc_, order), order)
+                                                : norm_of(resummation_from_top(arc_, order), order);
     }
 
     /// |approximation - theta| at a fraction x of T*, theta by the second route: its agreement with a norm found at x
     /// is what makes that norm "two-method".
-    mpfr second_opinion(descent_method method, int order, const mpfr& x) const {
-        const mpfr value = method == descent_method::series ? series_from_top(descent_, order)(x).value
-                                                            : resummation_from_top(descent_, order)(x).value;
+    mpfr second_opinion(arc_method method, int order, const mpfr& x) const {
+        const mpfr value = method == arc_method::series ? series_from_top(arc_, order)(x).value
+                                                            : resummation_from_top(arc_, order)(x).value;
         return abs(value - second_theta(x));
     }
 
@@ -60,17 +60,17 @@ public:
     /// The largest error of the same approximation computed in T, over Chebyshev points and the place where the exact
     /// arithmetic has its maximum. Theta itself stays in mpfr, at the same x, so all of T's rounding is in the error.
     template <fixed_scalar T>
-    norm_at<mpfr> norm_in(descent_method method, int order, const motion& m, const mpfr& place) {
-        const descent<T> way = descent_of<T>(m);
+    norm_at<mpfr> norm_in(arc_method method, int order, const motion& m, const mpfr& place) {
+        const fundamental_arc<T> arc = arc_of<T>(m);
         const auto norm_of_rounded = [&](const auto& approximation) {
             return rounded_norm([&](const T& x) { return widen(approximation.value(x)); }, narrow<T>(place));
         };
-        return method == descent_method::series ? norm_of_rounded(series_from_top(way, order))
-                                                : norm_of_rounded(resummation_from_top(way, order));
+        return method == arc_method::series ? norm_of_rounded(series_from_top(arc, order))
+                                                : norm_of_rounded(resummation_from_top(arc, order));
     }
 
     /// The same in mpfr of that many digits and no guard: what the arithmetic itself reaches.
-    norm_at<mpfr> norm_in_digits(long digits, descent_method method, int order, const motion& m, const mpfr& place) {
+    norm_at<mpfr> norm_in_digits(long digits, arc_method method, int order, const motion& m, const mpfr& place) {
         const auto norm_of_rounded = [&](const auto& approximation, const mpfr& rounded_place) {
             const auto value = [&](const mpfr& x) {
                 const precision_scope narrow_scope(digits);
@@ -83,10 +83,10 @@ public:
             return make();
         };
         const mpfr rounded_place = rounded([&] { return narrow<mpfr>(place); });
-        const auto way = rounded([&] { return descent_of<mpfr>(m); });
-        return method == descent_method::series
-                   ? norm_of_rounded(rounded([&] { return series_from_top(way, order); }), rounded_place)
-                   : norm_of_rounded(rounded([&] { return resummation_from_top(way, order); }), rounded_place);
+        const auto arc = rounded([&] { return arc_of<mpfr>(m); });
+        return method == arc_method::series
+                   ? norm_of_rounded(rounded([&] { return series_from_top(arc, order); }), rounded_place)
+                   : norm_of_rounded(rounded([&] { return resummation_from_top(arc, order); }), rounded_place);
     }
 
     /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for
@@ -134,7 +134,7 @@ private:
         const auto state = truth_.from_top(x);
         const motion& m = truth_.of();
         const int mirrored = m.regime() == regime::rotation ? m.direction() : 1;
-        return {canonical(state.theta), state.omega * mirrored * descent_.effective_period};
+        return {canonical(state.theta), state.omega * mirrored * arc_.effective_period};
     }
 
     // theta of the canonical motion from that of a motion in any well and direction.
@@ -148,7 +148,7 @@ private:
     }
 
     mpfr second_theta(const mpfr& x) const {
-        return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, descent_.effective_period)).value);
+        return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, arc_.effective_period)).value);
     }
 
     const std::vector<jet<mpfr>>& truth_at(const std::vector<double>& points) {
@@ -161,7 +161,7 @@ private:
 
     exact_solution<mpfr> truth_;
     separatrix_sum<mpfr> second_route_;
-    descent<mpfr> descent_;
+    fundamental_arc<mpfr> arc_;
     top_bounds<mpfr> bounds_;
     std::map<std::size_t, std::vector<jet<mpfr>>> sampled_;
 };

@@ -11,13 +11,13 @@ namespace libration {
 /// The exact canonical motion on its way from the top, as a function of x = t/T* with the T* of a rule. Between the
 /// bottom and that T* it goes on as the motion does.
 template <scalar T>
-class exact_descent {
+class exact_arc {
 public:
     /// Throws error at E = 2.
-    exact_descent(const motion& canonical, const period_rule& by)
+    exact_arc(const motion& canonical, const period_rule& by)
         : solution_(canonical),
-          effective_period_(effective_period_by(by, orbit_of<T>(canonical))),
-          stretch_(effective_period_ / effective_period(orbit_of<T>(canonical))) {}
+          effective_period_(effective_period_by(by, energy_level_of<T>(canonical))),
+          stretch_(effective_period_ / effective_period(energy_level_of<T>(canonical))) {}
 
     jet<T> operator()(const T& x) const {
         const pendulum_state<T> at = solution_.from_top(T(x * stretch_));
@@ -39,7 +39,7 @@ struct angle_pair {
 };
 
 /// The largest error of theta at the times (p + i/points) T, i = 0 .. points, of the canonical motion of an energy,
-/// counterclockwise, whose descent is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T*
+/// counterclockwise, whose fundamental arc is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T*
 /// errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations.
 /// Throws error at E = 2.
 template <rounding_scalar T>
@@ -47,7 +47,7 @@ angle_pair<T> folding_error(const rational& energy, const period_rule& by, const
     using std::abs;
     const motion m = motion::of_energy(energy);
     const exact_solution<T> truth(m);
-    const periodic_extension<T, exact_descent<T>> folded(m, exact_descent<T>(m, by), by);
+    const periodic_extension<T, exact_arc<T>> folded(m, exact_arc<T>(m, by), by);
     angle_pair<T> worst{T(0), T(0), T(-1)};
     for (int i = 0; i <= points; ++i) {
         const exact time{rational(periods) + rational(i, points), unit::period, ""};

@@ -8,17 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/error/descent_tails.hpp"
+#include "libration/pendulum/error/arc_tails.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration {
 
 /// The proved order: the least N >= 4 whose bound A (series) or A2 (resummed) is at most 10^-D. Both bounds fall with
 /// N, so from there on no norm is above it.
-inline int proved_order(const top_bounds<mpfr>& bounds, descent_method method, long digits) {
+inline int proved_order(const top_bounds<mpfr>& bounds, arc_method method, long digits) {
     const mpfr goal = pow(mpfr(10), static_cast<int>(-digits));
     const auto enough = [&](int order) {
-        return (method == descent_method::series ? bounds.series_norm(order) : bounds.resummation_norm(order)) <= goal;
+        return (method == arc_method::series ? bounds.series_norm(order) : bounds.resummation_norm(order)) <= goal;
     };
     int high = 4;
     while (!enough(high)) {
@@ -48,7 +48,7 @@ inline mpfr predicted_order(const top_bounds<mpfr>& bounds, long digits) {
 /// twice the digits of N, which sigma_N'(1) has before its point. Add the digits wanted in the error.
 inline long working_digits_for(const motion& m, long digits) {
     const precision_scope scope(20);
-    const auto bounds = top_bounds<mpfr>::of(orbit_of<mpfr>(m));
+    const auto bounds = top_bounds<mpfr>::of(energy_level_of<mpfr>(m));
     return digits + 15 + 2 * static_cast<long>(nearest_integer(log10(mpfr(predicted_order(bounds, digits) + 1000))));
 }
 
@@ -61,21 +61,21 @@ struct least_order {
 
 /// The search. All orders down from one that theorems A and A2 prove to be enough are sampled in long double from the
 /// terms left out; next to 10^-D the true maximum in mpfr decides, at the working precision in force.
-class descent_orders {
+class arc_orders {
 public:
     static constexpr long most_digits = 4000;
 
     /// Throws error for E = 0, E = 2 and more than most_digits digits, which long double cannot hold.
-    descent_orders(const motion& m, long digits)
-        : truth_(m), way_(descent_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(way_.o)) {
+    arc_orders(const motion& m, long digits)
+        : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.o)) {
         if (digits > most_digits) {
             throw error(error_kind::argument, "number of digits", std::to_string(digits),
                         "is more than " + std::to_string(most_digits));
         }
         // 5 digits more make what the sampling leaves out 1e-5 of what it sees.
-        const int highest = std::max(proved_order(bounds_, descent_method::series, digits + 5),
-                                     proved_order(bounds_, descent_method::resummed, digits));
-        series_ = descent_series(way_, highest);
+        const int highest = std::max(proved_order(bounds_, arc_method::series, digits + 5),
+                                     proved_order(bounds_, arc_method::resummed, digits));
+        series_ = arc_series(arc_, highest);
         values_ = slopes_ = std::vector<mpfr>(1, mpfr(0));
         values_[0] = series_[0];
         values_.reserve(series_.coefficients().size());
@@ -89,14 +89,14 @@ public:
     const top_bounds<mpfr>& bounds() const { return bounds_; }
 
     /// One result for each number of digits, which have to fall. O(N^(3/2)) samples and O(N) for each true maximum.
-    std::vector<least_order> least(descent_method method, const std::vector<int>& falling_digits) const {
+    std::vector<least_order> least(arc_method method, const std::vector<int>& falling_digits) const {
         std::vector<long double> narrow_series;
         narrow_series.reserve(series_.coefficients().size());
         for (const mpfr& a : series_.coefficients()) {
             narrow_series.push_back(narrow<long double>(a));
         }
         const std::vector<double> points = sample_points();
-        descent_tails<long double> tails(std::move(narrow_series), points);
+        arc_tails<long double> tails(std::move(narrow_series), points);
         std::vector<long double> now(points.size());
         std::vector<long double> above(points.size());
         std::vector<least_order> found;
@@ -127,7 +127,7 @@ public:
 
     /// The largest |sigma_N - theta| or |theta_N - theta| next to the places where samples come within a tenth of their
     /// largest.
-    mpfr true_norm(descent_method method, int order, const std::vector<double>& points,
+    mpfr true_norm(arc_method method, int order, const std::vector<double>& points,
                    const std::vector<long double>& samples) const {
         const long double large = *std::max_element(samples.begin(), samples.end()) * 9 / 10;
         mpfr largest(0);
@@ -146,19 +146,19 @@ public:
     }
 
     /// approximation - theta at a fraction x of T*. O(N).
-    jet<mpfr> error_at(descent_method method, int order, const mpfr& x) const {
+    jet<mpfr> error_at(arc_method method, int order, const mpfr& x) const {
         jet<mpfr> at = partial_sum(order, x);
-        if (method == descent_method::resummed) {
+        if (method == arc_method::resummed) {
             const auto i = static_cast<std::size_t>(order);
-            const mpfr defect = way_.bottom.value - values_[i];
-            const mpfr tilt = way_.bottom.slope * way_.effective_period - slopes_[i] - defect * (order + 1);
+            const mpfr defect = arc_.bottom.value - values_[i];
+            const mpfr tilt = arc_.bottom.slope * arc_.effective_period - slopes_[i] - defect * (order + 1);
             const mpfr power = pow(x, order);
             const mpfr line = defect + tilt * (x - 1);
             at.value += power * x * line;
             at.slope += power * (line * (order + 1) + x * tilt);
         }
         const auto state = truth_.from_top(x);
-        return {at.value - state.theta, at.slope - state.omega * way_.effective_period};
+        return {at.value - state.theta, at.slope - state.omega * arc_.effective_period};
     }
 
 private:
@@ -173,7 +173,7 @@ private:
     }
 
     // Samples miss a peak by 2% at most at that spacing; 5% are granted.
-    std::optional<mpfr> norm_if_near(descent_method method, int order, const std::vector<double>& points,
+    std::optional<mpfr> norm_if_near(arc_method method, int order, const std::vector<double>& points,
                                      const std::vector<long double>& samples, int digits) const {
         const long double largest = *std::max_element(samples.begin(), samples.end());
         const auto goal = narrow<long double>(level(digits));
@@ -196,7 +196,7 @@ private:
     }
 
     exact_solution<mpfr> truth_;
-    descent<mpfr> way_;
+    fundamental_arc<mpfr> arc_;
     top_bounds<mpfr> bounds_;
     power_series<mpfr> series_;
     std::vector<mpfr> values_;  ///< sigma_n(1)

@@ -29,21 +29,21 @@ public:
         return of_energy_from(exactly(energy), theta0, direction);
     }
 
-    /// From the angle theta0 with angular velocity omega0; stiffness is gravity/length in the units of omega0 squared.
+    /// From the angle theta0 with angular velocity omega0; squared frequency is gravity/length in the units of omega0 squared.
     /// Throws error for an omega0 that is a bare fraction of pi, error of the kind undecided where no
     /// precision shows the regime.
-    static motion of_state(const exact& theta0, const exact& omega0, const exact& stiffness = exactly(1));
-    static motion of_state(const exact& theta0, const exact& omega0, const rational& stiffness) {
-        return of_state(theta0, omega0, exactly(stiffness));
+    static motion of_state(const exact& theta0, const exact& omega0, const exact& squared_frequency = exactly(1));
+    static motion of_state(const exact& theta0, const exact& omega0, const rational& squared_frequency) {
+        return of_state(theta0, omega0, exactly(squared_frequency));
     }
 
     /// The same motion in units of a pendulum of this gravity/length: times in seconds.
-    motion with_stiffness(const exact& stiffness) const {
+    motion with_squared_frequency(const exact& squared_frequency) const {
         motion result = *this;
-        result.stiffness_ = stiffness;
+        result.squared_frequency_ = squared_frequency;
         return result;
     }
-    motion with_stiffness(const rational& stiffness) const { return with_stiffness(exactly(stiffness)); }
+    motion with_squared_frequency(const rational& squared_frequency) const { return with_squared_frequency(exactly(squared_frequency)); }
 
     libration::regime regime() const { return regime_; }
     /// +1 counterclockwise, -1 clockwise, for rotation and separatrix.
@@ -68,7 +68,7 @@ public:
     /// omega0^2, dimensionless, where it is an exact number that was given.
     const std::optional<exact>& exact_omega0_squared() const { return exact_omega0_squared_; }
     /// gravity/length.
-    const exact& stiffness() const { return stiffness_; }
+    const exact& squared_frequency() const { return squared_frequency_; }
     /// Where the motion starts exactly on a symmetric point: 0 bottom, 1 top, 2 the other way through the bottom, -1 or
     /// 3 the opposite top; the phase of the start in units of T*, counted in the direction of motion (the clockwise
     /// canonical rotation starts at -1).
@@ -106,7 +106,7 @@ private:
     std::optional<exact> exact_gap_;
     std::optional<exact> theta0_;
     std::optional<exact> exact_omega0_squared_;
-    exact stiffness_ = exactly(1);
+    exact squared_frequency_ = exactly(1);
     std::optional<int> quarter_;
     long condition_bits_ = 0;  // of E, 2-E, omega0 and theta0 - 2 pi turns
     long turn_bits_ = 0;       // of the turns, which come on top of each of them

@@ -16,7 +16,7 @@ struct typed_motion {
     std::optional<exact> gap;
     std::optional<exact> energy;
     int direction = 1;
-    exact stiffness = exactly(1);
+    exact squared_frequency = exactly(1);
 
     bool by_state() const { return theta0 && omega0; }
 

@@ -32,6 +32,6 @@ proved_decimal coefficient(const given_motion& motion, const std::string& point,
 
 /// max |theta - approximation| on [0, T*] from the top, in radians, of the series or its resummation of order N [paper
 /// fig:error]; of a motion whose energy is rational and neither 0 nor 2.
-proved_decimal error_norm(const given_motion& motion, descent_method method, int order, long digits);
+proved_decimal error_norm(const given_motion& motion, arc_method method, int order, long digits);
 
 }  // namespace libration::proved

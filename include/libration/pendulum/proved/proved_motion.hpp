@@ -61,7 +61,7 @@ public:
         if (engine_) {
             return pi<ball>() / (engine_->mean() * 2) * seconds_;
         }
-        return libration::effective_period(orbit_of<ball>(motion_)) * seconds_;
+        return libration::effective_period(energy_level_of<ball>(motion_)) * seconds_;
     }
 
     /// The radius of convergence about the top, sqrt(T*^2 + K~'^2) [paper (librationROC), (rotationROCgood)]; on the
@@ -74,7 +74,7 @@ public:
             return pi<ball>() / 2 * seconds_;
         }
         const ball along = effective_period();
-        const ball height = singularity_height(orbit_of<ball>(motion_)) * seconds_;
+        const ball height = singularity_height(energy_level_of<ball>(motion_)) * seconds_;
         return sqrt(along * along + height * height);
     }
 

@@ -5,17 +5,17 @@
 #include <array>
 #include <cstddef>
 
-#include "libration/pendulum/sampler/swing_panels.hpp"
-#include "libration/pendulum/sampler/swing_turns.hpp"
+#include "libration/pendulum/sampler/half_cycle_panels.hpp"
+#include "libration/pendulum/sampler/half_cycle_turns.hpp"
 
 namespace libration {
 
 /// What the sampler keeps of a motion.
 template <fixed_scalar T>
 struct sampling_tables {
-    swing_panels<T> panels;
-    swing_clock<T> clock;
-    swing_turns<T> turns;
+    half_cycle_panels<T> panels;
+    half_cycle_clock<T> clock;
+    half_cycle_turns<T> turns;
 
     /// In a precision_scope of at least 2 digits + 64 bits.
     explicit sampling_tables(const motion& m) : sampling_tables(m, passage_interval(m)) {}

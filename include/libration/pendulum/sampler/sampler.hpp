@@ -111,7 +111,7 @@ private:
             rational exact_time;
             mpfr_get_q(exact_time.backend().data(), handle(widen(time)));
             const after_passage at = nearest_passage<finer_t<T>>(motion_, exactly(exact_time));
-            const swing_turns<T> turns(motion_, at.passage);
+            const half_cycle_turns<T> turns(motion_, at.passage);
             const mpfr x = abs(at.time) / widen(tables_.panels.unit());
             const split_number<T> inside(x < widen(end) ? x : widen(end));
             const panel_place place = place_of(static_cast<double>(inside.high));

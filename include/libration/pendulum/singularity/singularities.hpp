@@ -41,7 +41,7 @@ std::optional<singularity_lattice<T>> singularities(const motion& m) {
         case regime::separatrix: return singularity_lattice<T>{T(0), pi<T>() / 2, true};
         default: break;
     }
-    const orbit<T> o = orbit_of<T>(m);
+    const energy_level<T> o = energy_level_of<T>(m);
     return singularity_lattice<T>{effective_period(o), singularity_height(o)};
 }
 

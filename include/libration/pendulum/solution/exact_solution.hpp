@@ -37,23 +37,23 @@ struct pendulum_state {
 template <scalar T>
 class exact_solution {
 public:
-    explicit exact_solution(const motion& m) : motion_(m), timeline_(m) {
+    explicit exact_solution(const motion& m) : motion_(m), phase_map_(m) {
         if (!at_critical_energy(m.regime())) {
-            orbit_.emplace(orbit_of<T>(m));
-            chain_.emplace(orbit_->shape);
-            effective_period_ = complete_integral(*chain_) / orbit_->rate;
+            level_.emplace(energy_level_of<T>(m));
+            chain_.emplace(level_->modulus);
+            effective_period_ = complete_integral(*chain_) / level_->time_scale;
         }
     }
 
     const motion& of() const { return motion_; }
-    const timeline<T>& clock() const { return timeline_; }
+    const phase_map<T>& phases() const { return phase_map_; }
 
     /// State at an exact time.
-    pendulum_state<T> operator()(const exact& time) const { return at(timeline_.at(time)); }
+    pendulum_state<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
     /// State at a fraction x in [0, 1] of the way from the top (or, at E = 2, nowhere: throws) down to the bottom.
     pendulum_state<T> from_top(const T& x) const {
-        if (!orbit_) {
+        if (!level_) {
             throw error(error_kind::argument, "energy", "2", "leaves the motion without a top");
         }
         const integer quarter = nearest_integer(widen(x));
@@ -79,14 +79,14 @@ public:
 
 private:
     jacobi_values<T> values(const phase<T>& p, int quarter) const {
-        return advance_quarters(jacobi_at(T(p.offset * orbit_->rate), *chain_), quarter, orbit_->shape.complement);
+        return advance_quarters(jacobi_at(T(p.offset * level_->time_scale), *chain_), quarter, level_->modulus.complement);
     }
 
     pendulum_state<T> librating(const phase<T>& p) const {
         using std::atan2;
         const auto v = values(p, quarter_of_four(p.quarter));
-        const T half_sine = orbit_->shape.k * v.sn;
-        return {whole_turns<T>(motion_.turns()) + atan2(half_sine, v.dn) * 2, orbit_->shape.k * v.cn * 2, half_sine,
+        const T half_sine = level_->modulus.k * v.sn;
+        return {whole_turns<T>(motion_.turns()) + atan2(half_sine, v.dn) * 2, level_->modulus.k * v.cn * 2, half_sine,
                 v.dn};
     }
 
@@ -97,7 +97,7 @@ private:
         const int d = motion_.direction();
         const integer half_turns = (p.quarter - odd) / 2;
         const T theta = whole_turns<T>(integer(motion_.turns() + half_turns * d)) + atan2(v.sn, v.cn) * (2 * d);
-        return {theta, v.dn * orbit_->rate * (2 * d), v.sn * d, v.cn};
+        return {theta, v.dn * level_->time_scale * (2 * d), v.sn * d, v.cn};
     }
 
     // sin(theta/2) = tanh s, cos(theta/2) = 1/cosh s.
@@ -113,8 +113,8 @@ private:
 
     born_precision<T> born_;
     motion motion_;
-    timeline<T> timeline_;
-    std::optional<orbit<T>> orbit_;
+    phase_map<T> phase_map_;
+    std::optional<energy_level<T>> level_;
     std::optional<landen_chain<T>> chain_;
     T effective_period_ = T(0);
 };

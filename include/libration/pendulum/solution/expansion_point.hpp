@@ -36,7 +36,7 @@ inline expansion_point read_expansion_point(std::string_view text) {
     return {place::time, std::move(time)};
 }
 
-/// The phase of a point of a motion; clock(), its timeline, is asked for starts and times alone. Throws
+/// The phase of a point of a motion; clock(), its phase map, is asked for starts and times alone. Throws
 /// error for the top at E = 2, which is reached after infinite time.
 template <scalar T, class Clock>
 phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& clock) {
@@ -45,25 +45,25 @@ phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& cl
     switch (point.where) {
         case expansion_point::place::start: return clock().at(exact{});
         case expansion_point::place::time: return clock().at(point.time);
-        case expansion_point::place::bottom: return timeline<T>::at_quarter(critical ? integer(0) : integer(top + 1));
+        case expansion_point::place::bottom: return phase_map<T>::at_quarter(critical ? integer(0) : integer(top + 1));
         default: break;
     }
     if (critical) {
         throw error(error_kind::argument, "point", "top", "is not a point of a motion with E = 2");
     }
-    return timeline<T>::at_quarter(top);
+    return phase_map<T>::at_quarter(top);
 }
 
 /// The same by the clock of a solution.
 template <scalar T>
 phase<T> phase_of(const expansion_point& point, const exact_solution<T>& solution) {
-    return phase_of<T>(point, solution.of(), [&]() -> const timeline<T>& { return solution.clock(); });
+    return phase_of<T>(point, solution.of(), [&]() -> const phase_map<T>& { return solution.phases(); });
 }
 
 /// The same without a solution.
 template <scalar T>
 phase<T> phase_of(const expansion_point& point, const motion& m) {
-    return phase_of<T>(point, m, [&] { return timeline<T>(m); });
+    return phase_of<T>(point, m, [&] { return phase_map<T>(m); });
 }
 
 /// The phase at the fraction x of T* after the top that canonical motions start from, 0 <= x <= 1, x a rational or a T.

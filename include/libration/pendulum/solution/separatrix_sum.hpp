@@ -20,8 +20,8 @@ template <scalar T>
 class separatrix_sum {
 public:
     /// Throws error at E = 2 (where there is one column) and E = 0 (where they are infinitely many).
-    explicit separatrix_sum(const motion& m) : motion_(m), timeline_(m) {
-        const orbit<T> o = orbit_of<T>(m);
+    explicit separatrix_sum(const motion& m) : motion_(m), phase_map_(m) {
+        const energy_level<T> o = energy_level_of<T>(m);
         effective_period_ = effective_period(o);
         rate_ = pi<T>() / (singularity_height(o) * 2);
         // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves
@@ -34,7 +34,7 @@ public:
     long pairs() const { return pairs_; }
 
     /// At an exact time.
-    jet<T> operator()(const exact& time) const { return at(timeline_.at(time)); }
+    jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
     /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the pairs
     /// left out sum to at most the last one kept over cosh d - 1, for theta and for omega.
@@ -83,7 +83,7 @@ private:
 
     born_precision<T> born_;
     motion motion_;
-    timeline<T> timeline_;
+    phase_map<T> phase_map_;
     T effective_period_ = T(0);
     T rate_ = T(0);
     long pairs_ = 0;

@@ -49,8 +49,8 @@ public:
             phi0_ = on_separatrix(since_bottom_).phi;
             return;
         }
-        orbit_.emplace(orbit_of<T>(m));
-        zeta_.emplace(landen_chain<T>(orbit_->shape));
+        level_.emplace(energy_level_of<T>(m));
+        zeta_.emplace(landen_chain<T>(level_->modulus));
         start_zeta_ = zeta_at(half_sine_, half_cosine_, omega0_);
         phi0_ = half_sine_ * half_cosine_ * 2 / critical_product();
     }
@@ -59,14 +59,14 @@ public:
     variation_pair<T> at(const T& time, const T& theta, const T& omega) const {
         using std::cos;
         using std::sin;
-        if (!orbit_) {
+        if (!level_) {
             return on_separatrix(T(since_bottom_ + time));
         }
         const T half = (theta - whole_turns<T>(motion_.turns())) / 2;
         const T sine = sin(half);
         const T cosine = cos(half);
         const T change = zeta_at(sine, cosine, omega) - start_zeta_;
-        const T rate = orbit_->rate;
+        const T rate = level_->time_scale;
         const T action = rotates() ? T((change + zeta_->mean_of_dn_squared() * (rate * time)) * rate)
                                    : T(change + zeta_->mean_of_cn_squared() * time);
         return {omega, (sine * cosine * 2 - omega * action) / critical_product()};
@@ -88,7 +88,7 @@ public:
 
 private:
     bool rotates() const { return motion_.regime() == regime::rotation; }
-    T critical_product() const { return orbit_->pair.energy * orbit_->pair.gap; }
+    T critical_product() const { return level_->pair.energy * level_->pair.gap; }
 
     // Half of theta0 less its turns, and omega0.
     void place_start() {
@@ -118,7 +118,7 @@ private:
         if (rotates()) {
             return (*zeta_)(T(half_sine * motion_.direction()), half_cosine);
         }
-        return (*zeta_)(T(half_sine / orbit_->shape.k), T(omega / (orbit_->shape.k * 2)));
+        return (*zeta_)(T(half_sine / level_->modulus.k), T(omega / (level_->modulus.k * 2)));
     }
 
     variation_pair<T> on_separatrix(const T& s) const {
@@ -132,7 +132,7 @@ private:
     T start_slope() const {
         using std::cosh;
         using std::tanh;
-        if (orbit_) {
+        if (level_) {
             const T cosine = half_cosine_ * half_cosine_ - half_sine_ * half_sine_;
             return omega0_ * (cosine - omega0_ * omega0_ / 4) / critical_product();
         }
@@ -141,7 +141,7 @@ private:
     }
 
     motion motion_;
-    std::optional<orbit<T>> orbit_;
+    std::optional<energy_level<T>> level_;
     std::optional<jacobi_zeta<T>> zeta_;
     T half_sine_ = T(0);
     T half_cosine_ = T(0);

@@ -23,7 +23,7 @@ public:
     /// O(order^2). Throws error for a negative order and at E = 2.
     bottom_series(const rational& energy, int order)
         : exact_(motion_from_bottom(energy)),
-          effective_period_(libration::effective_period(orbit_of<T>(exact_.of()))),
+          effective_period_(libration::effective_period(energy_level_of<T>(exact_.of()))),
           about_(expand(exact_, {expansion_point::place::start, {}}, order)) {}
 
     const T& effective_period() const { return effective_period_; }

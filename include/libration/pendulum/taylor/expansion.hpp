@@ -56,7 +56,7 @@ power_series<T> head_coefficients(const exact_solution<T>& solution, const expan
 
 /// Where the sums over the singularities begin, and what makes the powers before.
 template <scalar T>
-std::pair<long, head_by> way_of(const singularity_view<T>& view, long first, long last) {
+std::pair<long, head_by> start_and_head(const singularity_view<T>& view, long first, long last) {
     const long begin = lattice_begins(view, first, last);
     if constexpr (!fixed_scalar<T>) {
         if (first < begin && has_whole_quotients<T>() &&
@@ -78,7 +78,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
     const motion& m = solution.of();
     const phase<T> at = phase_of(point, solution);
     const auto view = view_from(m, at);
-    const auto [begin, head] = view ? way_of(*view, first, last) : std::pair(1L, head_by::recurrence);
+    const auto [begin, head] = view ? start_and_head(*view, first, last) : std::pair(1L, head_by::recurrence);
     std::vector<T> part;
     if (first < begin) {
         const auto order = static_cast<int>(std::min(begin - 1, last));

@@ -89,8 +89,8 @@ private:
         if (lattice_.single_column) {
             return T(2);
         }
-        const orbit<T> o = orbit_of<T>(m);
-        return (librates_ ? o.shape.k : o.rate) * 2;
+        const energy_level<T> o = energy_level_of<T>(m);
+        return (librates_ ? o.modulus.k : o.time_scale) * 2;
     }
 
     // What is computed is about |offset|: before the quarter odd powers change their sign, and even ones of theta_1.

@@ -16,7 +16,7 @@ T dimensionless_time(const motion& m, const exact& time) {
         return T(0);
     }
     const rational quarters = time.periods() * quarters_per_period(m.regime());
-    const T whole = effective_period(orbit_of<T>(m)) * from_rational<T>(quarters);
+    const T whole = effective_period(energy_level_of<T>(m)) * from_rational<T>(quarters);
     return time.only_periods() ? whole : T(whole + from_exact<T>(time.without_periods()) / time_unit<T>(m));
 }
 
@@ -29,7 +29,7 @@ T elapsed_periods(const motion& m, const exact& time) {
     if (time.has_periods()) {
         return from_rational<T>(time.periods()) + elapsed_periods<T>(m, time.without_periods());
     }
-    return dimensionless_time<T>(m, time) / (effective_period(orbit_of<T>(m)) * quarters_per_period(m.regime()));
+    return dimensionless_time<T>(m, time) / (effective_period(energy_level_of<T>(m)) * quarters_per_period(m.regime()));
 }
 
 }  // namespace libration

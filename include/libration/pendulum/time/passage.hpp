@@ -16,22 +16,22 @@ inline bool has_passages(const motion& m) { return m.regime() == regime::librati
 
 /// 2 T* in the units of the motion, 0 where nothing passes twice, at the working precision in force.
 inline mpfr passage_interval(const motion& m) {
-    return has_passages(m) ? mpfr(effective_period(orbit_of<mpfr>(m)) * time_unit<mpfr>(m) * 2) : mpfr(0);
+    return has_passages(m) ? mpfr(effective_period(energy_level_of<mpfr>(m)) * time_unit<mpfr>(m) * 2) : mpfr(0);
 }
 
-/// The passage next to an exact time. Cost: a timeline. Throws as that.
+/// The passage next to an exact time. Cost: a phase map. Throws as that.
 template <rounding_scalar T>
 after_passage nearest_passage(const motion& m, const exact& time) {
-    const phase<T> p = timeline<T>(m).at(time);
+    const phase<T> p = phase_map<T>(m).at(time);
     const mpfr offset = widen(p.offset) * time_unit<mpfr>(m);
     if (quarter_of_four(p.quarter) % 2 == 0) {
         return {p.quarter / 2, offset};
     }
-    const int way = p.side < 0 ? -1 : 1;
-    return {integer((p.quarter + way) / 2), offset - passage_interval(m) / 2 * way};
+    const int sign = p.side < 0 ? -1 : 1;
+    return {integer((p.quarter + sign) / 2), offset - passage_interval(m) / 2 * sign};
 }
 
-/// The passage at a start between the symmetric points, as timeline places it: the amplitude, which may cancel, in
+/// The passage at a start between the symmetric points, as phase map places it: the amplitude, which may cancel, in
 /// mpfr, and the integral of this well conditioned pair in T, in a tenth of the time.
 template <rounding_scalar T>
 after_passage passage_before_start(const motion& m) {
@@ -40,12 +40,12 @@ after_passage passage_before_start(const motion& m) {
     if (m.regime() == regime::separatrix) {
         return {0, arsinh(mpfr(sine / cosine)) * m.direction() * time_unit<mpfr>(m)};
     }
-    const auto o = orbit_of<T>(m);
-    const landen_chain<T> chain(o.shape);
-    const mpfr along = widen(T(incomplete_integral(narrow<T>(sine), narrow<T>(cosine), chain) / o.rate));
+    const auto o = energy_level_of<T>(m);
+    const landen_chain<T> chain(o.modulus);
+    const mpfr along = widen(T(incomplete_integral(narrow<T>(sine), narrow<T>(cosine), chain) / o.time_scale));
     const bool falls = m.regime() == regime::libration && m.omega0_sign() < 0;
-    const int way = m.regime() == regime::rotation ? m.direction() : falls ? -1 : 1;
-    return {falls ? 1 : 0, along * time_unit<mpfr>(m) * way};
+    const int sign = m.regime() == regime::rotation ? m.direction() : falls ? -1 : 1;
+    return {falls ? 1 : 0, along * time_unit<mpfr>(m) * sign};
 }
 
 /// The passage next to the start of a motion whose passages come in this interval, right to some epsilon of T.

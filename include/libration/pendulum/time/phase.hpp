@@ -53,11 +53,11 @@ start_amplitude<T> amplitude_at_start(const motion& m) {
 /// The clock of one motion. Its T* is exact, or the approximation of a rule, as the paper's modulo uses it. The time
 /// from the nearest quarter to a start between the quarters is exact either way, and so is the T of a time 3T/4.
 template <scalar T>
-class timeline {
+class phase_map {
     using W = wide_t<T>;
 
 public:
-    explicit timeline(motion m, period_rule by = {})
+    explicit phase_map(motion m, period_rule by = {})
         : motion_(std::move(m)), by_(by), start_(start_at(bits_for(default_margin + spare_margin))) {}
 
     /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more
@@ -128,7 +128,7 @@ private:
         const precision_scope scope(decimal_digits(bits));
         origin start{bits, motion_.start_quarter().value_or(0), W(0), W(0)};
         if (!at_critical_energy(motion_.regime())) {
-            start.effective_period = effective_period_by(by_, orbit_of<W>(motion_));
+            start.effective_period = effective_period_by(by_, energy_level_of<W>(motion_));
         }
         if (!motion_.start_quarter() && motion_.regime() != regime::unstable_equilibrium) {
             place_start(start);
@@ -143,10 +143,10 @@ private:
             start.offset = arsinh(W(sine / cosine)) * motion_.direction();
             return;
         }
-        const orbit<W> o = orbit_of<W>(motion_);
-        const landen_chain<W> chain(o.shape);
+        const energy_level<W> o = energy_level_of<W>(motion_);
+        const landen_chain<W> chain(o.modulus);
         if (motion_.regime() == regime::rotation) {
-            start.offset = incomplete_integral(sine, cosine, chain) * motion_.direction() / o.rate;
+            start.offset = incomplete_integral(sine, cosine, chain) * motion_.direction() / o.time_scale;
             return;
         }
         // Where omega0 < 0 the reflection 2K - F.

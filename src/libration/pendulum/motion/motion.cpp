@@ -69,15 +69,15 @@ motion motion::of_energy_from(const exact& energy, const exact& theta0, int dire
     return result;
 }
 
-motion motion::of_state(const exact& theta0, const exact& omega0, const exact& stiffness) {
+motion motion::of_state(const exact& theta0, const exact& omega0, const exact& squared_frequency) {
     require_number(omega0);
     motion result;
-    result.stiffness_ = stiffness;
+    result.squared_frequency_ = squared_frequency;
     result.set_angle(theta0);
     result.omega0_sign_ = sign_of(omega0, "omega0").sign;
     result.direction_ = result.omega0_sign_ < 0 ? -1 : 1;
     const expression speed = as_expression(omega0);
-    result.set_omega0_squared(exactly(speed * speed / as_expression(stiffness), "omega0^2"));
+    result.set_omega0_squared(exactly(speed * speed / as_expression(squared_frequency), "omega0^2"));
     const exact kinetic = *result.exact_omega0_squared_ / exactly(2);
     const auto cosine = rational_cosine(theta0);
     if (cosine) {

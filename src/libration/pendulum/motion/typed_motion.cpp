@@ -13,11 +13,11 @@ exact typed_motion::exact_energy() const {
 
 motion typed_motion::motion() const {
     if (by_state()) {
-        return libration::motion::of_state(*theta0, *omega0, stiffness);
+        return libration::motion::of_state(*theta0, *omega0, squared_frequency);
     }
     const libration::motion of = theta0 ? libration::motion::of_energy_from(exact_energy(), *theta0, direction)
                                         : libration::motion::of_energy(exact_energy(), direction);
-    return of.with_stiffness(stiffness);
+    return of.with_squared_frequency(squared_frequency);
 }
 
 typed_motion typed_motion::in_double() const {

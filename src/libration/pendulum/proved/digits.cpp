@@ -65,12 +65,12 @@ proved_decimal coefficient(const given_motion& motion, const std::string& point,
         .front();
 }
 
-proved_decimal error_norm(const given_motion& motion, descent_method method, int order, long digits) {
+proved_decimal error_norm(const given_motion& motion, arc_method method, int order, long digits) {
     const rational energy = energy_of_norm(exact_motion(motion), order);
     const long below = digits_below(libration::motion::of_energy(energy), order);
     return proved_value(given_digits(digits), [&] {
         const precision_scope wider(working_digits() + below);
-        return proved_descent_errors(energy).norm(method, order).value;
+        return proved_arc_errors(energy).norm(method, order).value;
     });
 }
 

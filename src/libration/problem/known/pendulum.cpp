@@ -139,10 +139,11 @@ sweep_period_rule read_period_rule(std::string_view text) {
     const auto colon = text.find(':');
     const std::string_view method = text.substr(0, colon);
     if (colon == std::string_view::npos || (method != "series" && method != "resummed")) {
-        throw error(error_kind::argument, "value", "", "has '" + std::string(text) + "', which is not agm, series:N or resummed:N");
+        throw error(error_kind::argument, "value", "",
+                    "has '" + std::string(text) + "', which is not agm, series:N or resummed:N");
     }
-    const auto way = method == "series" ? period_method::series : period_method::resummed;
-    return {{way, order_from(text.substr(colon + 1))}, std::string(text)};
+    const auto arc = method == "series" ? period_method::series : period_method::resummed;
+    return {{arc, order_from(text.substr(colon + 1))}, std::string(text)};
 }
 
 const problem& pendulum_problem() {

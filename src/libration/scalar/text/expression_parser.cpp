@@ -16,7 +16,7 @@ constexpr int deepest = 100;
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool continues_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// By recursive descent: sum, product, factor (a sign), power, primary.
+/// By recursive fundamental arc: sum, product, factor (a sign), power, primary.
 class expression_parser {
 public:
     explicit expression_parser(std::string_view text) : text_(text), rest_(text) {}

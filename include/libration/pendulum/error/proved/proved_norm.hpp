@@ -18,13 +18,13 @@ namespace libration {
 
 /// theta of a canonical motion on [0, T*] in panels, for any number of norms, at the working precision in force: it has
 /// to hold the wanted digits of a norm below theta, digits_below() and some more.
-class proved_descent_errors {
+class proved_arc_errors {
 public:
     /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms). O(K
     /// bits^2). Throws error for E = 0 and 2, precision_exhausted.
-    explicit proved_descent_errors(const rational& energy)
-        : motion_(motion::of_energy(energy)), descent_(descent_of<ball>(motion_)) {
-        const singularity_lattice<ball> lattice{descent_.effective_period, singularity_height(descent_.o)};
+    explicit proved_arc_errors(const rational& energy)
+        : motion_(motion::of_energy(energy)), arc_(arc_of<ball>(motion_)) {
+        const singularity_lattice<ball> lattice{arc_.effective_period, singularity_height(arc_.o)};
         const ball panels = lattice.effective_period * 2 / lattice.height;
         count_ = static_cast<int>(nearest_integer(upper_bound(panels)) + 1);
         order_ = digits<ball>() / 2 + 8;
@@ -32,13 +32,13 @@ public:
     }
 
     /// T*.
-    const ball& effective_period() const { return descent_.effective_period; }
+    const ball& effective_period() const { return arc_.effective_period; }
 
     /// The norm of order N, and the fraction of T* where it is attained. O(K N^2) and the search. Throws
     /// precision_exhausted where the working precision is too low, error for N < 0.
-    proved_maximum norm(descent_method method, int order) const {
-        const power_series<ball> a = descent_series(descent_, order);
-        return norm_of(method == descent_method::series ? a : endpoint_corrected(a, descent_endpoint(descent_)));
+    proved_maximum norm(arc_method method, int order) const {
+        const power_series<ball> a = arc_series(arc_, order);
+        return norm_of(method == arc_method::series ? a : endpoint_corrected(a, arc_endpoint(arc_)));
     }
 
     /// The norm of any polynomial in x = t/T*.
@@ -89,7 +89,7 @@ private:
     }
 
     motion motion_;
-    descent<ball> descent_;
+    fundamental_arc<ball> arc_;
     int count_ = 0;  ///< K
     int order_ = 0;  ///< of theta's polynomials, J
     std::vector<truth_panel> truth_;

@@ -1,17 +1,17 @@
 // theta after a passage through the bottom from that of the swing: signs and whole turns.
 #pragma once
 
-#include "libration/pendulum/sampler/swing_clock.hpp"
+#include "libration/pendulum/sampler/half_cycle_clock.hpp"
 
 namespace libration {
 
 /// theta of the motion from that of the swing, g(y), after passage j: (-1)^j g in the libration, 2 pi (turns + d j) + d
 /// g in the rotation, d its direction.
 template <fixed_scalar T>
-class swing_turns {
+class half_cycle_turns {
 public:
     /// The start's passage is counted as j = 0. In a precision_scope of at least 2 digits + 64 bits.
-    swing_turns(const motion& m, const integer& passage)
+    half_cycle_turns(const motion& m, const integer& passage)
         : turn_(pi<mpfr>() * 2), base_(base_of(m, passage)), sign_(T(sign_of_start(m, passage))) {
         const bool rotates = m.regime() == regime::rotation;
         winding_ = rotates ? T(m.direction()) : T(0);
@@ -22,7 +22,7 @@ public:
     }
 
     /// The sign of omega after passage j, +-1; clock.whole() rounds j/2.
-    [[gnu::always_inline]] T sign(const T& passage, const swing_clock<T>& clock) const {
+    [[gnu::always_inline]] T sign(const T& passage, const half_cycle_clock<T>& clock) const {
         const T odd = passage - clock.whole(passage / 2) * 2;
         return sign_ - sign_ * alternation_ * (odd < 0 ? T(-odd) : odd);
     }

@@ -1,4 +1,4 @@
-#include "libration/pendulum/solution/rounded_clock.hpp"
+#include "libration/pendulum/solution/rounded_phase_map.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -20,12 +20,12 @@ TEMPLATE_LIST_TEST_CASE("early times have the phase of the timeline", "[rounded_
     const precision_scope precision(60);
     for (const std::string energy : {"1.71", "2.02"}) {
         const motion m = with_energy(energy);
-        const rounded_clock<T> rounded(m);
-        const timeline<T> exact_clock(m);
+        const rounded_phase_map<T> rounded(m);
+        const phase_map<T> exact_phase_map(m);
         for (const std::string time : {"0", "0.3", "-1.1", "2", "5/2"}) {
             INFO("E = " << energy << " at " << time);
             const phase<T> found = rounded.at(read_exact(time));
-            const phase<T> expected = exact_clock.at(read_exact(time));
+            const phase<T> expected = exact_phase_map.at(read_exact(time));
             CHECK(found.quarter == expected.quarter);
             CHECK(found.side == expected.side);
             CHECK_THAT(found.offset, near<T>(expected.offset, 4, T(4)));  // t, T and the offset round
@@ -39,15 +39,15 @@ TEMPLATE_LIST_TEST_CASE("late times lose what their size times epsilon is", "[ro
     for (const std::string energy : {"1.71", "2.02"}) {
         const motion m = with_energy(energy);
         const integer periods = 1'000'000;
-        const mpfr naive = clock_error<T>(fraction(energy), rounded_clock<T>(m), periods, 16);
-        const mpfr exactly_reduced = clock_error<T>(fraction(energy), timeline<T>(m), periods, 16);
-        const mpfr bound = rounded_clock_bound<T>(fraction(energy), periods);
+        const mpfr naive = phase_map_error<T>(fraction(energy), rounded_phase_map<T>(m), periods, 16);
+        const mpfr exactly_reduced = phase_map_error<T>(fraction(energy), phase_map<T>(m), periods, 16);
+        const mpfr bound = rounded_phase_map_bound<T>(fraction(energy), periods);
         CHECK(naive <= bound);
         CHECK(naive > bound / 100);
         CHECK(exactly_reduced < 20 * widen(epsilon<T>()));
     }
-    CHECK_THROWS_AS(rounded_clock<T>(with_energy("2")), libration::error);
-    CHECK_THROWS_AS(rounded_clock<T>(with_state("1", "1/2")), libration::error);
+    CHECK_THROWS_AS(rounded_phase_map<T>(with_energy("2")), libration::error);
+    CHECK_THROWS_AS(rounded_phase_map<T>(with_state("1", "1/2")), libration::error);
 }
 
 TEST_CASE("phases lose whole periods, and angles of rotation whole turns", "[rounded_clock]") {

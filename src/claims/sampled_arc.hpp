@@ -16,23 +16,23 @@ namespace libration::judging {
 
 /// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise
 /// rotation runs from pi to 0. At the working precision in force; throws error at E = 2.
-class way_down {
+class sampled_arc {
 public:
-    explicit way_down(const motion& m)
+    explicit sampled_arc(const motion& m)
         : truth_(m),
-          orbit_(orbit_of<mpfr>(m)),
-          period_(effective_period(orbit_)),
-          height_(singularity_height(orbit_)) {}
+          level_(energy_level_of<mpfr>(m)),
+          period_(effective_period(level_)),
+          height_(singularity_height(level_)) {}
 
-    const orbit<mpfr>& of() const { return orbit_; }
+    const energy_level<mpfr>& of() const { return level_; }
     const mpfr& period() const { return period_; }  ///< T*
     const mpfr& height() const { return height_; }  ///< K~'
     mpfr radius() const { return sqrt(period_ * period_ + height_ * height_); }
     mpfr rho() const { return period_ / radius(); }
-    mpfr fastest() const { return sqrt(orbit_.pair.energy * 2); }  ///< |omega*|
+    mpfr fastest() const { return sqrt(level_.pair.energy * 2); }  ///< |omega*|
 
     /// Theorem A2.
-    mpfr bound(int order) const { return top_bounds<mpfr>::of(orbit_).resummation_norm(order); }
+    mpfr bound(int order) const { return top_bounds<mpfr>::of(level_).resummation_norm(order); }
 
     /// theta and d theta/dx, at any x.
     jet<mpfr> exact(const mpfr& x) const {
@@ -71,7 +71,7 @@ public:
 
 private:
     exact_solution<mpfr> truth_;
-    orbit<mpfr> orbit_;
+    energy_level<mpfr> level_;
     mpfr period_;
     mpfr height_;
 };

@@ -1,5 +1,5 @@
 // The rest that the columns leave, against the sum of the Taylor series of every column, and theorem U.
-#include "libration/pendulum/arc/column_rest.hpp"
+#include "libration/pendulum/arc/uniform_remainder.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -54,8 +54,8 @@ std::vector<mpfr> column_by_column(regime r, const mpfr& y, int columns, int ord
 // b_n for P = 1 to 140 digits.
 power_series<mpfr> exact_rest(const motion& m, int order) {
     const precision_scope more(140);
-    const auto o = orbit_of<mpfr>(m);
-    return column_rest(o.regime, half_column_distance(o), 1, order);
+    const auto o = energy_level_of<mpfr>(m);
+    return uniform_remainder(o.regime, half_column_distance(o), 1, order);
 }
 
 }  // namespace
@@ -63,11 +63,11 @@ power_series<mpfr> exact_rest(const motion& m, int order) {
 TEST_CASE("the rest is the sum over the Taylor series of the columns", "[column_rest]") {
     const precision_scope precision(60);
     for (const std::string energy : {"0.5", "1.71", "1.999999", "2.02", "4"}) {
-        const auto o = orbit_of<mpfr>(with_energy(energy));
+        const auto o = energy_level_of<mpfr>(with_energy(energy));
         const mpfr y = half_column_distance(o);
         for (const int columns : {1, 2, 3}) {
             INFO("E = " << energy << ", P = " << columns);
-            const auto rest = column_rest(o.regime, y, columns, 21);
+            const auto rest = uniform_remainder(o.regime, y, columns, 21);
             const auto sums = column_by_column(o.regime, y, columns, 21);
             for (int n = 1; n <= 21; ++n) {
                 // exp(-2 60) ends the columns; both routes lose a few digits where their terms have both signs.
@@ -83,8 +83,8 @@ TEMPLATE_LIST_TEST_CASE("the coefficients have the absolute accuracy of their sc
     const typename TestType::precision precision;
     for (const auto& [name, m] : canonical_motions()) {
         INFO(name);
-        const auto o = orbit_of<T>(m);
-        const auto rest = column_rest(o.regime, half_column_distance(o), 1, 33);
+        const auto o = energy_level_of<T>(m);
+        const auto rest = uniform_remainder(o.regime, half_column_distance(o), 1, 33);
         const auto exact = exact_rest(m, 33);
         for (int n = 0; n <= 33; ++n) {
             INFO("n = " << n);
@@ -99,8 +99,8 @@ TEST_CASE("on balls every coefficient is enclosed", "[column_rest]") {
     const precision_scope precision(50);
     for (const auto& [name, m] : canonical_motions()) {
         INFO(name);
-        const auto o = orbit_of<ball>(m);
-        const auto rest = column_rest(o.regime, half_column_distance(o), 1, 40);
+        const auto o = energy_level_of<ball>(m);
+        const auto rest = uniform_remainder(o.regime, half_column_distance(o), 1, 40);
         const auto exact = exact_rest(m, 40);
         for (int n = 0; n <= 40; ++n) {
             CHECK(contains(rest[n], ball(exact[n])));
@@ -113,11 +113,11 @@ TEST_CASE("theorem U bounds every coefficient, by a factor down to 1.2", "[colum
     const precision_scope precision(80);
     mpfr closest(0);
     for (const auto& [name, m] : canonical_motions()) {
-        const auto o = orbit_of<mpfr>(m);
+        const auto o = energy_level_of<mpfr>(m);
         for (const int columns : {1, 2, 5}) {
             INFO(name << ", P = " << columns);
             const uniform_bounds<mpfr> bounds{parity_from_top(o.regime), columns};
-            const auto rest = column_rest(o.regime, half_column_distance(o), columns, 80);
+            const auto rest = uniform_remainder(o.regime, half_column_distance(o), columns, 80);
             for (int n = 2; n <= 80; ++n) {
                 const mpfr ratio = abs(rest[n]) / bounds.coefficient(n);
                 CHECK(ratio <= 1);
@@ -161,9 +161,9 @@ TEMPLATE_LIST_TEST_CASE("where there are no columns, or the theorem says nothing
                         all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    CHECK_THROWS_AS(half_column_distance(orbit_of<T>(with_energy("0"))), libration::error);
-    CHECK_THROWS_AS(column_rest(regime::libration, T(1), 0, 3), libration::error);
-    CHECK_THROWS_AS(column_rest(regime::libration, T(1), 1, -1), libration::error);
+    CHECK_THROWS_AS(half_column_distance(energy_level_of<T>(with_energy("0"))), libration::error);
+    CHECK_THROWS_AS(uniform_remainder(regime::libration, T(1), 0, 3), libration::error);
+    CHECK_THROWS_AS(uniform_remainder(regime::libration, T(1), 1, -1), libration::error);
     CHECK_THROWS_AS((uniform_bounds<T>{0, 1}.coefficient(1)), libration::error);
     CHECK_THROWS_AS((uniform_bounds<T>{1, 1}.norm(0)), libration::error);  // the first omitted power is 1
     CHECK_NOTHROW(uniform_bounds<T>{0, 1}.norm(0));

@@ -20,20 +20,20 @@ namespace libration {
 
 /// The expansion about x T* after the top against [0, T*].
 template <scalar T>
-struct descent_cover {
+struct expansion_coverage {
     T effective_period;  ///< T*
     T height;            ///< K~'
     phase<T> place;      ///< of the expansion point
     T radius;            ///< R(x)
     T reach;             ///< max(x, 1-x) T*
-    T rate;              ///< reach/R(x)
+    T convergence_rate;  ///< reach/R(x)
     int covers;  ///< sign of R(x) - reach: 1 where the circle of convergence holds [0, T*], 0 where it ends there
 };
 
 /// The sign of R(x) - max(x, 1-x) T*, that is of K~'^2 - (2x-1) T*^2. At the bottom it is that of 1 - E or E - 4,
 /// exactly; up to x = 1/2 it is 1; between them it takes the values of T at their word.
 template <rounding_scalar T>
-int cover_sign(const motion& m, const rational& x, const singularity_lattice<T>& lattice) {
+int coverage_sign(const motion& m, const rational& x, const singularity_lattice<T>& lattice) {
     const rational beyond_half = x * 2 - 1;
     if (beyond_half <= 0) {
         return 1;
@@ -49,33 +49,33 @@ int cover_sign(const motion& m, const rational& x, const singularity_lattice<T>&
 /// The cover from a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws error at
 /// E = 0 and 2.
 template <rounding_scalar T>
-descent_cover<T> cover_from(const motion& m, const rational& x) {
-    const orbit<T> o = orbit_of<T>(m);
+expansion_coverage<T> coverage_from(const motion& m, const rational& x) {
+    const energy_level<T> o = energy_level_of<T>(m);
     const singularity_lattice<T> lattice{effective_period(o), singularity_height(o)};
     const phase<T> place = phase_from_top<T>(m, x, lattice.effective_period);
     const T radius = lattice.radius(place);
     const T reach = from_rational<T>(std::max(x, rational(1 - x))) * lattice.effective_period;
-    return {lattice.effective_period, lattice.height, place, radius, reach, reach / radius, cover_sign(m, x, lattice)};
+    return {lattice.effective_period, lattice.height, place, radius, reach, reach / radius, coverage_sign(m, x, lattice)};
 }
 
 /// Decimal digits by which the error of order N is below theta, from its rate, and a few for the constants; what a
 /// computation has to carry beyond the digits wanted in a norm.
-inline long cover_digits_below(const motion& m, const rational& x, int order) {
+inline long coverage_digits_below(const motion& m, const rational& x, int order) {
     const precision_scope scope(20);
-    const mpfr gained = -log10(cover_from<mpfr>(m, x).rate) * (order + 2) + log10(mpfr(order + 1));
+    const mpfr gained = -log10(coverage_from<mpfr>(m, x).convergence_rate) * (order + 2) + log10(mpfr(order + 1));
     return 8 + std::max(0L, static_cast<long>(nearest_integer(gained)));
 }
 
 /// The norms on [0, T*] of |sigma_N - theta|, sigma_N about any point of it, for one motion. The working precision in
-/// force has to hold the wanted digits below theta: add cover_digits_below().
-class cover_errors {
+/// force has to hold the wanted digits below theta: add coverage_digits_below().
+class coverage_errors {
 public:
-    explicit cover_errors(const motion& m) : truth_(m) {}
+    explicit coverage_errors(const motion& m) : truth_(m) {}
 
     /// As a true maximum, and the fraction of T* where it is attained.
     norm_at<mpfr> norm(const rational& x, int order) {
         const auto points = chebyshev_points(std::max(251, 2 * order + 11));
-        const auto cover = cover_from<mpfr>(truth_.of(), x);
+        const auto cover = coverage_from<mpfr>(truth_.of(), x);
         const auto sigma = series_about<mpfr>(truth_, cover, order);
         const mpfr middle = from_rational<mpfr>(x);
         const auto approximation = [&](const mpfr& u) {
@@ -98,9 +98,9 @@ public:
     mpfr norm_in(const rational& x, int order) {
         const auto points = chebyshev_points(1001);
         const motion& m = truth_.of();
-        const auto cover = cover_from<T>(m, x);
+        const auto cover = coverage_from<T>(m, x);
         const auto sigma = series_about<T>(exact_solution<T>(m), cover, order);
-        const auto& truth = truth_at(points, effective_period(orbit_of<mpfr>(m)));
+        const auto& truth = truth_at(points, effective_period(energy_level_of<mpfr>(m)));
         mpfr largest(0);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const T t = (T(points[i]) - from_rational<T>(x)) * cover.effective_period;
@@ -111,7 +111,7 @@ public:
 
 private:
     template <rounding_scalar T>
-    static truncated_series<T> series_about(const exact_solution<T>& solution, const descent_cover<T>& cover,
+    static truncated_series<T> series_about(const exact_solution<T>& solution, const expansion_coverage<T>& cover,
                                             int order) {
         return {taylor_coefficients(start_at(solution, cover.place), order, cover.radius), cover.radius};
     }

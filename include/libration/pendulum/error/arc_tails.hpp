@@ -18,10 +18,10 @@ namespace libration {
 
 /// The errors at points 0 < x <= 1. Starts at the order of the series, where nothing is left out, and steps down.
 template <fixed_scalar T>
-class descent_tails {
+class arc_tails {
 public:
     /// a: a_n T*^n. Throws error for a point outside (0, 1].
-    descent_tails(std::vector<T> a, const std::vector<double>& points)
+    arc_tails(std::vector<T> a, const std::vector<double>& points)
         : a_(std::move(a)), order_(static_cast<int>(a_.size()) - 1) {
         using std::pow;
         places_.reserve(points.size());
@@ -48,9 +48,9 @@ public:
     }
 
     /// |error| at each point, into a vector of their number.
-    void errors(descent_method method, std::vector<T>& result) const {
+    void errors(arc_method method, std::vector<T>& result) const {
         using std::abs;
-        const bool resummed = method == descent_method::resummed;
+        const bool resummed = method == arc_method::resummed;
         for (std::size_t i = 0; i < places_.size(); ++i) {
             const place& p = places_[i];
             const T part = resummed ? T(p.tail - value_at_end_ - (p.x - 1) * slope_at_end_) : p.tail;

@@ -36,8 +36,8 @@ namespace libration {
 /// y = pi T*/(2 K~'): half the distance of two columns in the time of the separatrix. It tends to 0 at E = 0 and for
 /// large E, to infinity at E = 2. Throws error at E = 0.
 template <scalar T>
-T half_column_distance(const orbit<T>& o) {
-    return pi<T>() * complete_integral(o.shape) / (complete_integral(o.shape.swapped()) * 2);
+T half_column_distance(const energy_level<T>& o) {
+    return pi<T>() * complete_integral(o.modulus) / (complete_integral(o.modulus.swapped()) * 2);
 }
 
 /// The parity of theta about the top.
@@ -86,7 +86,7 @@ struct uniform_bounds {
 /// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up
 /// to a smooth function. O(N digits/(P y)). Throws error when P < 1 or N < 0.
 template <scalar T>
-power_series<T> column_rest(regime r, const T& half_distance, int columns, int order) {
+power_series<T> uniform_remainder(regime r, const T& half_distance, int columns, int order) {
     using std::cosh;
     using std::exp;
     using std::sinh;

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string_view>
 
-#include "libration/pendulum/arc/descent_pade.hpp"
+#include "libration/pendulum/arc/arc_pade.hpp"
 #include "libration/pendulum/arc/endpoint_resummation.hpp"
-#include "libration/pendulum/arc/uniform_rate.hpp"
+#include "libration/pendulum/arc/uniform_convergence_rate.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
 
@@ -67,8 +67,8 @@ constexpr std::optional<approximation_size> size_for(approximation a, int count,
 /// Exactly the factor by which one more coefficient multiplies the error in the long run (of the two-point expansion:
 /// the square root of that of two); nothing for Pade, which has no closed form.
 template <scalar T>
-std::optional<T> rate_a_coefficient(approximation a, const top_bounds<T>& b) {
-    const T by_power = a == approximation::uniform ? uniform_rate(b, 1) : b.rho;
+std::optional<T> convergence_rate(approximation a, const top_bounds<T>& b) {
+    const T by_power = a == approximation::uniform ? uniform_convergence_rate(b, 1) : b.rho;
     switch (a) {
         case approximation::pade: return std::nullopt;
         case approximation::two_point: return two_point_rate(b);
@@ -95,14 +95,14 @@ std::optional<T> proved_norm(approximation a, const approximation_size& size, co
 
 /// Calls use(f) with the approximation as a function of x, at the working precision in force.
 template <class Use>
-auto with_approximation(approximation a, const motion& m, const descent<mpfr>& way, int count, const Use& use) {
+auto with_approximation(approximation a, const motion& m, const fundamental_arc<mpfr>& arc, int count, const Use& use) {
     const int parity = parity_from_top(m.regime());
     const approximation_size size = size_for(a, count, parity).value();
     switch (a) {
-        case approximation::series: return use(series_from_top(way, size.order));
-        case approximation::pade: return use(pade_from_top(way, count));
+        case approximation::series: return use(series_from_top(arc, size.order));
+        case approximation::pade: return use(pade_from_top(arc, count));
         case approximation::uniform: return use(uniform_from_top<mpfr>(m, size.order));
-        default: return use(endpoint_from_top(way, size.order, size.conditions));
+        default: return use(endpoint_from_top(arc, size.order, size.conditions));
     }
 }
 

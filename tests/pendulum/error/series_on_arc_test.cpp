@@ -1,5 +1,5 @@
 // The lists for radius tests against the exact solution, and their ratios against what theory says of them.
-#include "libration/pendulum/error/series_on_descent.hpp"
+#include "libration/pendulum/error/series_on_arc.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -22,13 +22,13 @@ TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next 
             INFO("E = " << energy << ", x = " << x.str());
             const motion m = motion::of_energy(rational(energy));
             // 1/8 unit further, 9/64 of a radius: what is left out is (9/64)^130 = 2e-111.
-            const auto list = series_on_descent<T>(m, x, 130, rational(9) / 8);
+            const auto list = series_on_arc<T>(m, x, 130, rational(9) / 8);
             T sum(0);
             for (int n = 130; n >= 0; --n) {
                 sum = sum / 8 + list.scaled[n];
             }
             const precision_scope more(decimal_digits(digits<T>()) + 30);
-            const auto cover = cover_from<mpfr>(m, x);
+            const auto cover = coverage_from<mpfr>(m, x);
             const mpfr away = cover.place.offset + widen(list.unit) / 8;
             const mpfr expected = exact_solution<mpfr>(m).at({cover.place.quarter, away, away > 0 ? 1 : -1}).theta;
             // Coefficients of size 1 at most after the first, which is below 2 pi: an ulp of the sum and of a_0 each,
@@ -43,15 +43,15 @@ TEMPLATE_LIST_TEST_CASE("the unit is as many radii as asked", "[pendulum][series
     const typename TestType::precision precision;
     // E = 1: R = T* sqrt 2 about the top, T* about the bottom.
     const motion m = motion::of_energy(1);
-    const T top = series_on_descent<T>(m, 0, 1).unit;
-    const T bottom = series_on_descent<T>(m, 1, 1, rational(9) / 8).unit;
+    const T top = series_on_arc<T>(m, 0, 1).unit;
+    const T bottom = series_on_arc<T>(m, 1, 1, rational(9) / 8).unit;
     CHECK_THAT(T(top * top * 81), near(T(bottom * bottom * 128), 8));
 }
 
 TEST_CASE("ratios run to their limit along the line of a logarithm, or scatter", "[pendulum][series_on_descent]") {
     const precision_scope scope(40);
     const auto late_ratios = [](const char* energy, const rational& x, int first, int power) {
-        const auto list = series_on_descent<mpfr>(motion::of_energy(rational(energy)), x, 160);
+        const auto list = series_on_arc<mpfr>(motion::of_energy(rational(energy)), x, 160);
         auto all = ratios_of(strided_series<mpfr>(list.scaled, first, power));
         all.erase(all.begin(), all.end() - 20);
         return all;
@@ -89,19 +89,19 @@ TEST_CASE("the nearest singularity is R away, and there are four about the top",
     const precision_scope scope(40);
     for (const char* const energy : {"1/2", "202/100"}) {
         for (const rational& x : {rational(0), rational(1) / 3, rational(1)}) {
-            const auto cover = cover_from<mpfr>(motion::of_energy(rational(energy)), x);
-            CHECK_THAT(modulus_of(nearest_on_descent(cover, x)), near(cover.radius, 4));
+            const auto cover = coverage_from<mpfr>(motion::of_energy(rational(energy)), x);
+            CHECK_THAT(modulus_of(nearest_on_arc(cover, x)), near(cover.radius, 4));
         }
     }
-    CHECK(nearest_count_on_descent(0) == 4);
-    CHECK(nearest_count_on_descent(rational(1) / 3) == 2);
-    CHECK(nearest_count_on_descent(1) == 2);
+    CHECK(nearest_count_on_arc(0) == 4);
+    CHECK(nearest_count_on_arc(rational(1) / 3) == 2);
+    CHECK(nearest_count_on_arc(1) == 2);
 }
 
 TEST_CASE("there is no list at rest, on the separatrix, or of a negative order", "[pendulum][series_on_descent]") {
-    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(0), 0, 4), libration::error);
-    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(2), 1, 4), libration::error);
-    CHECK_THROWS_AS(series_on_descent<double>(motion::of_energy(1), 1, -1), libration::error);
+    CHECK_THROWS_AS(series_on_arc<double>(motion::of_energy(0), 0, 4), libration::error);
+    CHECK_THROWS_AS(series_on_arc<double>(motion::of_energy(2), 1, 4), libration::error);
+    CHECK_THROWS_AS(series_on_arc<double>(motion::of_energy(1), 1, -1), libration::error);
 }
 
 }  // namespace pendulum_series_on_descent_test

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/error/descent_cover.hpp"
+#include "libration/pendulum/error/expansion_coverage.hpp"
 #include "libration/scalar/complex_number.hpp"
 
 namespace libration {
 
 /// a_n unit^n about a point, each within a unit in the last place of T.
 template <rounding_scalar T>
-struct descent_list {
+struct arc_list {
     power_series<T> scaled;
     T unit;  ///< dimensionless time
 };
@@ -22,13 +22,13 @@ struct descent_list {
 /// from the tests. The coefficients come from the recurrence in more digits than T has, so that rounding them is their
 /// only noise. O(N^2) products. Throws error at E = 0 and 2, and for a negative order.
 template <rounding_scalar T>
-descent_list<T> series_on_descent(const motion& m, const rational& x, int order, const rational& radii = 1) {
+arc_list<T> series_on_arc(const motion& m, const rational& x, int order, const rational& radii = 1) {
     constexpr long guard_digits = 25;
     power_series<mpfr> wide;
     mpfr unit;
     {
         const precision_scope scope(decimal_digits(digits<T>() + m.condition_bits()) + guard_digits);
-        const descent_cover<mpfr> cover = cover_from<mpfr>(m, x);
+        const expansion_coverage<mpfr> cover = coverage_from<mpfr>(m, x);
         unit = cover.radius * from_rational<mpfr>(radii);
         wide = taylor_coefficients(start_at(exact_solution<mpfr>(m), cover.place), order, unit);
     }
@@ -42,14 +42,14 @@ descent_list<T> series_on_descent(const motion& m, const rational& x, int order,
 
 /// The nearest singularity (of least argument) as seen from the fraction x of T*: (1-x) T* + i K~'.
 template <scalar T>
-complex_number<T> nearest_on_descent(const descent_cover<T>& cover, const rational& x) {
+complex_number<T> nearest_on_arc(const expansion_coverage<T>& cover, const rational& x) {
     return {from_rational<T>(rational(1 - x)) * cover.effective_period, cover.height};
 }
 
 /// How many singularities are nearest: four about the top, two elsewhere. Each pair R e^(+-i phi) of logarithms 2i
 /// makes (4/n) R^-n sin(n phi + const) of a_n, so that |a_n| R^n n is at most twice this number, up to (R/R2)^n for the
 /// next ones at a distance R2.
-inline int nearest_count_on_descent(const rational& x) { return x == 0 ? 4 : 2; }
+inline int nearest_count_on_arc(const rational& x) { return x == 0 ? 4 : 2; }
 
 /// The limit of a_n/a_{n-p} R^p, the ratios of the series in t^p: 1 or -1 where all nearest singularities R e^(i phi)
 /// are one in t^p; nothing where they are a pair there, whose ratios scatter for ever. They are one about the bottom,

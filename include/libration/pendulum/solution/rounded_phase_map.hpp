@@ -1,4 +1,4 @@
-// The clock of a program that has no exact times: what the timeline is there to avoid.
+// The clock of a program that has no exact times: what the phase map is there to avoid.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace libration {
 /// fmod(t, T) [paper (newseries), the modulo]. The remainder itself is exact, but t and T each have an error of up to
 /// half an epsilon of themselves, and that of T counts once a period: at time t the phase is off by up to epsilon t.
 template <fixed_scalar T>
-class rounded_clock {
+class rounded_phase_map {
 public:
     /// Throws error at E = 2, and for a start between the quarters.
-    explicit rounded_clock(motion m) : motion_(std::move(m)) {
+    explicit rounded_phase_map(motion m) : motion_(std::move(m)) {
         if (!motion_.start_quarter()) {
             throw error(error_kind::argument, "motion", "", "starts neither at a top nor at a bottom");
         }
         const precision_scope scope(decimal_digits(digits<T>() + 64));
-        period_ = narrow<T>(effective_period(orbit_of<mpfr>(motion_)) * quarters_per_period(motion_.regime()));
+        period_ = narrow<T>(effective_period(energy_level_of<mpfr>(motion_)) * quarters_per_period(motion_.regime()));
     }
 
     /// The phase at a time, less whole periods.
@@ -47,8 +47,8 @@ private:
 /// sqrt(2E) (p + 1) T epsilon: the largest error of theta that the rounding of t and T makes within the period after p
 /// whole ones, to first order; half of it by t, half by T.
 template <fixed_scalar T>
-mpfr rounded_clock_bound(const rational& energy, const integer& periods) {
-    const orbit<mpfr> o = orbit_of<mpfr>(motion::of_energy(energy));
+mpfr rounded_phase_map_bound(const rational& energy, const integer& periods) {
+    const energy_level<mpfr> o = energy_level_of<mpfr>(motion::of_energy(energy));
     const mpfr latest =
         effective_period(o) * quarters_per_period(o.regime) * from_rational<mpfr>(rational(periods + 1));
     return sqrt(mpfr(o.pair.energy * 2)) * latest * widen(epsilon<T>());
@@ -75,11 +75,11 @@ inline mpfr angle_between(const mpfr& a, const mpfr& b, regime r) {
 /// 20 decimals: of the exact solution in T at the phases that a clock gives, against the exact solution in mpfr. The
 /// motion is the canonical one of an energy. At the working precision in force. Throws error at E = 2.
 template <fixed_scalar T, class Clock>
-mpfr clock_error(const rational& energy, const Clock& clock, const integer& periods, int points) {
+mpfr phase_map_error(const rational& energy, const Clock& clock, const integer& periods, int points) {
     const motion m = motion::of_energy(energy);
     const exact_solution<T> rounded(m);
     const exact_solution<mpfr> truth(m);
-    const mpfr period = effective_period(orbit_of<mpfr>(m)) * quarters_per_period(m.regime());
+    const mpfr period = effective_period(energy_level_of<mpfr>(m)) * quarters_per_period(m.regime());
     const integer decimals = boost::multiprecision::pow(integer(10), 20U);
     mpfr worst(0);
     for (int i = 0; i <= points; ++i) {
@@ -87,7 +87,7 @@ mpfr clock_error(const rational& energy, const Clock& clock, const integer& peri
         const mpfr scaled = period * from_rational<mpfr>(rational(count * rational(decimals)));
         const exact time = exactly(rational(nearest_integer(scaled), decimals));
         const mpfr found = widen(rounded.at(within_period(clock.at(time), m.regime())).theta);
-        const mpfr expected = truth.at(within_period(truth.clock().at(time), m.regime())).theta;
+        const mpfr expected = truth.at(within_period(truth.phases().at(time), m.regime())).theta;
         worst = std::max(worst, angle_between(found, expected, m.regime()));
     }
     return worst;

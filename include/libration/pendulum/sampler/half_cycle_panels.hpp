@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "libration/pendulum/sampler/swing.hpp"
-#include "libration/pendulum/sampler/swing_panel.hpp"
+#include "libration/pendulum/sampler/half_cycle.hpp"
+#include "libration/pendulum/sampler/half_cycle_panel.hpp"
 #include "libration/pendulum/taylor/coefficients.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -48,29 +48,29 @@ T rounded_to(const F& x) {
 /// The panels of one motion from the bottom to the top. Where the way takes longer than all digits of T can tell the
 /// state from rest on top, they end there. Not more than 110 panels.
 template <fixed_scalar T>
-class swing_panels {
+class half_cycle_panels {
 public:
     /// The motion's times are counted in its own units (seconds where it has a length and a gravity). Cost: a Jacobi
     /// function and a Taylor series of panel_terms powers each. Throws error of the kind range where the square of the unit
     /// leaves the range of T (E above 10^307 in double), and as energies.
-    explicit swing_panels(const motion& m) {
+    explicit half_cycle_panels(const motion& m) {
         using std::ldexp;
         using W = finer_t<T>;
         const precision_scope scope(decimal_digits(digits<T>() + 64));
-        const swing<W> way(m);
+        const half_cycle<W> half(m);
         const W seconds = time_unit<W>(m);
-        const long exponent = unit_exponent(way, seconds);
+        const long exponent = unit_exponent(half, seconds);
         if (!holds_exponent<T>(2 * exponent) || !holds_exponent<T>(-2 * exponent)) {
             throw error(error_kind::range, "time to the top", "", "is outside the range of this scalar");
         }
         unit_ = ldexp(T(1), static_cast<int>(exponent));
         const W scale = ldexp(W(1), static_cast<int>(exponent)) / seconds;
-        end_ = way.constant() ? T(0) : rounded_to<T>(W(last_time(way) / scale));
+        end_ = half.constant() ? T(0) : rounded_to<T>(W(last_time(half) / scale));
         const std::size_t count = place_of(static_cast<double>(end_)).index + 1;
         panels_.reserve(count);
         for (double x = 0; panels_.size() < count;) {
             const double centre = place_of(x).centre;
-            panels_.push_back(expanded(way, centre, scale));
+            panels_.push_back(expanded(half, centre, scale));
             x = 2 * centre - x;
         }
     }
@@ -85,10 +85,10 @@ public:
 private:
     using finer = finer_t<T>;
 
-    static long unit_exponent(const swing<finer>& way, const finer& seconds) {
-        finer reach = way.constant() ? finer(2) : way.height();
-        if (way.has_top() && way.effective_period() < reach) {
-            reach = way.effective_period();
+    static long unit_exponent(const half_cycle<finer>& half, const finer& seconds) {
+        finer reach = half.constant() ? finer(2) : half.height();
+        if (half.has_top() && half.effective_period() < reach) {
+            reach = half.effective_period();
         }
         // A few digits more than none: u = 1 where K~' is pi/2 up to rounding.
         const finer largest = reach * seconds * 2 / pi<finer>();
@@ -97,17 +97,17 @@ private:
 
     // T* and 2^-20 of it, for times that round into the other side; but no more than the time after which the distance
     // to the top, 4 e^-t, is below an eighth of an epsilon.
-    static finer last_time(const swing<finer>& way) {
+    static finer last_time(const half_cycle<finer>& half) {
         const finer settled = finer((digits<T>() + 6) * 7) / 10;
-        const finer way_up = way.effective_period() + way.effective_period() / (1 << 20);
-        return way.has_top() && way_up < settled ? way_up : settled;
+        const finer rise = half.effective_period() + half.effective_period() / (1 << 20);
+        return half.has_top() && rise < settled ? rise : settled;
     }
 
-    static panel<T> expanded(const swing<finer>& way, double centre, const finer& scale) {
+    static panel<T> expanded(const half_cycle<finer>& half, double centre, const finer& scale) {
         const auto down = [](const finer& x) { return rounded_to<T>(x); };
-        const pendulum_state<finer> at = way.at(finer(scale * centre));
+        const pendulum_state<finer> at = half.at(finer(scale * centre));
         const taylor_start<T> start{{down(at.theta), down(at.omega), down(at.half_sine), down(at.half_cosine)},
-                                    {down(way.pair().energy), down(way.pair().gap)}};
+                                    {down(half.pair().energy), down(half.pair().gap)}};
         power_series<T> theta = taylor_coefficients(start, static_cast<int>(panel_terms<T>), down(scale));
         theta[1] = down(finer(at.omega * scale));
         panel<T> result;

@@ -19,9 +19,9 @@ namespace libration {
 
 /// a_0 + x^p P(x^2)/Q(x^2), p = 0 or 1.
 template <rounding_scalar T>
-class descent_pade {
+class arc_pade {
 public:
-    descent_pade(T constant, int parity, pade_approximant<T> in_square)
+    arc_pade(T constant, int parity, pade_approximant<T> in_square)
         : constant_(std::move(constant)), parity_(parity), in_square_(std::move(in_square)) {}
 
     const pade_approximant<T>& in_square() const { return in_square_; }
@@ -47,13 +47,13 @@ private:
 /// coefficient is 0); M = 0 is the series. The system loses about 3/2 digits a degree of Q. O(count^3). Throws
 /// error when count < 1.
 template <rounding_scalar T>
-descent_pade<T> pade_from_top(const descent<T>& d, int count) {
+arc_pade<T> pade_from_top(const fundamental_arc<T>& d, int count) {
     if (count < 1) {
         throw error(error_kind::argument, "number of coefficients", std::to_string(count),
                     "of a Pade approximant is below 1");
     }
     const int parity = d.o.regime == regime::rotation ? 1 : 0;
-    const power_series<T> a = descent_series(d, 2 * count - parity);
+    const power_series<T> a = arc_series(d, 2 * count - parity);
     std::vector<T> g;
     g.reserve(static_cast<std::size_t>(count) + 1);
     for (int n = parity; n <= a.order(); n += 2) {

@@ -27,7 +27,7 @@ struct split_number {
 /// itself times an epsilon, for |j| <= 2^31 and t taken as exact. Needs rounding to nearest, and neither -ffast-math
 /// nor doubles in wider registers.
 template <fixed_scalar T>
-class swing_clock {
+class half_cycle_clock {
 public:
     static constexpr int passage_bits = 32;
 
@@ -40,7 +40,7 @@ public:
     };
 
     /// interval is 2 T*, 0 for infinite; all in a precision_scope of at least 2 digits + 64 bits.
-    swing_clock(const mpfr& interval, const mpfr& start, const T& unit)
+    half_cycle_clock(const mpfr& interval, const mpfr& start, const T& unit)
         : per_unit_(1 / unit),
           start_(start / widen(unit)),
           largest_(power_of_two(passage_bits - 1)),
