@@ -26,6 +26,8 @@
 namespace {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::bench;
 
 constexpr long guard = 20;

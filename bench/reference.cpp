@@ -19,6 +19,7 @@
 namespace {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::bench;
 
 constexpr long most_guard = 60;

@@ -26,6 +26,9 @@
 namespace {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::bench;
 
 constexpr int rounds = 15;

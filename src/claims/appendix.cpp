@@ -10,6 +10,8 @@
 
 namespace libration {
 
+using namespace series;
+
 using namespace judging;
 
 namespace {

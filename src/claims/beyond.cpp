@@ -8,6 +8,9 @@
 
 namespace libration {
 
+using namespace series;
+using namespace pendulum;
+
 using namespace judging;
 
 namespace {

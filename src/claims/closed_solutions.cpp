@@ -6,6 +6,10 @@
 
 namespace libration {
 
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
+
 namespace {
 
 using namespace judging;

@@ -11,6 +11,10 @@
 
 namespace libration {
 
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
 using namespace judging;
 
 namespace {

@@ -8,6 +8,9 @@
 
 namespace libration {
 
+using namespace series;
+using namespace pendulum;
+
 namespace {
 
 using namespace judging;

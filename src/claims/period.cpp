@@ -8,6 +8,10 @@
 
 namespace libration {
 
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
+
 using namespace judging;
 
 namespace {

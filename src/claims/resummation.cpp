@@ -9,6 +9,8 @@
 
 namespace libration {
 
+using namespace series;
+
 using namespace judging;
 
 namespace {

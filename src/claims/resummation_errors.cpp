@@ -9,6 +9,9 @@
 
 namespace libration {
 
+using namespace series;
+using namespace pendulum;
+
 using namespace judging;
 
 namespace {

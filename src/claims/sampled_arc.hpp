@@ -18,13 +18,13 @@ namespace libration::judging {
 /// rotation runs from pi to 0. At the working precision in force; throws error at E = 2.
 class sampled_arc {
 public:
-    explicit sampled_arc(const motion& m)
+    explicit sampled_arc(const pendulum::motion& m)
         : truth_(m),
           level_(energy_level_of<mpfr>(m)),
           period_(effective_period(level_)),
           height_(singularity_height(level_)) {}
 
-    const energy_level<mpfr>& of() const { return level_; }
+    const pendulum::energy_level<mpfr>& of() const { return level_; }
     const mpfr& period() const { return period_; }  ///< T*
     const mpfr& height() const { return height_; }  ///< K~'
     mpfr radius() const { return sqrt(period_ * period_ + height_ * height_); }
@@ -32,17 +32,17 @@ public:
     mpfr fastest() const { return sqrt(level_.pair.energy * 2); }  ///< |omega*|
 
     /// Theorem A2.
-    mpfr bound(int order) const { return top_bounds<mpfr>::of(level_).resummation_norm(order); }
+    mpfr bound(int order) const { return pendulum::top_bounds<mpfr>::of(level_).resummation_norm(order); }
 
     /// theta and d theta/dx, at any x.
-    jet<mpfr> exact(const mpfr& x) const {
+    series::jet<mpfr> exact(const mpfr& x) const {
         const auto state = truth_.from_top(x);
         return {state.theta, state.omega * period_};
     }
 
     /// a_n T*^n.
-    power_series<mpfr> series(int order) const {
-        const auto about_top = expand(truth_, {expansion_point::place::top, {}}, order);
+    series::power_series<mpfr> series(int order) const {
+        const auto about_top = expand(truth_, {pendulum::expansion_point::place::top, {}}, order);
         return rescale(about_top.scaled, mpfr(period_ / about_top.scale));
     }
     truncated_series<mpfr> cut(int order) const { return {series(order), mpfr(1)}; }
@@ -52,7 +52,7 @@ public:
         return {series(order), {angle, speed * period_}};
     }
     endpoint_approximant<mpfr> resummed(int order) const {
-        const jet<mpfr> bottom = exact(mpfr(1));
+        const series::jet<mpfr> bottom = exact(mpfr(1));
         return {series(order), {bottom.value, bottom.slope}};
     }
 
@@ -70,8 +70,8 @@ public:
     }
 
 private:
-    exact_solution<mpfr> truth_;
-    energy_level<mpfr> level_;
+    pendulum::exact_solution<mpfr> truth_;
+    pendulum::energy_level<mpfr> level_;
     mpfr period_;
     mpfr height_;
 };

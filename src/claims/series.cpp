@@ -8,6 +8,8 @@
 
 namespace libration {
 
+using namespace series;
+
 namespace {
 
 using namespace judging;

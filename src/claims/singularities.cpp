@@ -9,6 +9,10 @@
 
 namespace libration {
 
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
 namespace {
 
 using namespace judging;

@@ -15,6 +15,9 @@
 
 namespace libration {
 
+using namespace series;
+using namespace pendulum;
+
 namespace {
 
 struct coefficients_options {

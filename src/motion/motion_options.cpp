@@ -17,6 +17,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 constexpr const char* number_remedy = "write a number such as 1.71, 171/100 or 1e-30";
@@ -130,8 +132,8 @@ chosen_motion motion_options::by_state() const {
     }
     const exact angle = angle_of("--theta0", *theta0_);
     const exact speed = number_of("--omega0", *omega0_);
-    motion of =
-        reading("--omega0", *omega0_, number_remedy, [&] { return motion::of_state(angle, speed, squared_frequency()); });
+    motion of = reading("--omega0", *omega0_, number_remedy,
+                        [&] { return motion::of_state(angle, speed, squared_frequency()); });
     std::optional<std::string> energy;
     std::optional<std::string> gap;
     if (of.energy()) {

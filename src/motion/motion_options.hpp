@@ -16,7 +16,7 @@ namespace libration {
 
 /// A motion with the texts that stand for it in the output.
 struct chosen_motion {
-    motion of;
+    pendulum::motion of;
     bool by_state;       ///< given by theta0 and omega0
     std::string option;  ///< the option that gave the energy, and its value
     std::string value;
@@ -55,10 +55,10 @@ private:
 };
 
 /// The times of a motion in this regime: a list or a range, multiples of T among them where it has a period.
-std::vector<exact> times_of(const std::string& value, regime r);
+std::vector<exact> times_of(const std::string& value, pendulum::regime r);
 
 /// The times as decimals in the motion's unit: exact where they end, else to `digits` digits, multiples of T among them.
-std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits);
+std::vector<std::string> times_in_decimals(const pendulum::motion& of, const std::vector<exact>& times, long digits);
 
 /// An angle or a velocity as a decimal, exact where it ends, else to `digits` digits.
 std::string angle_in_decimals(const exact& angle, long digits);

@@ -5,6 +5,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 template <class T>

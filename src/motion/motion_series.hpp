@@ -15,14 +15,14 @@ namespace libration {
 struct series_request {
     chosen_motion chosen;
     scalar_spec scalar;
-    expansion_point at;
+    pendulum::expansion_point at;
     long order;
     long first = 0;
 };
 
 /// The point that --at names; without it the top for an energy, the bottom at E = 2, the start for a state. Throws
 /// input_error for what is no point of that motion.
-expansion_point point_of(const std::optional<std::string>& at, const chosen_motion& chosen);
+pendulum::expansion_point point_of(const std::optional<std::string>& at, const chosen_motion& chosen);
 
 /// a_first .. a_N in the motion's unit of time: right to the digits of an mpfr scalar; as a fixed scalar computes them
 /// in time scaled by the radius, and without its bounds of range.

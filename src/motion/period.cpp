@@ -14,6 +14,9 @@
 
 namespace libration {
 
+using namespace elliptic;
+using namespace pendulum;
+
 namespace {
 
 struct period_options {

@@ -25,6 +25,10 @@
 
 namespace libration {
 
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
 namespace {
 
 struct radius_options {

@@ -8,6 +8,9 @@
 
 namespace libration {
 
+using namespace series;
+using namespace convergence;
+
 namespace {
 
 const std::vector<column> radius_columns{{"method", ""},      {"radius", ""},         {"uncertainty", ""},

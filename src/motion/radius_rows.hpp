@@ -13,7 +13,7 @@ namespace libration {
 
 /// The coefficients to judge, and what is known of their radius otherwise.
 struct judged_list {
-    power_series<mpfr> coefficients;
+    series::power_series<mpfr> coefficients;
     std::vector<exact> written;     ///< as in the file; empty for a motion
     std::string exact_text;         ///< the true radius as printed, empty where it is not known
     std::optional<mpfr> true_size;  ///< the same with more digits, nothing also where it is infinite
@@ -21,8 +21,8 @@ struct judged_list {
 
 /// What all tests said, the verdict first, in the unit of the list.
 struct radius_answers {
-    coefficient_pattern pattern;
-    std::vector<radius_estimate<mpfr>> rows;
+    convergence::coefficient_pattern pattern;
+    std::vector<convergence::radius_estimate<mpfr>> rows;
 };
 
 /// The radius is computed with so many digits more than it is printed.

@@ -12,6 +12,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 struct reference_options {

@@ -9,6 +9,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 struct trajectory_options {

@@ -19,6 +19,10 @@
 
 namespace libration {
 
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
+
 namespace {
 
 // What the latest of the times needs.

@@ -4,6 +4,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
     try {
         return states.at(time);

@@ -9,6 +9,7 @@ namespace libration {
 
 /// The state at one of the times. Throws input_error where omega is too small to be printed: on the separatrix it falls
 /// like exp(-t), until no exponent holds it.
-proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed);
+pendulum::proved_states::state_text state_at(pendulum::proved_states& states, const exact& time,
+                                             const std::string& typed);
 
 }  // namespace libration

@@ -16,7 +16,7 @@ std::optional<std::string>& option_words::place_of(const std::string& option) {
 }
 
 void option_words::offer(CLI::App& command, const std::string& names, const std::string& type_name,
-                       const std::string& help) {
+                         const std::string& help) {
     command.add_option(names, place_of(names.substr(0, names.find(','))), help)->type_name(type_name);
 }
 

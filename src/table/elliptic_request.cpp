@@ -12,6 +12,8 @@
 
 namespace libration {
 
+using namespace elliptic;
+
 namespace {
 
 constexpr const char* modulus_remedy = "write a number from 0 to 1 such as 0.8, 4/5 or 1e-30";
@@ -114,7 +116,8 @@ void offer_elliptic(option_words& said, CLI::App& command) {
 
 bool is_elliptic_function(const std::string& name) { return jacobi_of(name) || name == "K" || name == "F"; }
 
-elliptic_request read_elliptic(const std::vector<std::string>& functions, const option_words& said, elliptic_grid grid) {
+elliptic_request read_elliptic(const std::vector<std::string>& functions, const option_words& said,
+                               elliptic_grid grid) {
     elliptic_request request{functions, "", {}, argument_name(functions.front()), {}};
     read_parameters(request, said, grid);
     read_arguments(request, said);

@@ -13,9 +13,9 @@ namespace libration {
 /// A modulus k, parameter m or complementary parameter m1 as typed.
 struct typed_parameter {
     exact typed;
-    exact_parameter (*from)(const exact&);
+    elliptic::exact_parameter (*from)(const exact&);
 
-    exact_parameter value() const { return from(typed); }
+    elliptic::exact_parameter value() const { return from(typed); }
 };
 
 /// Every function at every argument and every parameter.
@@ -41,12 +41,13 @@ elliptic_request read_elliptic(const std::vector<std::string>& functions, const 
 
 /// The function as a ball, in the working precision and as many digits more as the argument has before its point.
 /// Throws precision_exhausted as jacobi_value does, and error where the function is infinite.
-ball function_ball(const std::string& function, const exact& at, const exact_parameter& p);
+ball function_ball(const std::string& function, const exact& at, const elliptic::exact_parameter& p);
 
 /// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0.
-std::string function_text(const std::string& function, const exact& at, const exact_parameter& p, long digits);
+std::string function_text(const std::string& function, const exact& at, const elliptic::exact_parameter& p,
+                          long digits);
 
 /// Whether K or F is infinite there.
-bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p);
+bool is_infinite(const std::string& function, const exact& at, const elliptic::exact_parameter& p);
 
 }  // namespace libration

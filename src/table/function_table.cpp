@@ -18,6 +18,8 @@
 
 namespace libration {
 
+using namespace elliptic;
+
 namespace {
 
 // Three digits of the condition: computed with twice the digits until they stay.
@@ -123,8 +125,8 @@ std::vector<std::string> functions_of(const std::string& list) {
     return functions;
 }
 
-table function_table(const std::vector<std::string>& functions, const option_words& said, long digits, input_style style,
-                     int jobs) {
+table function_table(const std::vector<std::string>& functions, const option_words& said, long digits,
+                     input_style style, int jobs) {
     const auto request = read_elliptic(functions, said, elliptic_grid::lists);
     const std::size_t cells = request.parameters.size() * request.arguments.size();
     if (cells > static_cast<std::size_t>(most_grid_values)) {

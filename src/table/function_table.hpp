@@ -17,7 +17,7 @@ std::vector<std::string> functions_of(const std::string& list);
 ///
 /// condition = (|u df/du| + |x df/dx|)/|f| with x the parameter as typed, to three digits and heuristic
 /// (function_condition); inf where f is 0 or infinite and not exact. Throws input_error.
-table function_table(const std::vector<std::string>& functions, const option_words& said, long digits, input_style style,
-                     int jobs);
+table function_table(const std::vector<std::string>& functions, const option_words& said, long digits,
+                     input_style style, int jobs);
 
 }  // namespace libration

@@ -8,6 +8,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 constexpr const char* energies_remedy = "write energies such as 0.5,1.71,2.02 or 0.1:1.9:19";

@@ -12,8 +12,8 @@ namespace libration {
 
 /// A motion of the grid; the texts of energy and gap where they were typed.
 struct grid_motion {
-    typed_motion typed;
-    motion of;
+    pendulum::typed_motion typed;
+    pendulum::motion of;
     std::optional<sweep_energy> texts;
 };
 

@@ -13,6 +13,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 constexpr std::size_t times_a_step = 32;

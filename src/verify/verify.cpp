@@ -17,6 +17,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 struct verify_options {

@@ -12,6 +12,8 @@
 
 namespace libration {
 
+using namespace pendulum;
+
 namespace {
 
 constexpr std::size_t most_known_motions = 4;
@@ -200,7 +202,7 @@ row_judge::known_motion& row_judge::motion_for(const motion_cells& cells) {
         typed = typed.in_double();
     }
     typed.squared_frequency = rules_.squared_frequency;
-    libration::motion exactly = typed.motion();
+    pendulum::motion exactly = typed.motion();
     known_.insert(known_.begin(), std::make_unique<known_motion>(known_motion{text, typed, std::move(exactly), {}}));
     known_.resize(std::min(known_.size(), most_known_motions));
     return *known_.front();

@@ -81,9 +81,9 @@ public:
 private:
     struct known_motion {
         std::string text;
-        typed_motion typed;
-        libration::motion exactly;
-        std::vector<std::pair<long, std::unique_ptr<conditioned_motion>>> by_digits;
+        pendulum::typed_motion typed;
+        pendulum::motion exactly;
+        std::vector<std::pair<long, std::unique_ptr<pendulum::conditioned_motion>>> by_digits;
     };
     struct value_verdicts {
         judgement theta;
@@ -94,7 +94,7 @@ private:
     asked_row read(const std::vector<std::string>& cells) const;
     judged_row judged(const csv_record& record, const std::vector<std::string>& cells);
     known_motion& motion_for(const motion_cells& cells);
-    static const conditioned_motion& in_precision(known_motion& known, long digits);
+    static const pendulum::conditioned_motion& in_precision(known_motion& known, long digits);
     value_verdicts verdicts(const asked_row& row, known_motion& known);
     std::optional<value_verdicts> try_verdicts(const asked_row& row, known_motion& known, long digits,
                                                bool last_attempt) const;

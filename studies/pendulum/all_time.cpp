@@ -12,6 +12,8 @@
 
 namespace libration::studies {
 
+using namespace pendulum;
+
 namespace all_time_study {
 namespace {
 

@@ -43,7 +43,7 @@ struct audit_case {
 inline audit_case case_of(const sweep_energy& at, const exact& time) {
     const precision_scope scope(proved_places);
     const rational gap = 2 - at.value;
-    const landen_motion motion(at.value, gap);
+    const pendulum::landen_motion motion(at.value, gap);
     ball instant = from_exact<ball>(time.without_periods());
     if (time.has_periods()) {
         instant += pi<ball>() * from_rational<ball>(rational(time.periods() * 2)) / motion.mean();
@@ -147,7 +147,8 @@ inline table judged_rows(const audit_case& one, const std::string& library, doub
     const ball reference = proved_theta(one.at->value, one.gap, instant, proved_places);
     const ball received = theta_of_received({one.k, one.time});
     const cell condition = decimal_cell(energy_condition(one.at->value, one.gap, instant), judged_digits);
-    const double ours = exact_solution<double>(motion::of_energy(one.at->value))(exactly(instant)).theta;
+    const double ours =
+        pendulum::exact_solution<double>(pendulum::motion::of_energy(one.at->value))(exactly(instant)).theta;
     return make_table(audit_columns(),
                       std::vector<audit_row>{judged_row(one, "libration", ours, reference, nullptr, condition),
                                              judged_row(one, library, theta, reference, &received, condition)});

@@ -51,27 +51,27 @@ inline const column_list<extension_row>& extension_columns() {
 }
 
 /// What a value is equal to in exact arithmetic: both approximations at the top, the resummation at the bottom too.
-inline bool interpolates(arc_method method, const phase<mpfr>& at) {
-    const bool top = quarter_of_four(at.quarter) % 2 != 0;
-    return at.side == 0 && (top || method == arc_method::resummed);
+inline bool interpolates(pendulum::arc_method method, const pendulum::phase<mpfr>& at) {
+    const bool top = elliptic::quarter_of_four(at.quarter) % 2 != 0;
+    return at.side == 0 && (top || method == pendulum::arc_method::resummed);
 }
 
 /// The extension of one function of the fundamental arc, in the arithmetic T, against the exact solution in the working
 /// precision.
 template <class T, class F>
-std::vector<judged> follow(const motion& m, const std::vector<exact>& times, arc_method method,
-                           const periodic_extension<T, F>& extension, bool slope_at_top) {
-    const exact_solution<mpfr> truth(m);
+std::vector<judged> follow(const pendulum::motion& m, const std::vector<exact>& times, pendulum::arc_method method,
+                           const pendulum::periodic_extension<T, F>& extension, bool slope_at_top) {
+    const pendulum::exact_solution<mpfr> truth(m);
     std::vector<judged> values;
     values.reserve(times.size());
     for (const exact& time : times) {
-        const phase<mpfr> at = truth.phases().at(time);
-        const pendulum_state<mpfr> expected = truth.at(at);
-        const jet<T> found = extension(time);
+        const pendulum::phase<mpfr> at = truth.phases().at(time);
+        const pendulum::pendulum_state<mpfr> expected = truth.at(at);
+        const series::jet<T> found = extension(time);
         judged value{widen(found.value), widen(found.slope), mpfr(0), interpolates(method, at)};
         if (fixed_scalar<T> || !value.settled) {
             value.error = abs(value.theta - expected.theta);
-        } else if (slope_at_top || quarter_of_four(at.quarter) % 2 == 0) {
+        } else if (slope_at_top || elliptic::quarter_of_four(at.quarter) % 2 == 0) {
             value.theta = expected.theta;
             value.omega = expected.omega;
         }
@@ -81,26 +81,29 @@ std::vector<judged> follow(const motion& m, const std::vector<exact>& times, arc
 }
 
 /// All times of one energy and order.
-inline std::vector<judged> extended(const motion& m, const std::vector<exact>& times, arc_method method, int order,
-                                    const scalar_spec& scalar) {
+inline std::vector<judged> extended(const pendulum::motion& m, const std::vector<exact>& times,
+                                    pendulum::arc_method method, int order, const scalar_spec& scalar) {
     return resolved(scalar.digits, digits_below(m, order), [&] {
         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
-            const fundamental_arc<T> arc = arc_of<T>(m);
+            const pendulum::fundamental_arc<T> arc = arc_of<T>(m);
             const bool slope_at_top = order >= 1;
-            if (method == arc_method::series) {
+            if (method == pendulum::arc_method::series) {
                 const auto f = series_from_top(arc, order);
-                return follow<T>(m, times, method, periodic_extension<T, truncated_series<T>>(m, f), slope_at_top);
+                return follow<T>(m, times, method, pendulum::periodic_extension<T, truncated_series<T>>(m, f),
+                                 slope_at_top);
             }
             const auto f = resummation_from_top(arc, order);
-            return follow<T>(m, times, method, periodic_extension<T, endpoint_approximant<T>>(m, f), slope_at_top);
+            return follow<T>(m, times, method, pendulum::periodic_extension<T, endpoint_approximant<T>>(m, f),
+                             slope_at_top);
         });
     });
 }
 
 /// One study's tables at one energy: the approximations of all orders; the numerical solution; the exact one.
 inline std::vector<table> extension_at(const sweep_energy& energy, const pendulum_sweep& sweep,
-                                       const study_request& request, arc_method method, const scalar_spec& scalar) {
-    const motion m = motion::of_energy(energy.value);
+                                       const study_request& request, pendulum::arc_method method,
+                                       const scalar_spec& scalar) {
+    const pendulum::motion m = pendulum::motion::of_energy(energy.value);
     const auto curve = [&](std::optional<int> order, std::string_view name, const std::vector<time_cells>& at,
                            const std::vector<judged>& values, long digits) {
         std::vector<extension_row> rows;
@@ -119,18 +122,18 @@ inline std::vector<table> extension_at(const sweep_energy& energy, const pendulu
     const auto some = some_of(sweep.times);
     table numerical = curve(std::nullopt, "rk4", cells_of(m, some, 17), marched(m, some, request.step()), 17);
     const precision_scope scope(scalar.digits + 2 * guard_digits);
-    const exact_solution<mpfr> truth(m);
+    const pendulum::exact_solution<mpfr> truth(m);
     std::vector<judged> values;
     values.reserve(sweep.times.size());
     for (const exact& time : sweep.times) {
-        const pendulum_state<mpfr> at = truth(time);
+        const pendulum::pendulum_state<mpfr> at = truth(time);
         values.push_back({at.theta, at.omega, mpfr(0), true});
     }
     return {stacked(approximate), std::move(numerical), curve(std::nullopt, "exact", cells, values, scalar.digits)};
 }
 
 /// The three tables of such a study.
-inline std::vector<study_table> run_extension(const std::string& name, arc_method method,
+inline std::vector<study_table> run_extension(const std::string& name, pendulum::arc_method method,
                                               const study_request& request) {
     const pendulum_sweep sweep(request.values);
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));

@@ -14,21 +14,21 @@ namespace libration::studies {
 
 /// (fullresummation) of one order, extended by (newseries) with the T* of the rule, at all times; for motions that
 /// start at the bottom.
-inline std::vector<judged> folded(const motion& m, const std::vector<exact>& times, int order, const period_rule& by,
-                                  const scalar_spec& scalar) {
+inline std::vector<judged> folded(const pendulum::motion& m, const std::vector<exact>& times, int order,
+                                  const pendulum::period_rule& by, const scalar_spec& scalar) {
     return resolved(scalar.digits, digits_below(m, order), [&] {
         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
-            const exact_solution<mpfr> truth(m);
-            const periodic_extension<T, endpoint_approximant<T>> extension(
+            const pendulum::exact_solution<mpfr> truth(m);
+            const pendulum::periodic_extension<T, endpoint_approximant<T>> extension(
                 m, resummation_from_top(arc_of<T>(m, by), order), by);
             std::vector<judged> values;
             values.reserve(times.size());
             for (const exact& time : times) {
-                const phase<mpfr> at = truth.phases().at(time);
+                const pendulum::phase<mpfr> at = truth.phases().at(time);
                 const mpfr expected = truth.at(at).theta;
-                const jet<T> found = extension(time);
+                const series::jet<T> found = extension(time);
                 // The start, and with the exact T* every top and bottom, are exact.
-                const bool interpolated = at.side == 0 && (time.is_zero() || by.method == period_method::agm);
+                const bool interpolated = at.side == 0 && (time.is_zero() || by.method == pendulum::period_method::agm);
                 const mpfr theta = fixed_scalar<T> || !interpolated ? widen(found.value) : expected;
                 values.push_back({theta, widen(found.slope), abs(theta - expected), interpolated});
             }
@@ -38,7 +38,7 @@ inline std::vector<judged> folded(const motion& m, const std::vector<exact>& tim
 }
 
 /// T by a rule, and its error: 0 where the rule is exact.
-inline judged period_by(const motion& m, const period_rule& by, const scalar_spec& scalar) {
+inline judged period_by(const pendulum::motion& m, const pendulum::period_rule& by, const scalar_spec& scalar) {
     return resolved(scalar.digits, 0,
                     [&] {
                         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
@@ -46,7 +46,7 @@ inline judged period_by(const motion& m, const period_rule& by, const scalar_spe
                             const mpfr expected = effective_period(energy_level_of<mpfr>(m)) * quarters;
                             const mpfr period = widen(effective_period_by(by, energy_level_of<T>(m))) * quarters;
                             return std::vector<judged>{
-                                {period, period, abs(period - expected), by.method == period_method::agm}};
+                                {period, period, abs(period - expected), by.method == pendulum::period_method::agm}};
                         });
                     })
         .front();

@@ -3,6 +3,8 @@
 
 namespace libration::studies {
 
+using namespace pendulum;
+
 const study& libration_series() {
     static const study result{
         .name = "libration_series",

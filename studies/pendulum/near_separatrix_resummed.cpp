@@ -3,6 +3,8 @@
 
 namespace libration::studies {
 
+using namespace pendulum;
+
 const study& near_separatrix_resummed() {
     static const study result{
         .name = "near_separatrix_resummed",

@@ -12,13 +12,13 @@
 namespace libration::studies {
 
 /// The paper's numerical solution: Runge-Kutta in double from the same start, against the exact solution.
-inline std::vector<judged> marched(const motion& m, const std::vector<exact>& times, const exact& step) {
-    jet<double> start{};
+inline std::vector<judged> marched(const pendulum::motion& m, const std::vector<exact>& times, const exact& step) {
+    series::jet<double> start{};
     std::vector<double> rounded;
     rounded.reserve(times.size());
     {
         const precision_scope scope(40);
-        const pendulum_state<mpfr> at = exact_solution<mpfr>(m)(exact{});
+        const pendulum::pendulum_state<mpfr> at = pendulum::exact_solution<mpfr>(m)(exact{});
         start = {narrow<double>(at.theta), narrow<double>(at.omega)};
         for (const exact& time : times) {
             rounded.push_back(narrow<double>(dimensionless_time<mpfr>(m, time)));
@@ -28,11 +28,11 @@ inline std::vector<judged> marched(const motion& m, const std::vector<exact>& ti
                                 [&] { return numerical_solution<double>(start, rounded, from_exact<double>(step)); });
     constexpr long digits_of_double = 17;
     return resolved(digits_of_double, 20, [&] {
-        const exact_solution<mpfr> truth(m);
+        const pendulum::exact_solution<mpfr> truth(m);
         std::vector<judged> values;
         values.reserve(times.size());
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const phase<mpfr> at = truth.phases().at(times[i]);
+            const pendulum::phase<mpfr> at = truth.phases().at(times[i]);
             const mpfr theta = widen(states[i].value);
             values.push_back({theta, widen(states[i].slope), abs(theta - truth.at(at).theta), at.side == 0});
         }

@@ -6,6 +6,8 @@
 
 namespace libration::studies {
 
+using namespace pendulum;
+
 namespace period_effect_study {
 namespace {
 

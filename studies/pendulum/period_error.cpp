@@ -7,6 +7,9 @@
 
 namespace libration::studies {
 
+using namespace elliptic;
+using namespace pendulum;
+
 namespace period_error_study {
 namespace {
 
@@ -48,7 +51,8 @@ const column_list<sum_row>& columns() {
 
 // T* by the sum in the scalar, as a wide value.
 mpfr sum_in(const scalar_spec& scalar, long guard, const motion& m, const period_rule& rule) {
-    return with_scalar(scalar, guard, [&]<class T>() { return widen(effective_period_by(rule, energy_level_of<T>(m))); });
+    return with_scalar(scalar, guard,
+                       [&]<class T>() { return widen(effective_period_by(rule, energy_level_of<T>(m))); });
 }
 
 table rows_at(const sweep_energy& at, const std::vector<int>& orders, const scalar_spec& scalar) {

@@ -20,7 +20,7 @@ struct time_cells {
     cell periods;
 };
 
-inline std::vector<time_cells> cells_of(const motion& m, const std::vector<exact>& times, long digits) {
+inline std::vector<time_cells> cells_of(const pendulum::motion& m, const std::vector<exact>& times, long digits) {
     const precision_scope scope(digits + guard_digits);
     std::vector<time_cells> cells;
     cells.reserve(times.size());

@@ -9,6 +9,9 @@
 
 namespace libration::studies {
 
+using namespace series;
+using namespace pendulum;
+
 namespace resummations_study {
 namespace {
 

@@ -3,6 +3,8 @@
 
 namespace libration::studies {
 
+using namespace pendulum;
+
 const study& rotation_series() {
     static const study result{
         .name = "rotation_series",

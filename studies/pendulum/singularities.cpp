@@ -12,6 +12,9 @@
 
 namespace libration::studies {
 
+using namespace convergence;
+using namespace pendulum;
+
 namespace singularities_study {
 namespace {
 

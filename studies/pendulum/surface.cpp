@@ -13,6 +13,9 @@
 
 namespace libration::studies {
 
+using namespace elliptic;
+using namespace pendulum;
+
 namespace surface_study {
 namespace {
 

@@ -9,6 +9,10 @@
 
 namespace libration::studies {
 
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
+
 namespace uniform_study {
 namespace {
 

@@ -16,6 +16,10 @@
 
 namespace libration::studies {
 
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
+
 namespace cost_study {
 namespace {
 

@@ -7,6 +7,8 @@
 
 namespace libration::studies {
 
+using namespace pendulum;
+
 namespace divergence_study {
 namespace {
 

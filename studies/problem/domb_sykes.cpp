@@ -10,6 +10,10 @@
 
 namespace libration::studies {
 
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
 namespace domb_sykes_study {
 namespace {
 

@@ -11,6 +11,9 @@
 
 namespace libration::studies {
 
+using namespace elliptic;
+using namespace pendulum;
+
 namespace error_norm_study {
 namespace {
 
@@ -25,8 +28,7 @@ std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, arc_method method, 
 }
 
 // Whether the second route finds the same norm to the digits printed.
-bool confirmed(const arc_errors& errors, arc_method method, int order, const norm_at<mpfr>& found,
-               long digits) {
+bool confirmed(const arc_errors& errors, arc_method method, int order, const norm_at<mpfr>& found, long digits) {
     const mpfr other = errors.second_opinion(method, order, found.place);
     return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
 }

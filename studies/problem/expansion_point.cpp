@@ -9,6 +9,9 @@
 
 namespace libration::studies {
 
+using namespace elliptic;
+using namespace pendulum;
+
 namespace expansion_point_study {
 namespace {
 
@@ -116,8 +119,9 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& poi
                 }
                 norm_rows.push_back({at, point, order, norms.back()});
             }
-            covers.push_back({at, point, scalar, widen(cover.radius), widen(cover.effective_period), widen(cover.convergence_rate),
-                              widen(cover.height), cover.covers, measured_rate(orders, norms)});
+            covers.push_back({at, point, scalar, widen(cover.radius), widen(cover.effective_period),
+                              widen(cover.convergence_rate), widen(cover.height), cover.covers,
+                              measured_rate(orders, norms)});
         });
     }
     return {make_table(columns(), covers), make_table(norm_columns(), norm_rows)};

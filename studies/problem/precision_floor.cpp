@@ -7,6 +7,9 @@
 
 namespace libration::studies {
 
+using namespace elliptic;
+using namespace pendulum;
+
 namespace precision_floor_study {
 namespace {
 

@@ -22,7 +22,7 @@ inline rational hidden_unit() { return rational(9) / 8; }
 
 /// |radius/exact - 1|, in the working precision in force.
 template <rounding_scalar T>
-mpfr relative_error(const radius_estimate<T>& found, const mpfr& exact) {
+mpfr relative_error(const convergence::radius_estimate<T>& found, const mpfr& exact) {
     return abs(mpfr(widen(*found.radius) / exact - 1));
 }
 
@@ -37,7 +37,7 @@ struct judged_radius {
 };
 
 template <rounding_scalar T>
-judged_radius judged(const radius_estimate<T>& found, const mpfr& exact, long digits) {
+judged_radius judged(const convergence::radius_estimate<T>& found, const mpfr& exact, long digits) {
     if (!found.radius) {
         return {std::nullopt, mpfr(0), exact, digits, std::nullopt, std::nullopt};
     }
@@ -72,8 +72,9 @@ column_of<Row> point_column() {
 
 /// The list a_0 .. a_N of a longer one.
 template <rounding_scalar T>
-power_series<T> cut(const power_series<T>& list, int order) {
-    return power_series<T>({list.coefficients().begin(), list.coefficients().begin() + std::ptrdiff_t{order} + 1});
+series::power_series<T> cut(const series::power_series<T>& list, int order) {
+    return series::power_series<T>(
+        {list.coefficients().begin(), list.coefficients().begin() + std::ptrdiff_t{order} + 1});
 }
 
 /// An answer to one list.
@@ -104,14 +105,14 @@ template <class Shown>
 table answers_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
                     const scalar_spec& scalar, const Shown& shown) {
     const precision_scope scope(scalar.digits + digits_for_judging);
-    const motion m = motion::of_energy(at.value);
+    const pendulum::motion m = pendulum::motion::of_energy(at.value);
     const mpfr truth = coverage_from<mpfr>(m, point.coefficient).radius;
     std::vector<answer_row> all;
     with_scalar(scalar, 0, [&]<class T>() {
         const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit());
         for (const int order : orders) {
             const auto report = report_on_radius(cut(list.scaled, order), epsilon<T>());
-            std::vector<radius_estimate<T>> answers{report.verdict};
+            std::vector<convergence::radius_estimate<T>> answers{report.verdict};
             answers.insert(answers.end(), report.tests.begin(), report.tests.end());
             for (const auto& answer : answers) {
                 if (shown(answer.method)) {

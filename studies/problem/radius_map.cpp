@@ -7,6 +7,9 @@
 
 namespace libration::studies {
 
+using namespace convergence;
+using namespace pendulum;
+
 namespace radius_map_study {
 namespace {
 
@@ -133,7 +136,9 @@ const column_list<optimum_row>& optimum_columns() {
 // The points of largest radius and of least rate, estimated and exact, for one order.
 optimum_row optimum_of(const sweep_energy& at, int order, const std::vector<judged_point>& points, long digits) {
     const auto by_radius = [](const auto& a, const auto& b) { return a.cover.radius < b.cover.radius; };
-    const auto by_rate = [](const auto& a, const auto& b) { return a.cover.convergence_rate < b.cover.convergence_rate; };
+    const auto by_rate = [](const auto& a, const auto& b) {
+        return a.cover.convergence_rate < b.cover.convergence_rate;
+    };
     const exact& exactly_widest = std::max_element(points.begin(), points.end(), by_radius)->point;
     const exact& exactly_fastest = std::min_element(points.begin(), points.end(), by_rate)->point;
     std::vector<const judged_point*> seen;

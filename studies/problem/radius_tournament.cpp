@@ -13,6 +13,10 @@
 
 namespace libration::studies {
 
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
 namespace radius_tournament_study {
 namespace {
 

@@ -7,6 +7,9 @@
 
 namespace libration::studies {
 
+using namespace convergence;
+using namespace pendulum;
+
 namespace root_test_study {
 namespace {
 

@@ -8,6 +8,9 @@
 
 namespace libration::studies {
 
+using namespace series;
+using namespace pendulum;
+
 namespace terms_study {
 namespace {
 

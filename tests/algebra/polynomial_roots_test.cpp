@@ -10,6 +10,7 @@
 namespace series_polynomial_roots_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 namespace {

@@ -9,6 +9,7 @@
 namespace approximant_difference_norm_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::near;
 
 namespace {

@@ -7,6 +7,7 @@
 namespace approximant_pade_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 using libration::tests::near;
 

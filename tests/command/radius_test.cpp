@@ -12,6 +12,7 @@
 namespace command_radius_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -12,6 +12,7 @@
 namespace command_trajectory_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -5,6 +5,7 @@
 
 int main() {
     using namespace libration;
+    using namespace libration::pendulum;
     const precision_scope digits(60);
     const motion swing = motion::of_state(read_exact("90deg"), read_exact("0"));
     const auto period = to_proved_decimal(effective_period(energy_level_of<ball>(swing)), 50);

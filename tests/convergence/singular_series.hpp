@@ -11,6 +11,9 @@
 
 namespace libration::tests {
 
+using namespace series;
+using namespace convergence;
+
 /// (1 - x/x0)^nu.
 template <class T>
 power_series<T> binomial_series(const T& x0, const T& nu, int order) {

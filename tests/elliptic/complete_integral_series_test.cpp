@@ -10,6 +10,7 @@
 namespace elliptic_complete_integral_series_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 
 namespace {

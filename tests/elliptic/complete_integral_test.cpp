@@ -9,6 +9,7 @@
 namespace elliptic_complete_integral_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 
 namespace {

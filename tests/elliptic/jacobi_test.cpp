@@ -11,6 +11,7 @@
 namespace elliptic_jacobi_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 using libration::tests::near;
 using libration::tests::typed;

@@ -7,6 +7,7 @@
 namespace elliptic_modulus_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 
 namespace {

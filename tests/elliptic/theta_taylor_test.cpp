@@ -11,6 +11,7 @@
 namespace elliptic_theta_taylor_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using namespace libration::tests;
 
 namespace {

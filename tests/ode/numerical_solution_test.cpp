@@ -9,6 +9,9 @@
 namespace pendulum_numerical_solution_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("times in any order have the states of a march through them in order", "[numerical_solution]",

@@ -10,6 +10,8 @@
 namespace pendulum_runge_kutta_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -15,6 +15,8 @@
 namespace paper_background_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -117,8 +119,10 @@ TEST_CASE("claim infinite_period: holds, T* grows like log(32/|2-E|)/2 from both
 TEST_CASE("claim period_formula: holds, the equation takes the time that (T) says", "[paper][claims]") {
     check_identity("period_formula");
     const precision_scope precision(50);
-    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("1.71"))), near<mpfr>(decimal("2.404685550102052437"), 0));
-    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("2.02"))), near<mpfr>(decimal("3.6821924860914103292"), 0));
+    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("1.71"))),
+               near<mpfr>(decimal("2.404685550102052437"), 0));
+    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("2.02"))),
+               near<mpfr>(decimal("3.6821924860914103292"), 0));
 }
 
 TEST_CASE("claim period_substitutions: holds, four ways to the quarter agree", "[paper][claims]") {

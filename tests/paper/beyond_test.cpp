@@ -14,6 +14,7 @@
 namespace paper_beyond_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("claim uniform_rate_below_third: holds, the nearest singularities left are three T* away",

@@ -10,6 +10,8 @@
 namespace paper_closed_solutions_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

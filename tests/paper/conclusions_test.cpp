@@ -12,6 +12,8 @@
 namespace paper_conclusions_test {
 
 using namespace libration;
+using namespace libration::convergence;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -14,6 +14,7 @@
 namespace paper_errata_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -63,8 +64,7 @@ TEST_CASE("errata: the table of bounds over errors is right to its last digit", 
         const precision_scope precision(20 + digits_below(m, order));
         arc_errors errors(m);
         const mpfr series = errors.bounds().series_norm(order) / errors.norm(arc_method::series, order).norm;
-        const mpfr resummed =
-            errors.bounds().resummation_norm(order) / errors.norm(arc_method::resummed, order).norm;
+        const mpfr resummed = errors.bounds().resummation_norm(order) / errors.norm(arc_method::resummed, order).norm;
         CHECK(to_decimal(series, 3) == (*at)[3]);
         CHECK(to_decimal(resummed, 3) == (*at)[4]);
         ++rows;

@@ -10,6 +10,7 @@
 namespace paper_expansion_point_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

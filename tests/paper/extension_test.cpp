@@ -11,6 +11,7 @@
 namespace paper_extension_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -9,6 +9,7 @@
 namespace paper_period_resummation_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("the brackets of (Knew) sum to ln 2 with a tail of 1/(8N)", "[paper]") {

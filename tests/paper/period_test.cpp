@@ -10,6 +10,8 @@
 namespace paper_period_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -156,8 +158,7 @@ TEST_CASE("claim period_analyticity: holds with correction, because a truncation
     // The extension itself, omega on both sides of the bottom: its slope jumps by the same amount.
     const precision_scope precision(50);
     const motion m = with_energy("1.71");
-    const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m,
-                                                                        resummation_from_top(arc_of<mpfr>(m), 10));
+    const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m, resummation_from_top(arc_of<mpfr>(m), 10));
     const mpfr step("1e-12");
     const auto speed = [&](int side) { return extended.at({integer(2), step * side, side}).slope; };
     const mpfr middle = extended.at({integer(2), mpfr(0), 0}).slope;

@@ -17,6 +17,8 @@
 namespace paper_resummation_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

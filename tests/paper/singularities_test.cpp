@@ -10,6 +10,8 @@
 namespace paper_singularities_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -121,8 +123,10 @@ TEST_CASE("claim bottom_radius_of_libration: fails, at E = 1/2 the series from t
     check_number("bottom_radius_of_libration", verdict::fails, "1.27926157117");
     const precision_scope precision(50);
     CHECK(far_term("0.5", "bottom") < mpfr("1e-15"));
-    CHECK_THAT(singularity_height(energy_level_of<mpfr>(with_energy("0.5"))), near<mpfr>(decimal("2.1565156474996432"), 0));
-    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("0.5"))), near<mpfr>(decimal("1.6857503548125960"), 0));
+    CHECK_THAT(singularity_height(energy_level_of<mpfr>(with_energy("0.5"))),
+               near<mpfr>(decimal("2.1565156474996432"), 0));
+    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("0.5"))),
+               near<mpfr>(decimal("1.6857503548125960"), 0));
 }
 
 // q = ellipk(mpf(3)/4)/ellipk(mpf(1)/4); sqrt(mpf('0.16')+q*q)... the smallest fall is the last one at E = 1/2:

@@ -10,6 +10,7 @@
 namespace pendulum_digits_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 namespace {
 

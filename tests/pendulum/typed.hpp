@@ -9,6 +9,8 @@
 
 namespace libration::tests {
 
+using namespace pendulum;
+
 inline rational fraction(const std::string& text) { return read_exact(text).coefficient; }
 
 inline motion with_energy(const std::string& energy, int direction = 1) {

@@ -8,6 +8,8 @@
 namespace scalar_counted_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 
 namespace {
 

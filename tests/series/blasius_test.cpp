@@ -12,6 +12,7 @@
 namespace series_blasius_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 namespace {

@@ -11,6 +11,7 @@
 namespace series_convolution_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 TEMPLATE_LIST_TEST_CASE("a convolution is the double sum over index pairs", "[series][convolution]", all_scalars) {

@@ -8,6 +8,7 @@
 namespace series_exponential_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 namespace {

@@ -17,6 +17,8 @@
 namespace series_foreign_scalars_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using interval = boost::multiprecision::mpfi_float;
 
 /// value + slope d with d^2 = 0: a number and its derivative.

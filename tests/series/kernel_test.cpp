@@ -15,6 +15,7 @@
 namespace series_kernel_test {
 
 using namespace libration;
+using namespace libration::series;
 using namespace libration::tests;
 
 namespace {

@@ -7,6 +7,7 @@
 namespace series_power_series_test {
 
 using namespace libration;
+using namespace libration::series;
 using Catch::Matchers::Contains;
 using libration::tests::all_scalars;
 

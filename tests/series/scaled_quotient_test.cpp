@@ -13,6 +13,7 @@
 namespace series_scaled_quotient_test {
 
 using namespace libration;
+using namespace libration::series;
 
 TEST_CASE("mpfr divides whole sequences only where the program says so", "[series][convolution][ball]") {
     CHECK_FALSE(has_whole_quotients<mpfr>());

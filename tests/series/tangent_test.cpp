@@ -8,6 +8,7 @@
 namespace series_tangent_test {
 
 using namespace libration;
+using namespace libration::series;
 using namespace libration::tests;
 
 namespace {

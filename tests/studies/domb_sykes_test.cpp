@@ -11,6 +11,7 @@
 namespace studies_domb_sykes_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -92,7 +93,7 @@ TEST_CASE("the answers about a point of every kind are judged by the exact radiu
     for (const table_row& row :
          rows_under("intercepts", {{"--energies", "1,1.71"}, {"--orders", "12,50"}, {"--points", "0,1/2,1"}})) {
         const auto cover = coverage_from<mpfr>(motion::of_energy(read_exact(row.at("energy")).coefficient),
-                                            read_exact(row.at("point")).coefficient);
+                                               read_exact(row.at("point")).coefficient);
         CHECK_THAT(row.at("exact"), right_to_the_last_digit_of(cover.radius));
         CHECK(row.at("radius").empty() == row.at("relative_error").empty());
         CHECK((!row.at("radius").empty() || !row.at("note").empty()));

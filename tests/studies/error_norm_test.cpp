@@ -64,8 +64,7 @@ const tables_by_suffix& default_tables() {
 // -+[2 gd(c r) + sum_{i>=1} (-+1)^i 4 atan(sinh(c r)/cosh(2 i c T*))], r = t - T*, c = pi/(2 K~') (DESIGN section 3).
 class tabulated_arc {
 public:
-    explicit tabulated_arc(const std::string& energy)
-        : rotates_(number_of(energy) > 2), energy_(number_of(energy)) {
+    explicit tabulated_arc(const std::string& energy) : rotates_(number_of(energy) > 2), energy_(number_of(energy)) {
         for (const table_row& row : reference_table("motions.csv")) {
             if (row.at("energy") == energy) {
                 duration_ = number_of(row.at("tstar"));

@@ -10,6 +10,7 @@
 namespace studies_period_effect_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -12,6 +12,7 @@
 namespace studies_uniform_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -11,6 +11,7 @@
 namespace sweep_study_order_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using Catch::Contains;
 
 namespace {

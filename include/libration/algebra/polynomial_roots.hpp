@@ -44,7 +44,7 @@ struct polynomial_value {
 
 /// By Horner's rule, with eps 4 n sum |a_i| |z|^i for the rounding. O(n).
 template <rounding_scalar T>
-polynomial_value<T> evaluate(const power_series<T>& p, const complex_number<T>& z) {
+polynomial_value<T> evaluate(const series::power_series<T>& p, const complex_number<T>& z) {
     using std::abs;
     const T size = modulus_of(z);
     polynomial_value<T> at{{p[p.order()]}, {T(0)}, abs(p[p.order()])};
@@ -60,7 +60,7 @@ polynomial_value<T> evaluate(const power_series<T>& p, const complex_number<T>& 
 
 /// The corners of the upper hull of the points (i, log2 |a_i|), a_i != 0, to the accuracy of binary exponents.
 template <rounding_scalar T>
-std::vector<int> newton_polygon(const power_series<T>& p) {
+std::vector<int> newton_polygon(const series::power_series<T>& p) {
     std::vector<int> hull;
     hull.reserve(p.coefficients().size());
     const auto height = [&](int i) { return binary_exponent(p[i]); };
@@ -82,7 +82,7 @@ std::vector<int> newton_polygon(const power_series<T>& p) {
 /// b - a guesses on the circle |z| = |a_a/a_b|^(1/(b-a)) for each edge (a, b) of the polygon; turned, so that no
 /// symmetry of the polynomial keeps them from parting.
 template <rounding_scalar T>
-std::vector<polynomial_root<T>> first_guesses(const power_series<T>& p) {
+std::vector<polynomial_root<T>> first_guesses(const series::power_series<T>& p) {
     using std::cos;
     using std::pow;
     using std::sin;
@@ -103,7 +103,7 @@ std::vector<polynomial_root<T>> first_guesses(const power_series<T>& p) {
 
 /// One step of one root against all others; settles it where its value is below its rounding.
 template <rounding_scalar T>
-void improve_root(const power_series<T>& p, std::vector<polynomial_root<T>>& roots, std::size_t i) {
+void improve_root(const series::power_series<T>& p, std::vector<polynomial_root<T>>& roots, std::size_t i) {
     polynomial_root<T>& root = roots[i];
     const polynomial_value<T> at = evaluate(p, root.at);
     const T slope = modulus_of(at.slope);
@@ -129,7 +129,7 @@ void improve_root(const power_series<T>& p, std::vector<polynomial_root<T>>& roo
 /// operations; without it 100 and four for each bit, which double roots need. Powers |a_i| |z|^i have to be in range of
 /// a fixed scalar. Throws error when a_n = 0.
 template <rounding_scalar T>
-polynomial_roots<T> roots_of(const power_series<T>& polynomial, int steps = 100 + 4 * digits<T>()) {
+polynomial_roots<T> roots_of(const series::power_series<T>& polynomial, int steps = 100 + 4 * digits<T>()) {
     if (polynomial[polynomial.order()] == 0) {
         throw error(error_kind::argument, "leading coefficient", "0", "lowers the degree of the polynomial");
     }
@@ -138,7 +138,7 @@ polynomial_roots<T> roots_of(const power_series<T>& polynomial, int steps = 100 
         ++zeros;
     }
     const auto first = polynomial.coefficients().begin() + zeros;
-    const power_series<T> p(std::vector<T>(first, polynomial.coefficients().end()));
+    const series::power_series<T> p(std::vector<T>(first, polynomial.coefficients().end()));
     polynomial_roots<T> found{first_guesses(p)};
     found.converged = p.order() == 0;
     while (!found.converged && found.steps < steps) {

@@ -20,13 +20,13 @@ namespace libration {
 /// P/Q with Q(0) = 1.
 template <scalar T>
 struct pade_approximant {
-    power_series<T> numerator;
-    power_series<T> denominator;
+    series::power_series<T> numerator;
+    series::power_series<T> denominator;
 
     /// Value and derivative at x. O(L + M).
-    jet<T> operator()(const T& x) const {
-        const jet<T> p = evaluate(numerator, x);
-        const jet<T> q = evaluate(denominator, x);
+    series::jet<T> operator()(const T& x) const {
+        const series::jet<T> p = evaluate(numerator, x);
+        const series::jet<T> q = evaluate(denominator, x);
         const T value = p.value / q.value;
         return {value, (p.slope - value * q.slope) / q.value};
     }
@@ -38,8 +38,8 @@ struct pade_approximant {
 /// too short; std::nullopt where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
 /// exist or is one of smaller degrees.
 template <rounding_scalar T>
-std::optional<pade_approximant<T>> pade(const power_series<T>& series, int numerator_degree, int denominator_degree,
-                                        const T& negligible) {
+std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
+                                        int denominator_degree, const T& negligible) {
     const int l = numerator_degree;
     const int m = denominator_degree;
     if (l < 0 || m < 0 || series.order() < l + m) {
@@ -62,8 +62,8 @@ std::optional<pade_approximant<T>> pade(const power_series<T>& series, int numer
     }
     std::vector<T> q = *std::move(solution);
     q.insert(q.begin(), T(1));
-    power_series<T> denominator(std::move(q));
-    auto numerator = power_series<T>::zero(l);
+    series::power_series<T> denominator(std::move(q));
+    auto numerator = series::power_series<T>::zero(l);
     for (int n = 0; n <= l; ++n) {
         numerator[n] = convolution(denominator, series, n, 0, n < m ? n : m);
     }
@@ -72,7 +72,8 @@ std::optional<pade_approximant<T>> pade(const power_series<T>& series, int numer
 
 /// The same with what rounding alone leaves of a pivot, 8 (M + 1) eps, as negligible.
 template <rounding_scalar T>
-std::optional<pade_approximant<T>> pade(const power_series<T>& series, int numerator_degree, int denominator_degree) {
+std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
+                                        int denominator_degree) {
     return pade(series, numerator_degree, denominator_degree, T(epsilon<T>() * (8 * (denominator_degree + 1))));
 }
 

@@ -20,7 +20,7 @@
 #include "libration/convergence/test/top_line_test.hpp"
 #include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// What a test looks at.
 enum class radius_test_kind {
@@ -96,7 +96,7 @@ bool is_certain(const radius_estimate<T>& verdict) {
 /// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the
 /// tests.
 template <rounding_scalar T>
-radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
+radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noise) {
     radius_report<T> report;
     report.pattern = pattern_of(a, noise);
     const auto tests = all_radius_tests<T>();
@@ -140,9 +140,10 @@ radius_estimate<T> in_unit(radius_estimate<T> estimate, const T& unit) {
 
 // Compiled once, in libration::libration.
 #ifdef LIBRATION_COMPILED
-#define LIBRATION_DECLARE(T) extern template radius_report<T> report_on_radius(const power_series<T>&, const T&);
+#define LIBRATION_DECLARE(T) \
+    extern template radius_report<T> report_on_radius(const series::power_series<T>&, const T&);
 LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif
 
-}  // namespace libration
+}  // namespace libration::convergence

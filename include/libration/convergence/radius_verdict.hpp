@@ -11,7 +11,7 @@
 #include "libration/convergence/list/coefficient_pattern.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with
 /// the smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
@@ -114,4 +114,4 @@ radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, cons
     return verdict;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -3,7 +3,7 @@
 
 #include "libration/elliptic/landen.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// K from a chain already made: K = pi / (2 agm(1, k')) [DLMF 19.8.5].
 template <scalar T>
@@ -18,4 +18,4 @@ T complete_integral(const modulus<T>& m) {
     return complete_integral(landen_chain<T>(m));
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -22,7 +22,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/inverse_hyperbolic.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// Refuses a negative order of a partial sum.
 inline void require_order(int order) {
@@ -98,4 +98,4 @@ T complete_integral_resummed_bound(const modulus<T>& m, int order) {
     return pow(T(m.k * m.k), order + 1) * 8 / q / (8 + m.complement * m.complement * q);
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -14,13 +14,13 @@
 namespace libration::rounded {
 
 /// Jacobi's amplitude and functions at u [DLMF 22.16(i), 22.2].
-rounded_decimal am(const std::string& u, const given_modulus& modulus, long digits);
-rounded_decimal sn(const std::string& u, const given_modulus& modulus, long digits);
-rounded_decimal cn(const std::string& u, const given_modulus& modulus, long digits);
-rounded_decimal dn(const std::string& u, const given_modulus& modulus, long digits);
+rounded_decimal am(const std::string& u, const elliptic::given_modulus& modulus, long digits);
+rounded_decimal sn(const std::string& u, const elliptic::given_modulus& modulus, long digits);
+rounded_decimal cn(const std::string& u, const elliptic::given_modulus& modulus, long digits);
+rounded_decimal dn(const std::string& u, const elliptic::given_modulus& modulus, long digits);
 
 /// The complete and the incomplete integral of the first kind [DLMF 19.2(ii)]; inf or -inf where they are infinite.
-rounded_decimal K(const given_modulus& modulus, long digits);
-rounded_decimal F(const std::string& phi, const given_modulus& modulus, long digits);
+rounded_decimal K(const elliptic::given_modulus& modulus, long digits);
+rounded_decimal F(const std::string& phi, const elliptic::given_modulus& modulus, long digits);
 
 }  // namespace libration::rounded

@@ -13,7 +13,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// m = k^2 and 1 - m, exactly, 0 <= m <= 1.
 class exact_parameter {
@@ -142,4 +142,4 @@ T incomplete_value(const exact& phi, const exact_parameter& p) {
 /// The decimal digits that an argument loses before its point when it is reduced.
 long digits_before_point(const exact& argument);
 
-}  // namespace libration
+}  // namespace libration::elliptic

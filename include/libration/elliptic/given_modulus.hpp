@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace libration {
+namespace libration::elliptic {
 
 /// One of the modulus k, the parameter m = k^2 and the complementary parameter m1 = 1 - m, from 0 to 1; exact as written,
 /// so that m1 = "1e-30" keeps its digits.
@@ -13,4 +13,4 @@ struct given_modulus {
     std::string m1 = {};
 };
 
-}  // namespace libration
+}  // namespace libration::elliptic

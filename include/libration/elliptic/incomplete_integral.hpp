@@ -7,7 +7,7 @@
 #include "libration/elliptic/complete_integral.hpp"
 #include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// The angle of the point (cosine, sine) on the branch next to `near`; on balls less than pi between them has to be
 /// certain (precision_exhausted).
@@ -114,4 +114,4 @@ LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif
 
-}  // namespace libration
+}  // namespace libration::elliptic

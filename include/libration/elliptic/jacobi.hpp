@@ -13,7 +13,7 @@
 #include "libration/elliptic/complete_integral.hpp"
 #include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// The three functions at one argument.
 template <scalar T>
@@ -92,7 +92,7 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
     reduced_argument<wide_t<T>> wide;
     {
         const precision_scope scope(decimal_digits(digits<T>() + 2 * before_point + 64));
-        const auto quarter_period = complete_integral(widen(m));
+        const auto quarter_period = complete_integral(wide_modulus(m));
         wide.quarter = nearest_integer(widen(u) / quarter_period);
         wide.offset = widen(u) - from_rational<wide_t<T>>(rational(wide.quarter)) * quarter_period;
     }
@@ -131,4 +131,4 @@ LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif
 
-}  // namespace libration
+}  // namespace libration::elliptic

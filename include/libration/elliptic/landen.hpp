@@ -7,7 +7,7 @@
 #include "libration/elliptic/modulus.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// a_0 = 1, b_0 = k'; a_{n+1} = (a_n + b_n)/2, b_{n+1} = sqrt(a_n b_n). The modulus of level n is
 /// k_n = sqrt(1 - (b_n/a_n)^2), k_{n+1} = (a_n - b_n)/(a_n + b_n); it is small after few levels.
@@ -56,4 +56,4 @@ private:
     std::vector<T> b_;
 };
 
-}  // namespace libration
+}  // namespace libration::elliptic

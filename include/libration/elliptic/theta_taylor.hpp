@@ -8,7 +8,7 @@
 #include "libration/scalar/complex_number.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// One of the four, as Theta(x) = sum of s_m q^((m^2 - odd)/4) e^(mx) over the integers m of one parity, s_m =
 /// (-1)^floor(m/2) where it alternates, else 1. At x = iz these are theta_3 and theta_4 of z, theta_2/q^(1/4) and
@@ -179,4 +179,4 @@ private:
     T rest_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -62,22 +62,24 @@ private:
         const T longest = longest_step(series.omega);
         const bool last = !(longest < length);
         const complex_number<T> part = last ? path : path * T(longest / length);
-        const auto value = [&](const power_series<R>& a) { return complex_of(evaluate_value(a, number_of<R>(part))); };
+        const auto value = [&](const series::power_series<R>& a) {
+            return complex_of(evaluate_value(a, number_of<R>(part)));
+        };
         state_ = {value(series.theta), value(series.omega), value(series.sine), value(series.cosine)};
         now_ = now_ + part;
         return last;
     }
 
     template <field R>
-    flow_variables<power_series<R>> expand() const {
+    flow_variables<series::power_series<R>> expand() const {
         const int order = static_cast<int>(decimal_digits(digits<T>()) * 11 / 10) + 10;
         const auto from = [&](const complex_number<T>& value) {
-            auto a = power_series<R>::zero(order);
+            auto a = series::power_series<R>::zero(order);
             a[0] = number_of<R>(value);
             return a;
         };
-        flow_variables<power_series<R>> s{from(state_.theta), from(state_.omega), from(state_.sine),
-                                          from(state_.cosine)};
+        flow_variables<series::power_series<R>> s{from(state_.theta), from(state_.omega), from(state_.sine),
+                                                  from(state_.cosine)};
         for (int n = 0; n < order; ++n) {
             s.theta[n + 1] = s.omega[n] / (n + 1);
             s.omega[n + 1] = -s.sine[n] / (n + 1);
@@ -89,7 +91,7 @@ private:
 
     // h with |omega_n| h^n <= epsilon for the last four n: about R e^-2.
     template <field R>
-    static T longest_step(const power_series<R>& omega) {
+    static T longest_step(const series::power_series<R>& omega) {
         using std::exp;
         using std::log;
         const int order = omega.order();

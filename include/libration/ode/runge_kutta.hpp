@@ -13,7 +13,7 @@ namespace libration {
 
 /// One step h of theta' = omega, omega' = -sin theta; jets carry (theta, omega). Local error O(h^5).
 template <scalar T>
-jet<T> runge_kutta_step(const jet<T>& y, const T& h) {
+series::jet<T> runge_kutta_step(const series::jet<T>& y, const T& h) {
     using std::sin;
     const T k1 = y.slope;
     const T l1 = -sin(y.value);
@@ -33,11 +33,11 @@ class runge_kutta_march {
 public:
     static constexpr long most_steps = 2'000'000'000;
 
-    runge_kutta_march(jet<T> start, T step) : y_(std::move(start)), step_(std::move(step)) {}
+    runge_kutta_march(series::jet<T> start, T step) : y_(std::move(start)), step_(std::move(step)) {}
 
     /// The state at dimensionless time t, from the state at the time of the last call (0 at first).
     /// Throws error when that takes more than most_steps steps.
-    const jet<T>& advance_to(const T& t) {
+    const series::jet<T>& advance_to(const T& t) {
         const integer steps = nearest_integer(widen(T((t - now_) / step_)));
         if (abs(steps) > most_steps) {
             throw error(
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    jet<T> y_;
+    series::jet<T> y_;
     T step_;
     T now_ = T(0);
 };

@@ -16,23 +16,23 @@
 namespace libration::rounded {
 
 /// The angle, not reduced to one turn, and the angular velocity.
-rounded_decimal theta(const given_motion& motion, const std::string& time, long digits);
-rounded_decimal omega(const given_motion& motion, const std::string& time, long digits);
+rounded_decimal theta(const pendulum::given_motion& motion, const std::string& time, long digits);
+rounded_decimal omega(const pendulum::given_motion& motion, const std::string& time, long digits);
 
 /// The period T, of a rotation the time of one turn, and the effective period T*, from the top to the bottom [paper
 /// (T), (Tstar)]; inf at E = 2.
-rounded_decimal period(const given_motion& motion, long digits);
-rounded_decimal effective_period(const given_motion& motion, long digits);
+rounded_decimal period(const pendulum::given_motion& motion, long digits);
+rounded_decimal effective_period(const pendulum::given_motion& motion, long digits);
 
 /// E, and 2 - E, which says how far the separatrix is.
-rounded_decimal energy(const given_motion& motion, long digits);
-rounded_decimal gap(const given_motion& motion, long digits);
+rounded_decimal energy(const pendulum::given_motion& motion, long digits);
+rounded_decimal gap(const pendulum::given_motion& motion, long digits);
 
 /// The coefficient of the power n of the Taylor series of theta about a point: "top", "bottom", "start" or a time.
-rounded_decimal coefficient(const given_motion& motion, const std::string& point, long n, long digits);
+rounded_decimal coefficient(const pendulum::given_motion& motion, const std::string& point, long n, long digits);
 
 /// max |theta - approximation| on [0, T*] from the top, in radians, of the series or its resummation of order N [paper
 /// fig:error]; of a motion whose energy is rational and neither 0 nor 2.
-rounded_decimal error_norm(const given_motion& motion, arc_method method, int order, long digits);
+rounded_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits);
 
 }  // namespace libration::rounded

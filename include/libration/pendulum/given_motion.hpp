@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta0 and omega0; or the energy E, or the gap 2 - E, from the canonical start or from theta0. Every number is exact
 /// as it is written: "2.5", "171/100", "1e-30", "3pi/4", "150deg". Fields that are left out are empty.
@@ -23,4 +23,4 @@ class motion;
 /// The exact motion. Throws error of the kind argument, with the field and its value, for what is no motion.
 motion exact_motion(const given_motion& given);
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -8,7 +8,7 @@
 #include "libration/series/convolution.hpp"
 #include "libration/series/jet.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// a + b. O(N).
 template <ring T>
@@ -96,4 +96,4 @@ power_series<T> about(power_series<T> a, const T& c) {
     return a;
 }
 
-}  // namespace libration
+}  // namespace libration::series

@@ -9,7 +9,7 @@
 #include "libration/scalar/inner_product.hpp"
 #include "libration/series/power_series.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// Which degrees of a series may be non-zero, known from a symmetry (never guessed from the values).
 enum class parity { any, even, odd };
@@ -105,4 +105,4 @@ power_series<R> quotient(const power_series<R>& a, const power_series<R>& b) {
     }
 }
 
-}  // namespace libration
+}  // namespace libration::series

@@ -9,7 +9,7 @@
 #include "libration/series/arithmetic.hpp"
 #include "libration/series/kernel.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// The slope f' in as many coefficients as f has, the last of them 0: what the kernels of whole series read.
 template <ring R>
@@ -103,4 +103,4 @@ std::pair<power_series<R>, power_series<R>> sine_cosine(const power_series<R>& f
     return sine_cosine(f, R(sin(f[0])), R(cos(f[0])));
 }
 
-}  // namespace libration
+}  // namespace libration::series

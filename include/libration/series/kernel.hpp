@@ -15,7 +15,7 @@
 
 #include "libration/series/convolution.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// The slope f', one degree behind f: f'_{n-1} = n f_n.
 template <ring R>
@@ -118,4 +118,4 @@ void arctangent_kernel(const R* f, const R* slope, R* q, R* slope_a, R* a, int n
     }
 }
 
-}  // namespace libration
+}  // namespace libration::series

@@ -9,7 +9,7 @@
 #include "libration/scalar/concept.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// sum_{n=0}^{N} a_n x^n, everything beyond x^N forgotten. N >= 0. Over any ring: fractions and complex numbers too.
 template <ring T>
@@ -65,4 +65,4 @@ power_series<T> rescale(power_series<T> series, const T& factor) {
     return series;
 }
 
-}  // namespace libration
+}  // namespace libration::series

@@ -8,7 +8,7 @@
 #include "libration/scalar/supplied_quotient.hpp"
 #include "libration/series/convolution.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// Whether quotients of whole sequences cost about O(N) products: on balls, and in mpfr within a
 /// whole_quotient_scope.
@@ -36,4 +36,4 @@ power_series<T> scaled_quotient(const power_series<T>& a, const power_series<T>&
     return quotient(a, b);
 }
 
-}  // namespace libration
+}  // namespace libration::series

@@ -3,7 +3,7 @@
 
 #include "libration/series/kernel.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// r = sqrt f, with r_0 given (of either sign, r_0^2 = f_0; f_0 itself is not read), by square_root_kernel(). O(N^2),
 /// half of a product of series; an even f, a quarter of that.
@@ -19,4 +19,4 @@ power_series<R> square_root(const power_series<R>& f, const R& root_of_constant,
     return r;
 }
 
-}  // namespace libration
+}  // namespace libration::series

@@ -4,7 +4,7 @@
 
 #include "libration/series/exponential.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// tan f with t_0 given.
 template <field R>
@@ -67,4 +67,4 @@ power_series<R> arctangent(const power_series<R>& f) {
     return arctangent(f, R(atan(f[0])));
 }
 
-}  // namespace libration
+}  // namespace libration::series

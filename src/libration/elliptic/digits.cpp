@@ -8,6 +8,8 @@
 
 namespace libration::rounded {
 
+using namespace elliptic;
+
 namespace {
 
 // The digits of a function without a bound, and those that its argument loses besides.
@@ -20,29 +22,30 @@ rounded_decimal agreed(long digits, long before, const Function& function) {
     return {to_decimal(agreed_values(digits, compute).front(), digits)};
 }
 
-rounded_decimal jacobi_digits(jacobi_function f, const std::string& u, const given_modulus& modulus, long digits) {
-    const exact_parameter p = exact_parameter_of(modulus);
+rounded_decimal jacobi_digits(elliptic::jacobi_function f, const std::string& u, const elliptic::given_modulus& modulus,
+                              long digits) {
+    const elliptic::exact_parameter p = exact_parameter_of(modulus);
     const exact at = exact_argument(u);
     return agreed(digits, digits_before_point(at), [&] { return jacobi_value<mpfr>(f, at, p); });
 }
 
 }  // namespace
 
-rounded_decimal am(const std::string& u, const given_modulus& modulus, long digits) {
-    return jacobi_digits(jacobi_function::am, u, modulus, digits);
+rounded_decimal am(const std::string& u, const elliptic::given_modulus& modulus, long digits) {
+    return jacobi_digits(elliptic::jacobi_function::am, u, modulus, digits);
 }
-rounded_decimal sn(const std::string& u, const given_modulus& modulus, long digits) {
-    return jacobi_digits(jacobi_function::sn, u, modulus, digits);
+rounded_decimal sn(const std::string& u, const elliptic::given_modulus& modulus, long digits) {
+    return jacobi_digits(elliptic::jacobi_function::sn, u, modulus, digits);
 }
-rounded_decimal cn(const std::string& u, const given_modulus& modulus, long digits) {
-    return jacobi_digits(jacobi_function::cn, u, modulus, digits);
+rounded_decimal cn(const std::string& u, const elliptic::given_modulus& modulus, long digits) {
+    return jacobi_digits(elliptic::jacobi_function::cn, u, modulus, digits);
 }
-rounded_decimal dn(const std::string& u, const given_modulus& modulus, long digits) {
-    return jacobi_digits(jacobi_function::dn, u, modulus, digits);
+rounded_decimal dn(const std::string& u, const elliptic::given_modulus& modulus, long digits) {
+    return jacobi_digits(elliptic::jacobi_function::dn, u, modulus, digits);
 }
 
-rounded_decimal K(const given_modulus& modulus, long digits) {
-    const exact_parameter p = exact_parameter_of(modulus);
+rounded_decimal K(const elliptic::given_modulus& modulus, long digits) {
+    const elliptic::exact_parameter p = exact_parameter_of(modulus);
     if (p.complement() == 0) {
         return {"inf"};
     }
@@ -55,8 +58,8 @@ rounded_decimal K(const given_modulus& modulus, long digits) {
     return {to_decimal(value_within_bound(given_digits(digits), lost, compute), digits)};
 }
 
-rounded_decimal F(const std::string& phi, const given_modulus& modulus, long digits) {
-    const exact_parameter p = exact_parameter_of(modulus);
+rounded_decimal F(const std::string& phi, const elliptic::given_modulus& modulus, long digits) {
+    const elliptic::exact_parameter p = exact_parameter_of(modulus);
     const exact at = given_angle("amplitude", phi);
     if (const int sign = infinite_sign(at, p); sign != 0) {
         return {sign < 0 ? "-inf" : "inf"};

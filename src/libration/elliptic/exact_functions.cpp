@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace libration {
+namespace libration::elliptic {
 
 int infinite_sign(const exact& phi, const exact_parameter& p) {
     if (!p.complement().is_zero()) {
@@ -21,4 +21,4 @@ long digits_before_point(const exact& argument) {
     return decimal_digits(std::max(0L, binary_exponent(from_exact<mpfr>(argument))));
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

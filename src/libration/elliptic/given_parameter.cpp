@@ -4,7 +4,7 @@
 
 #include "libration/scalar/text/given_number.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 exact_parameter exact_parameter_of(const given_modulus& given) {
     struct arc {
@@ -44,4 +44,4 @@ exact exact_argument(const std::string& text) {
     return u;
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

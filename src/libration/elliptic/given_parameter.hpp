@@ -6,7 +6,7 @@
 #include "libration/elliptic/exact_functions.hpp"
 #include "libration/elliptic/given_modulus.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// The parameter; throws error of the kind argument for none, for two and for one outside [0, 1].
 exact_parameter exact_parameter_of(const given_modulus& given);
@@ -14,4 +14,4 @@ exact_parameter exact_parameter_of(const given_modulus& given);
 /// The argument of am, sn, cn and dn; throws error of the kind argument for angles in degrees and for times.
 exact exact_argument(const std::string& text);
 
-}  // namespace libration
+}  // namespace libration::elliptic

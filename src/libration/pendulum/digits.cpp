@@ -13,6 +13,8 @@
 
 namespace libration::rounded {
 
+using namespace pendulum;
+
 namespace {
 
 // One number without a bound of its error.
@@ -38,8 +40,8 @@ rounded_decimal bounded(long digits, int epsilons, const Compute& compute) {
 
 // T* times a number of them. The energies are within an epsilon and k, k', the rate and the unit within 4; the chain has
 // at most 64 levels, each of which adds less than 2.
-rounded_decimal quarters(const given_motion& given, int count, long digits) {
-    const motion m = exact_motion(given);
+rounded_decimal quarters(const pendulum::given_motion& given, int count, long digits) {
+    const pendulum::motion m = exact_motion(given);
     if (at_critical_energy(m.regime())) {
         return {"inf"};
     }
@@ -51,8 +53,8 @@ rounded_decimal quarters(const given_motion& given, int count, long digits) {
 }
 
 // E or 2 - E, each within an epsilon.
-rounded_decimal part_of_energy(const motion& m, const std::optional<rational>& exactly, long digits,
-                               mpfr energy_pair<mpfr>::*part) {
+rounded_decimal part_of_energy(const pendulum::motion& m, const std::optional<rational>& exactly, long digits,
+                               mpfr pendulum::energy_pair<mpfr>::*part) {
     if (const auto text = short_decimal(exactly, given_digits(digits))) {
         return {*text};
     }
@@ -61,48 +63,50 @@ rounded_decimal part_of_energy(const motion& m, const std::optional<rational>& e
 
 }  // namespace
 
-rounded_decimal theta(const given_motion& motion, const std::string& time, long digits) {
-    const libration::motion m = exact_motion(motion);
+rounded_decimal theta(const pendulum::given_motion& motion, const std::string& time, long digits) {
+    const pendulum::motion m = exact_motion(motion);
     const exact at = exact_time(m, time);
-    return agreed(digits, [&] { return exact_solution<mpfr>(m)(at).theta; });
+    return agreed(digits, [&] { return pendulum::exact_solution<mpfr>(m)(at).theta; });
 }
 
-rounded_decimal omega(const given_motion& motion, const std::string& time, long digits) {
-    const libration::motion m = exact_motion(motion);
+rounded_decimal omega(const pendulum::given_motion& motion, const std::string& time, long digits) {
+    const pendulum::motion m = exact_motion(motion);
     const exact at = exact_time(m, time);
-    return agreed(digits, [&] { return mpfr(exact_solution<mpfr>(m)(at).omega / time_unit<mpfr>(m)); });
+    return agreed(digits, [&] { return mpfr(pendulum::exact_solution<mpfr>(m)(at).omega / time_unit<mpfr>(m)); });
 }
 
-rounded_decimal period(const given_motion& motion, long digits) { return quarters(motion, 0, digits); }
+rounded_decimal period(const pendulum::given_motion& motion, long digits) { return quarters(motion, 0, digits); }
 
-rounded_decimal effective_period(const given_motion& motion, long digits) { return quarters(motion, 1, digits); }
-
-rounded_decimal energy(const given_motion& motion, long digits) {
-    const libration::motion m = exact_motion(motion);
-    return part_of_energy(m, m.energy(), digits, &energy_pair<mpfr>::energy);
+rounded_decimal effective_period(const pendulum::given_motion& motion, long digits) {
+    return quarters(motion, 1, digits);
 }
 
-rounded_decimal gap(const given_motion& motion, long digits) {
-    const libration::motion m = exact_motion(motion);
+rounded_decimal energy(const pendulum::given_motion& motion, long digits) {
+    const pendulum::motion m = exact_motion(motion);
+    return part_of_energy(m, m.energy(), digits, &pendulum::energy_pair<mpfr>::energy);
+}
+
+rounded_decimal gap(const pendulum::given_motion& motion, long digits) {
+    const pendulum::motion m = exact_motion(motion);
     const auto exactly = m.energy() ? std::optional(rational(2 - *m.energy())) : std::nullopt;
-    return part_of_energy(m, exactly, digits, &energy_pair<mpfr>::gap);
+    return part_of_energy(m, exactly, digits, &pendulum::energy_pair<mpfr>::gap);
 }
 
-rounded_decimal coefficient(const given_motion& motion, const std::string& point, long n, long digits) {
+rounded_decimal coefficient(const pendulum::given_motion& motion, const std::string& point, long n, long digits) {
     const whole_exponent_range exponents;  // of a_n ~ R^-n
-    const libration::motion m = exact_motion(motion);
-    const expansion_point at = exact_point(m, point, n);
+    const pendulum::motion m = exact_motion(motion);
+    const pendulum::expansion_point at = exact_point(m, point, n);
     return agreed(
         digits, [&] { return point_coefficients<mpfr>(m, at, n, n).front(); },
         [&] { return vanishing_at(m, at, n, n); });
 }
 
-rounded_decimal error_norm(const given_motion& motion, arc_method method, int order, long digits) {
-    const libration::motion m = libration::motion::of_energy(energy_of_norm(exact_motion(motion), order));
+rounded_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits) {
+    const pendulum::motion m = pendulum::motion::of_energy(energy_of_norm(exact_motion(motion), order));
     const long below = digits_below(m, order);
     return agreed(digits, [&] {
         const precision_scope wider(working_digits() + below);
-        return arc_errors(m).norm(method, order).norm;
+        return pendulum::arc_errors(m).norm(method, order).norm;
     });
 }
 

@@ -4,7 +4,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/given_number.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 namespace {
 
@@ -70,4 +70,4 @@ motion exact_motion(const given_motion& given) {
     return motion::of_state(given_angle("theta0", given.theta0), {omega0, unit::one, given.omega0}, squared_frequency);
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

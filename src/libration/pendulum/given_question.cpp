@@ -5,7 +5,7 @@
 #include "libration/scalar/text/decimal.hpp"
 #include "libration/scalar/text/given_number.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 exact exact_time(const motion& m, const std::string& text) {
     exact time = given_time("time", text);
@@ -41,4 +41,4 @@ rational energy_of_norm(const motion& m, int order) {
     return *m.energy();
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

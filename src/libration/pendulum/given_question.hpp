@@ -9,7 +9,7 @@
 #include "libration/pendulum/motion/motion.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A time of this motion; throws error of the kind argument for an angle and for a multiple of an infinite period.
 exact exact_time(const motion& m, const std::string& text);
@@ -24,4 +24,4 @@ expansion_point exact_point(const motion& m, const std::string& point, long n);
 /// rational, and for an order below 0.
 rational energy_of_norm(const motion& m, int order);
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -5,6 +5,7 @@
 namespace approximant_proved_maximum_test {
 
 using namespace libration;
+using namespace libration::series;
 
 namespace {
 

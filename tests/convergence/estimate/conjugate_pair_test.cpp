@@ -8,6 +8,7 @@
 namespace convergence_conjugate_pair_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("a quadratic of a pair has its roots", "[convergence][conjugate_pair]", all_scalars) {

@@ -8,6 +8,7 @@
 namespace convergence_extrapolation_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("Neville's table is exact for a polynomial in the reciprocal index",

@@ -8,6 +8,8 @@
 namespace convergence_recurrence_fit_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEST_CASE("a fitted recurrence is the one that made the coefficients", "[convergence][recurrence_fit]") {

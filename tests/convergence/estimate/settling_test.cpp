@@ -8,6 +8,8 @@
 namespace convergence_settling_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("a settled sequence tells its range and how its error goes on", "[convergence][settling]",

@@ -8,6 +8,8 @@
 namespace convergence_strided_series_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEST_CASE("a class of indices is a series of its own", "[convergence][strided_series]") {

@@ -16,6 +16,8 @@
 namespace convergence_known_series_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 namespace {

@@ -8,6 +8,7 @@
 namespace convergence_coefficient_list_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 namespace {

@@ -8,6 +8,8 @@
 namespace convergence_coefficient_pattern_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 
 namespace {
 

@@ -7,6 +7,8 @@
 namespace convergence_coefficient_unit_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 namespace {

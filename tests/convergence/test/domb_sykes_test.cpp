@@ -8,6 +8,8 @@
 namespace convergence_domb_sykes_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the intercept and slope of the plot are those of a single singularity",

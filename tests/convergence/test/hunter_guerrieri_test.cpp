@@ -8,6 +8,7 @@
 namespace convergence_hunter_guerrieri_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the method of Hunter and Guerrieri is exact for a pair of any exponent",

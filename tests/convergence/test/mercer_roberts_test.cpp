@@ -8,6 +8,7 @@
 namespace convergence_mercer_roberts_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("Mercer and Roberts' plot is a constant for a pair of simple poles",

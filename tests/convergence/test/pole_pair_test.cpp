@@ -8,6 +8,8 @@
 namespace convergence_pole_pair_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("four coefficients give the radius of a pair of logarithms", "[convergence]", all_scalars) {

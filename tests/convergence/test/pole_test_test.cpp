@@ -9,6 +9,8 @@
 namespace convergence_pole_test_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 namespace {

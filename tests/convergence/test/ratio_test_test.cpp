@@ -8,6 +8,8 @@
 namespace convergence_ratio_test_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the ratio test reads a geometric series and covers its own error on a logarithm",

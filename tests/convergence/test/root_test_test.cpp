@@ -8,6 +8,8 @@
 namespace convergence_root_test_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEST_CASE("the root test is right about a geometric series and refuses too short ones", "[convergence][root_test]") {

@@ -8,6 +8,8 @@
 namespace convergence_six_term_test_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the six-term test is exact for a pair of any exponent", "[convergence][six_term_test]",

@@ -8,6 +8,7 @@
 namespace convergence_three_term_test_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the three-term test is exact for one singularity of any exponent",

@@ -8,6 +8,8 @@
 namespace convergence_top_line_test_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the top line is exact for a geometric series and covers pairs", "[convergence][top_line_test]",

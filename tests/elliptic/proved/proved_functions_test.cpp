@@ -9,6 +9,7 @@
 namespace elliptic_proved_functions_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using namespace libration::tests;
 
 namespace {

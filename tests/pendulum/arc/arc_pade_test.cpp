@@ -11,6 +11,8 @@
 namespace pendulum_descent_pade_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("a Pade approximant has the coefficients of theta that it was made of", "[descent_pade]") {

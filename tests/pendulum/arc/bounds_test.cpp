@@ -14,6 +14,9 @@
 namespace pendulum_bounds_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

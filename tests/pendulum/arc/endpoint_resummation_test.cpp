@@ -13,6 +13,8 @@
 namespace pendulum_endpoint_resummation_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the derivatives at the bottom are those of the expansion about it", "[endpoint_resummation]",

@@ -8,6 +8,7 @@
 namespace pendulum_pade_poles_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("Pade poles find the first singularity in every scalar", "[pendulum][pade_poles]",

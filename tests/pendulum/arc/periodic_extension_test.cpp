@@ -12,6 +12,8 @@
 namespace pendulum_periodic_extension_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

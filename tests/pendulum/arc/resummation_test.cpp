@@ -11,6 +11,8 @@
 namespace pendulum_resummation_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -17,6 +17,9 @@
 namespace pendulum_uniform_resummation_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -11,6 +11,8 @@
 namespace pendulum_energy_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

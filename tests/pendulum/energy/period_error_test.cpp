@@ -9,6 +9,7 @@
 namespace pendulum_period_error_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("the bounds of T* hold on both sides of E = 2, and the digits below reach the error", "[period_error]") {

@@ -9,6 +9,7 @@
 namespace pendulum_period_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

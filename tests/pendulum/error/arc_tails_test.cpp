@@ -10,6 +10,8 @@
 namespace pendulum_descent_tails_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("errors from the omitted terms are those of the approximations in many digits", "[descent_tails]") {
@@ -36,7 +38,7 @@ TEST_CASE("errors from the omitted terms are those of the approximations in many
                 INFO("E = " << energy << ", x = " << points[i]);
                 const mpfr x(points[i]);
                 const mpfr value = method == arc_method::series ? series_from_top(arc, 40)(x).value
-                                                                    : resummation_from_top(arc, 40)(x).value;
+                                                                : resummation_from_top(arc, 40)(x).value;
                 const mpfr expected = abs(value - truth.from_top(x).theta);
                 if (points[i] == 1 && method == arc_method::resummed) {
                     CHECK(errors[i] == 0);

@@ -5,6 +5,8 @@
 namespace pendulum_error_norm_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using libration::tests::near;
 
 namespace {

@@ -9,6 +9,7 @@
 namespace pendulum_folding_error_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the exact descent is the motion, whatever T* measures it", "[folding_error]", all_scalars) {

@@ -8,6 +8,9 @@
 namespace pendulum_known_descent_series_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("the pendulum's series is told with its radius, position and number of singularities",

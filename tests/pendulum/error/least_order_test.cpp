@@ -9,6 +9,7 @@
 namespace pendulum_least_order_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("the proved order is the first whose bound is small enough", "[least_order]") {

@@ -5,6 +5,8 @@
 namespace pendulum_march_error_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 
 TEST_CASE("the march on the separatrix misses by its truncation where the step is large", "[march_error]") {
     const precision_scope precision(40);

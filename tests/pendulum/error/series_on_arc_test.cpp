@@ -10,6 +10,10 @@
 namespace pendulum_series_on_descent_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::convergence;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next to it", "[pendulum][series_on_descent]",

@@ -8,6 +8,7 @@
 namespace pendulum_decision_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using libration::tests::fraction;
 
 namespace {

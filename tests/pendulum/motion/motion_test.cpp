@@ -8,6 +8,7 @@
 namespace pendulum_motion_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using libration::tests::fraction;
 using libration::tests::with_energy;
 using libration::tests::with_gap;

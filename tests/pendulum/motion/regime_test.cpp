@@ -5,6 +5,7 @@
 namespace pendulum_regime_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 TEST_CASE("regimes have the names of the command", "[regime]") {
     CHECK(name_of(regime::libration) == "libration");

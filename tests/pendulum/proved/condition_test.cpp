@@ -8,6 +8,7 @@
 namespace pendulum_condition_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 namespace {
 

@@ -13,6 +13,8 @@
 namespace pendulum_landen_motion_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

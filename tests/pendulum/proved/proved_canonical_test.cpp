@@ -7,6 +7,7 @@
 namespace pendulum_proved_canonical_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 namespace {
 

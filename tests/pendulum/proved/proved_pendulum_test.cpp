@@ -13,6 +13,8 @@
 namespace pendulum_proved_pendulum_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

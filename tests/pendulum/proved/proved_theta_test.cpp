@@ -9,6 +9,7 @@
 namespace pendulum_proved_theta_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 TEST_CASE("proved theta is the exact solution of mpfr, to all of its places", "[pendulum][proved_theta]") {
     const std::vector<std::string> gaps{"1", "0.29", "1e-15", "-1e-15", "-3"};

@@ -19,6 +19,9 @@
 namespace pendulum_sampler_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -9,6 +9,7 @@
 namespace pendulum_singularities_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

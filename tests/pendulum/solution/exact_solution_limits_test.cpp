@@ -12,6 +12,8 @@
 namespace pendulum_exact_solution_limits_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("a Taylor series of the differential equation carries one state to the next",

@@ -9,6 +9,7 @@
 namespace pendulum_expansion_point_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("a fraction of T* after the top is the phase of that time", "[expansion_point]", all_scalars) {
@@ -17,7 +18,7 @@ TEMPLATE_LIST_TEST_CASE("a fraction of T* after the top is the phase of that tim
     for (const motion& m : {with_energy("1e-3"), with_energy("1.71"), with_gap("1e-10"), with_gap("-1e-10", -1),
                             with_energy("2.02", -1), with_energy("4")}) {
         const exact_solution<T> solution(m);
-        const T effective_period = libration::effective_period(energy_level_of<T>(m));
+        const T effective_period = pendulum::effective_period(energy_level_of<T>(m));
         for (int eighths = 0; eighths <= 8; ++eighths) {
             INFO("E = " << *m.energy() << ", direction " << m.direction() << ", x = " << eighths << "/8");
             const rational x(eighths, 8);
@@ -43,7 +44,7 @@ TEST_CASE("half way is counted from the top, the ends are exact", "[expansion_po
     const precision_scope precision(30);
     for (const int direction : {1, -1}) {
         const motion m = with_energy("4", direction);
-        const ball effective_period = libration::effective_period(energy_level_of<ball>(m));
+        const ball effective_period = pendulum::effective_period(energy_level_of<ball>(m));
         const integer top = direction;
         const auto at = [&](const rational& x) { return phase_from_top<ball>(m, x, effective_period); };
         CHECK(at(rational(1, 2)).quarter == top);

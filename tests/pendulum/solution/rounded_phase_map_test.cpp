@@ -9,6 +9,8 @@
 namespace pendulum_rounded_clock_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

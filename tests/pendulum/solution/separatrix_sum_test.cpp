@@ -10,6 +10,7 @@
 namespace pendulum_separatrix_sum_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -11,6 +11,7 @@
 namespace pendulum_variation_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

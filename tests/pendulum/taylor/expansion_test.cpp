@@ -9,6 +9,8 @@
 namespace pendulum_expansion_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -97,7 +99,8 @@ TEMPLATE_LIST_TEST_CASE("a series inside its radius gives the motion back", "[ex
     using T = typename TestType::type;
     const typename TestType::precision precision;
     const rational step(1, 10);
-    for (const motion& m : {with_energy("1.71"), with_energy("2", -1), with_state("9.0", "-4").with_squared_frequency(1)}) {
+    for (const motion& m :
+         {with_energy("1.71"), with_energy("2", -1), with_state("9.0", "-4").with_squared_frequency(1)}) {
         for (const std::string at : {"start", "1.3", "-20"}) {
             INFO(at);
             const exact_solution<T> solution(m);

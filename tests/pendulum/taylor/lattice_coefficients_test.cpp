@@ -16,6 +16,9 @@
 namespace pendulum_lattice_coefficients_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

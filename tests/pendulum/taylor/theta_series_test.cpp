@@ -17,6 +17,7 @@
 namespace pendulum_theta_series_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

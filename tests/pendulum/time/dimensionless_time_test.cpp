@@ -9,6 +9,7 @@
 namespace pendulum_dimensionless_time_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEMPLATE_LIST_TEST_CASE("times are numbers, and multiples of T are multiples of the period", "[dimensionless_time]",

@@ -8,6 +8,7 @@
 namespace problem_known_pendulum_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 TEST_CASE("an energy of a sweep keeps its text and derives the gap exactly", "[problem]") {
     const sweep_energy e = energy_from(read_exact("1.710"));

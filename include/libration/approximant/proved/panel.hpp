@@ -21,7 +21,7 @@ struct enclosed_two_jet {
 class enclosed_panel {
 public:
     /// Throws precision_exhausted where ratio < 1 is not certain.
-    enclosed_panel(power_series<ball> kept, const ball& scale, const ball& ratio, rational from, rational to)
+    enclosed_panel(series::power_series<ball> kept, const ball& scale, const ball& ratio, rational from, rational to)
         : kept_(std::move(kept)), from_(std::move(from)), to_(std::move(to)) {
         require_below(ratio, ball(1), "the rate of a tail");
         // With n = J + 1: sum_{j>=n} q^j = q^n/(1-q), sum j q^j <= n q^n/(1-q)^2, sum j(j-1) q^j <= n(n-1) q^n/(1-q)^3,
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    power_series<ball> kept_;
+    series::power_series<ball> kept_;
     rational from_;
     rational to_;
     enclosed_two_jet tail_;

@@ -6,7 +6,7 @@
 
 #include "libration/convergence/estimate/strided_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// One point of the plot.
 template <rounding_scalar T>
@@ -29,4 +29,4 @@ std::vector<coefficient_ratio<T>> ratios_of(const strided_series<T>& c) {
     return all;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -7,7 +7,7 @@
 
 #include "libration/convergence/estimate/strided_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// 1 - s w + d w^2, s = 2 cos(phi)/R, d = 1/R^2 for the roots R e^(+-i phi).
 template <rounding_scalar T>
@@ -68,4 +68,4 @@ private:
 /// Coefficients that tests for pairs ask for.
 inline constexpr int fewest_for_pairs = 12;
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -18,7 +18,7 @@
 #include "libration/convergence/estimate/settling.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// s_n.
 template <rounding_scalar T>
@@ -176,4 +176,4 @@ sequence_limit<T> extrapolated_limit(const std::vector<sequence_entry<T>>& s) {
     return by_fit.uncertainty < by_table.uncertainty ? std::move(by_fit) : std::move(by_table);
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

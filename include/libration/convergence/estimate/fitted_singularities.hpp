@@ -16,7 +16,7 @@
 #include "libration/convergence/estimate/followed_root.hpp"
 #include "libration/convergence/estimate/recurrence_fit.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// A root w of Q_highest with im >= 0, the exponent of f there, and how far both moved with the last coefficients.
 struct fitted_singularity {
@@ -197,4 +197,4 @@ radius_estimate<T> estimate_by_recurrence(const std::string& method, const strid
     return in_variable(std::move(result), c.stride());
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

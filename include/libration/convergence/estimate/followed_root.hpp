@@ -10,7 +10,7 @@
 
 #include "libration/algebra/polynomial_roots.hpp"
 
-namespace libration::fitting {
+namespace libration::convergence::fitting {
 
 /// How uncertain a value is.
 struct leftover {
@@ -19,7 +19,7 @@ struct leftover {
 };
 
 /// Newton's iteration for a root of p from a good start; nothing where it does not settle. A real start stays real.
-inline std::optional<complex_number<mpfr>> polished(const power_series<mpfr>& p, complex_number<mpfr> z) {
+inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p, complex_number<mpfr> z) {
     constexpr int most_steps = 60;
     const mpfr fine = epsilon<mpfr>() * 16;
     for (int step = 0; step < most_steps; ++step) {
@@ -39,8 +39,8 @@ inline std::optional<complex_number<mpfr>> polished(const power_series<mpfr>& p,
 /// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not
 /// tell every root to a thousandth of its size, or a conjugate pair from two real ones.
 template <rounding_scalar S>
-std::optional<std::vector<complex_number<mpfr>>> roots_in(const power_series<mpfr>& p) {
-    auto rounded = power_series<S>::zero(p.order());
+std::optional<std::vector<complex_number<mpfr>>> roots_in(const series::power_series<mpfr>& p) {
+    auto rounded = series::power_series<S>::zero(p.order());
     for (int j = 0; j <= p.order(); ++j) {
         rounded[j] = narrow<S>(p[j]);
     }
@@ -68,7 +68,7 @@ std::optional<std::vector<complex_number<mpfr>>> roots_in(const power_series<mpf
 }
 
 /// The same in long double, or in 40 digits where that does not do; none where these do not do either.
-inline std::vector<complex_number<mpfr>> starting_roots(const power_series<mpfr>& p) {
+inline std::vector<complex_number<mpfr>> starting_roots(const series::power_series<mpfr>& p) {
     auto found = roots_in<long double>(p);
     if (!found) {
         const precision_scope scope(40);
@@ -114,4 +114,4 @@ inline leftover left_after(const std::vector<complex_number<mpfr>>& x, int s) {
     return {safe, std::min(likely, safe)};
 }
 
-}  // namespace libration::fitting
+}  // namespace libration::convergence::fitting

@@ -10,7 +10,7 @@
 
 #include "libration/scalar/complex_number.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// How f behaves at x0, with z = 1 - x/x0: z^-m, log z, z^nu with any other exponent, or a boundary where it ends.
 enum class singularity_kind { unknown, pole, logarithm, algebraic, boundary };
@@ -77,4 +77,4 @@ radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
     return result;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

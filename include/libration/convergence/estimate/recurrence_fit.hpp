@@ -17,7 +17,7 @@
 #include "libration/algebra/linear_system.hpp"
 #include "libration/convergence/estimate/strided_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// Which powers of n the recurrence has: the i of (x d/dx)^i.
 struct recurrence_form {
@@ -56,8 +56,8 @@ wide_series widened(const strided_series<T>& series) {
 
 /// Q_highest and Q_{highest-1} (0 where the form has none) in the variable w, of the recurrence for n/n_last.
 struct leading_polynomials {
-    power_series<mpfr> top;
-    power_series<mpfr> below;
+    series::power_series<mpfr> top;
+    series::power_series<mpfr> below;
 };
 
 /// The recurrence from the coefficients up to `last`. Nothing where they do not determine it, as an exact recurrence of
@@ -85,7 +85,7 @@ inline std::optional<leading_polynomials> fit_recurrence(const wide_series& seri
     }
     if (const auto solution = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * (8 * (unknowns + 1))))) {
         const std::vector<mpfr>& q = *solution;
-        leading_polynomials found{power_series<mpfr>::zero(degree), power_series<mpfr>::zero(degree)};
+        leading_polynomials found{series::power_series<mpfr>::zero(degree), series::power_series<mpfr>::zero(degree)};
         found.top[0] = 1;
         const auto at = [&](int j, int i) {
             return static_cast<std::size_t>(j * form.powers() + i - form.lowest - (j > 0 ? 1 : 0));
@@ -105,4 +105,4 @@ inline std::optional<leading_polynomials> fit_recurrence(const wide_series& seri
 
 }  // namespace fitting
 
-}  // namespace libration
+}  // namespace libration::convergence

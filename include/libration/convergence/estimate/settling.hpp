@@ -13,7 +13,7 @@
 #include "libration/convergence/estimate/radius_estimate.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// The last of some estimates, the least and the largest of them.
 template <rounding_scalar T>
@@ -91,4 +91,4 @@ radius_estimate<T> if_settled(radius_estimate<T> answer) {
     return answer;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -13,14 +13,14 @@
 #include "libration/scalar/error.hpp"
 #include "libration/series/power_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// c_k = a_n with n = first + stride k, k = 0 .. last. 0 <= first, stride >= 1.
 template <rounding_scalar T>
 class strided_series {
 public:
     /// The coefficients of that class of indices. Throws error where there is none.
-    strided_series(const power_series<T>& a, int first, int stride) : first_(first), stride_(stride) {
+    strided_series(const series::power_series<T>& a, int first, int stride) : first_(first), stride_(stride) {
         if (first < 0 || stride < 1 || first > a.order()) {
             throw error(error_kind::argument, "stride", std::to_string(stride),
                         "from " + std::to_string(first) + " takes no coefficients of a series of order " +
@@ -87,4 +87,4 @@ radius_estimate<T> in_variable(radius_estimate<T> in_power, int stride) {
     return in_power;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -5,7 +5,7 @@
 #include "libration/scalar/exact.hpp"
 #include "libration/series/arithmetic.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// f''(0) and the radius of convergence, to 100 digits by tests/reference/blasius.py; neither has a closed form. The
 /// first 63 digits of f''(0) are those of OEIS A256522, 5.6900380545 is Boyd's radius [Boyd1999].
@@ -21,10 +21,10 @@ inline constexpr const char* blasius_radius =
 /// ... with the distance u: a simple pole with branch points upon it, as p^2 - 2p + 3 = 0 for a power u^p that disturbs
 /// it.
 template <rounding_scalar T>
-power_series<T> blasius_series(int order) {
-    auto a = power_series<T>::zero(order);
-    power_series<T> c(std::vector<T>{T(from_exact<T>(read_exact(blasius_curvature)) / 2)});
-    power_series<T> second(std::vector<T>{T(c[0] * 2)});
+series::power_series<T> blasius_series(int order) {
+    auto a = series::power_series<T>::zero(order);
+    series::power_series<T> c(std::vector<T>{T(from_exact<T>(read_exact(blasius_curvature)) / 2)});
+    series::power_series<T> second(std::vector<T>{T(c[0] * 2)});
     for (int k = 0; 3 * k + 2 <= order; ++k) {
         const int n = 3 * k + 2;
         if (k > 0) {
@@ -36,4 +36,4 @@ power_series<T> blasius_series(int order) {
     return a;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -10,12 +10,12 @@
 
 #include "libration/series/arithmetic.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// a_0 = first, a_n = step(a_{n-1}, n).
 template <rounding_scalar T, class Step>
-power_series<T> series_by_steps(int order, T first, Step step) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> series_by_steps(int order, T first, Step step) {
+    auto a = series::power_series<T>::zero(order);
     a[0] = std::move(first);
     for (int n = 1; n <= order; ++n) {
         a[n] = step(a[n - 1], n);
@@ -25,13 +25,13 @@ power_series<T> series_by_steps(int order, T first, Step step) {
 
 /// e^t: a_n = a_{n-1}/n.
 template <rounding_scalar T>
-power_series<T> exponential_series(int order) {
+series::power_series<T> exponential_series(int order) {
     return series_by_steps(order, T(1), [](const T& before, int n) { return T(before / n); });
 }
 
 /// (1 - t)^nu: n a_n = (n - 1 - nu) a_{n-1} [DLMF 4.6.7].
 template <rounding_scalar T>
-power_series<T> binomial_series(const T& nu, int order) {
+series::power_series<T> binomial_series(const T& nu, int order) {
     return series_by_steps(order, T(1), [&](const T& before, int n) { return T(before * (n - 1 - nu) / n); });
 }
 
@@ -44,8 +44,8 @@ struct weighted_singularity {
 
 /// sum of weight/(1 - t/at): a_n = sum of weight at^-n.
 template <rounding_scalar T>
-power_series<T> pole_series(const std::vector<weighted_singularity<T>>& terms, int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> pole_series(const std::vector<weighted_singularity<T>>& terms, int order) {
+    auto a = series::power_series<T>::zero(order);
     for (const auto& term : terms) {
         T power = term.weight;
         for (int n = 0; n <= order; ++n, power /= term.at) {
@@ -57,7 +57,7 @@ power_series<T> pole_series(const std::vector<weighted_singularity<T>>& terms, i
 
 /// sum of weight * log(1 - t/at): a_n = -(1/n) sum of weight at^-n [DLMF 4.6.1].
 template <rounding_scalar T>
-power_series<T> logarithm_series(const std::vector<weighted_singularity<T>>& terms, int order) {
+series::power_series<T> logarithm_series(const std::vector<weighted_singularity<T>>& terms, int order) {
     auto a = pole_series(terms, order);
     a[0] = T(0);
     for (int n = 1; n <= order; ++n) {
@@ -69,8 +69,8 @@ power_series<T> logarithm_series(const std::vector<weighted_singularity<T>>& ter
 /// (1 - 2 c t + t^2)^nu, the generating function of Gegenbauer's polynomials C_n^(-nu)(c) [DLMF 18.12.4]:
 /// n a_n = 2 c (n - 1 - nu) a_{n-1} - (n - 2 - 2 nu) a_{n-2}. -1 <= c <= 1.
 template <rounding_scalar T>
-power_series<T> quadratic_power_series(const T& c, const T& nu, int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> quadratic_power_series(const T& c, const T& nu, int order) {
+    auto a = series::power_series<T>::zero(order);
     a[0] = T(1);
     for (int n = 1; n <= order; ++n) {
         const T older = n == 1 ? T(0) : T(a[n - 2] * (n - 2 - 2 * nu));
@@ -81,8 +81,8 @@ power_series<T> quadratic_power_series(const T& c, const T& nu, int order) {
 
 /// log(1 - 2 c t + t^2) = -2 sum T_n(c) t^n/n with Chebyshev's T_n [DLMF 18.12.9], T_{n+1} = 2 c T_n - T_{n-1}.
 template <rounding_scalar T>
-power_series<T> quadratic_logarithm_series(const T& c, int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> quadratic_logarithm_series(const T& c, int order) {
+    auto a = series::power_series<T>::zero(order);
     T before = c;
     T chebyshev(1);
     for (int n = 1; n <= order; ++n) {
@@ -95,8 +95,8 @@ power_series<T> quadratic_logarithm_series(const T& c, int order) {
 
 /// (1 - t)^alpha (1 + t)^beta: n a_n = (beta - alpha) a_{n-1} + (n - 2 - alpha - beta) a_{n-2}.
 template <rounding_scalar T>
-power_series<T> opposite_powers_series(const T& alpha, const T& beta, int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> opposite_powers_series(const T& alpha, const T& beta, int order) {
+    auto a = series::power_series<T>::zero(order);
     a[0] = T(1);
     for (int n = 1; n <= order; ++n) {
         const T older = n == 1 ? T(0) : T(a[n - 2] * (n - 2 - alpha - beta));
@@ -107,22 +107,22 @@ power_series<T> opposite_powers_series(const T& alpha, const T& beta, int order)
 
 /// tan t: f' = 1 + f^2. O(N^2).
 template <rounding_scalar T>
-power_series<T> tangent_series(int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> tangent_series(int order) {
+    auto a = series::power_series<T>::zero(order);
     for (int n = 1; n <= order; n += 2) {
-        a[n] = (square_coefficient(a, n - 1, parity::odd) + (n == 1 ? 1 : 0)) / n;
+        a[n] = (square_coefficient(a, n - 1, series::parity::odd) + (n == 1 ? 1 : 0)) / n;
     }
     return a;
 }
 
 /// sec t: f' = f tan t. O(N^2).
 template <rounding_scalar T>
-power_series<T> secant_series(int order) {
+series::power_series<T> secant_series(int order) {
     const auto tangent = tangent_series<T>(order);
-    auto a = power_series<T>::zero(order);
+    auto a = series::power_series<T>::zero(order);
     a[0] = T(1);
     for (int n = 2; n <= order; n += 2) {
-        a[n] = product_coefficient(tangent, a, n - 1, parity::odd) / n;
+        a[n] = product_coefficient(tangent, a, n - 1, series::parity::odd) / n;
     }
     return a;
 }
@@ -130,11 +130,11 @@ power_series<T> secant_series(int order) {
 /// t/(e^t - 1), a_n = B_n/n! [DLMF 24.2.1], by its even part u = (t/2) coth(t/2): t u' = u - u^2 + t^2/4, whose sums
 /// have terms of one sign, where a division by (e^t - 1)/t leaves roundings for zeros. O(N^2).
 template <rounding_scalar T>
-power_series<T> bernoulli_series(int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> bernoulli_series(int order) {
+    auto a = series::power_series<T>::zero(order);
     a[0] = T(1);
     for (int n = 2; n <= order; n += 2) {
-        const T products = square_coefficient(a, n, parity::even);  // a_n still is 0
+        const T products = square_coefficient(a, n, series::parity::even);  // a_n still is 0
         a[n] = ((n == 2 ? T(1) / 4 : T(0)) - products) / (n + 1);
     }
     if (order >= 1) {
@@ -143,4 +143,4 @@ power_series<T> bernoulli_series(int order) {
     return a;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

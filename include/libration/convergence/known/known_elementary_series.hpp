@@ -10,7 +10,7 @@
 #include "libration/convergence/known/elementary_series.hpp"
 #include "libration/convergence/known/known_singularity.hpp"
 
-namespace libration::tournament {
+namespace libration::convergence::tournament {
 
 /// A position on the real axis, as a fraction.
 inline std::function<complex_number<mpfr>()> real_point(const rational& at) {
@@ -25,12 +25,12 @@ inline std::function<complex_number<mpfr>()> unit_point(const rational& c) {
 }
 
 /// (1 - t)^nu for a fraction nu.
-inline std::function<power_series<mpfr>(int)> power_of_linear(const rational& nu) {
+inline std::function<series::power_series<mpfr>(int)> power_of_linear(const rational& nu) {
     return [nu](int order) { return binomial_series(from_rational<mpfr>(nu), order); };
 }
 
 /// (1 - 2 c t + t^2)^nu for fractions.
-inline std::function<power_series<mpfr>(int)> power_of_quadratic(const rational& c, const rational& nu) {
+inline std::function<series::power_series<mpfr>(int)> power_of_quadratic(const rational& c, const rational& nu) {
     return
         [c, nu](int order) { return quadratic_power_series(from_rational<mpfr>(c), from_rational<mpfr>(nu), order); };
 }
@@ -138,4 +138,4 @@ std::vector<known_series<T>> generating_functions() {
     return all;
 }
 
-}  // namespace libration::tournament
+}  // namespace libration::convergence::tournament

@@ -8,7 +8,7 @@
 #include "libration/convergence/known/known_elementary_series.hpp"
 #include "libration/convergence/known/special_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace tournament {
 
@@ -34,8 +34,8 @@ std::vector<known_series<T>> special_functions() {
 
 /// sum_{k >= 1} t^(n_k), n_k = power(k) growing.
 template <rounding_scalar T, class Power>
-power_series<T> gap_series(Power power, int order) {
-    auto a = power_series<T>::zero(order);
+series::power_series<T> gap_series(Power power, int order) {
+    auto a = series::power_series<T>::zero(order);
     for (int k = 1; power(k) <= order; ++k) {
         a[power(k)] = T(1);
     }
@@ -71,4 +71,4 @@ std::vector<known_series<T>> all_known_series() {
     return all;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

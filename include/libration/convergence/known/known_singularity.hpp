@@ -8,7 +8,7 @@
 
 #include "libration/convergence/list/coefficient_growth.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// The nearest singularities of a function, `count` of them at one distance.
 struct known_singularity {
@@ -22,8 +22,9 @@ struct known_singularity {
 /// computed in guard digits more than T has, and rounded once.
 template <rounding_scalar T>
 struct known_series {
-    std::string name;                               ///< ASCII, no comma
-    std::function<power_series<mpfr>(int)> expand;  ///< a_0 .. a_N with the error of a recurrence, in working precision
+    std::string name;  ///< ASCII, no comma
+    std::function<series::power_series<mpfr>(int)>
+        expand;                                   ///< a_0 .. a_N with the error of a recurrence, in working precision
     growth coefficient_size = growth::geometric;  ///< entire and divergent where the radius is not positive and finite
     std::optional<T> radius = std::nullopt;       ///< nothing for an entire function, 0 for a divergent series
     std::optional<complex_number<T>> position =
@@ -34,13 +35,13 @@ struct known_series {
 
     /// a_n unit^n, n = 0 .. N, each within an eps of its size. Without a unit near the radius the coefficients leave
     /// the range of double as R^-n does. The cost of `expand`, up to O(N^2).
-    power_series<T> coefficients(int order, const T& unit = T(1)) const {
+    series::power_series<T> coefficients(int order, const T& unit = T(1)) const {
         constexpr long guard_bits = 100;
         const auto wide = [&] {
             const precision_scope scope(decimal_digits(digits<T>() + guard_bits));
             return rescale(expand(order), widen(unit));
         }();
-        auto a = power_series<T>::zero(order);
+        auto a = series::power_series<T>::zero(order);
         for (int n = 0; n <= order; ++n) {
             a[n] = narrow<T>(wide[n]);
         }
@@ -50,7 +51,7 @@ struct known_series {
 
 /// A function with isolated nearest singularities.
 template <rounding_scalar T>
-known_series<T> singular_series(std::string name, std::function<power_series<mpfr>(int)> expand,
+known_series<T> singular_series(std::string name, std::function<series::power_series<mpfr>(int)> expand,
                                 const known_singularity& nearest) {
     constexpr long guard_bits = 64;
     const auto [at, radius] = [&] {
@@ -70,7 +71,7 @@ known_series<T> singular_series(std::string name, std::function<power_series<mpf
 
 /// A function that ends at the unit circle, all of which is singular.
 template <rounding_scalar T>
-known_series<T> bounded_series(std::string name, std::function<power_series<mpfr>(int)> expand) {
+known_series<T> bounded_series(std::string name, std::function<series::power_series<mpfr>(int)> expand) {
     known_series<T> series{std::move(name), std::move(expand)};
     series.radius = T(1);
     series.kind = singularity_kind::boundary;
@@ -79,14 +80,14 @@ known_series<T> bounded_series(std::string name, std::function<power_series<mpfr
 
 /// An entire function.
 template <rounding_scalar T>
-known_series<T> entire_series(std::string name, std::function<power_series<mpfr>(int)> expand) {
+known_series<T> entire_series(std::string name, std::function<series::power_series<mpfr>(int)> expand) {
     return {std::move(name), std::move(expand), growth::entire};
 }
 
 /// A series of radius 0.
 template <rounding_scalar T>
-known_series<T> divergent_series(std::string name, std::function<power_series<mpfr>(int)> expand) {
+known_series<T> divergent_series(std::string name, std::function<series::power_series<mpfr>(int)> expand) {
     return {std::move(name), std::move(expand), growth::divergent, T(0)};
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

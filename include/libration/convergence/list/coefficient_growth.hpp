@@ -15,7 +15,7 @@
 #include "libration/algebra/linear_system.hpp"
 #include "libration/convergence/estimate/strided_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 enum class growth { unknown, geometric, entire, divergent };
 
@@ -99,4 +99,4 @@ coefficient_growth<T> growth_of(const strided_series<T>& c) {
     return {kind, gamma};
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

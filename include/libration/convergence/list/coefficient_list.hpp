@@ -20,7 +20,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// A line that is no coefficient: its number from 1 on, its text, and in reason() what is wrong with it.
 class malformed_line : public error {
@@ -184,4 +184,4 @@ private:
 /// The coefficients in a text; throws malformed_line.
 inline std::vector<exact> read_coefficients(std::string_view text) { return coefficient_reader().read(text); }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -9,7 +9,7 @@
 
 #include "libration/scalar/exact.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// Significant digits of a number written with a point or an exponent; 0 of whole numbers and fractions, which are
 /// exact.
@@ -43,4 +43,4 @@ T noise_of(const std::vector<exact>& list) {
     return std::min(std::max(last_place, epsilon<T>()), T(ldexp(T(1), coarsest)));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -12,7 +12,7 @@
 
 #include "libration/convergence/estimate/strided_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// What the zeros of a_0 .. a_N say.
 struct coefficient_pattern {
@@ -50,7 +50,7 @@ struct coefficient_pattern {
 /// Whether a_n is 0 for a list whose coefficients are known to `noise` of their size: no larger than 64 noise times the
 /// largest of its eight neighbours on either side. The list has to be scaled: radius of convergence about 1.
 template <rounding_scalar T>
-std::vector<bool> zeros_of(const power_series<T>& a, const T& noise) {
+std::vector<bool> zeros_of(const series::power_series<T>& a, const T& noise) {
     using std::abs;
     constexpr int neighbours = 8;
     constexpr int roundings = 64;
@@ -68,7 +68,7 @@ std::vector<bool> zeros_of(const power_series<T>& a, const T& noise) {
 
 /// The pattern of a scaled list. The class comes from the last three quarters of the coefficients. O(N).
 template <rounding_scalar T>
-coefficient_pattern pattern_of(const power_series<T>& a, const T& noise) {
+coefficient_pattern pattern_of(const series::power_series<T>& a, const T& noise) {
     const std::vector<bool> zero = zeros_of(a, noise);
     const auto present = [&](int n) { return !zero[static_cast<std::size_t>(n)]; };
     coefficient_pattern found;
@@ -111,8 +111,8 @@ coefficient_pattern pattern_of(const power_series<T>& a, const T& noise) {
 
 /// The class of coefficients that the pattern found.
 template <rounding_scalar T>
-strided_series<T> regular_part(const power_series<T>& a, const coefficient_pattern& pattern) {
+strided_series<T> regular_part(const series::power_series<T>& a, const coefficient_pattern& pattern) {
     return strided_series<T>(a, pattern.first, pattern.stride);
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -14,7 +14,7 @@
 #include "libration/scalar/text/decimal.hpp"
 #include "libration/series/power_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// x = length y, and a factor 2^-exponent of the whole series, which moves no singularity.
 struct coefficient_unit {
@@ -32,7 +32,7 @@ struct binary_size {
 
 /// log2 |a_n| of the coefficients that are not 0, n = first .. N.
 template <rounding_scalar T>
-std::vector<binary_size> binary_sizes(const power_series<T>& a, int first) {
+std::vector<binary_size> binary_sizes(const series::power_series<T>& a, int first) {
     std::vector<binary_size> sizes;
     for (int n = first; n <= a.order(); ++n) {
         if (a[n] != 0) {
@@ -89,7 +89,7 @@ inline mpfr slope_of_upper(const std::vector<binary_size>& points) {
 /// makes that coefficient about 1. No radius has to exist: the unit of an entire function grows with N, that
 /// of a divergent series falls. O(N).
 template <rounding_scalar T>
-coefficient_unit unit_of(const power_series<T>& a) {
+coefficient_unit unit_of(const series::power_series<T>& a) {
     constexpr int bits = 12;
     constexpr long far_off = 100;
     const precision_scope scope(40);
@@ -118,7 +118,7 @@ coefficient_unit unit_of(const power_series<T>& a) {
 /// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws error of the kind range where T
 /// cannot hold one of them.
 template <rounding_scalar T>
-power_series<T> in_unit_of(const power_series<mpfr>& a, const coefficient_unit& unit) {
+series::power_series<T> in_unit_of(const series::power_series<mpfr>& a, const coefficient_unit& unit) {
     std::vector<mpfr> scaled;
     {
         const precision_scope scope(decimal_digits(digits<T>()) + 20);
@@ -142,7 +142,7 @@ power_series<T> in_unit_of(const power_series<mpfr>& a, const coefficient_unit& 
         }
         rounded.push_back(narrow<T>(value));
     }
-    return power_series<T>(std::move(rounded));
+    return series::power_series<T>(std::move(rounded));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

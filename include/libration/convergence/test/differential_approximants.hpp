@@ -9,7 +9,7 @@
 
 #include "libration/convergence/estimate/fitted_singularities.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// First order. Needs eight coefficients. O(M^3) for each degree M <= 31 tried.
 template <rounding_scalar T>
@@ -23,4 +23,4 @@ radius_estimate<T> second_order_approximants(const strided_series<T>& c) {
     return estimate_by_recurrence("differential-approximant-2", c, recurrence_form{0, 2});
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

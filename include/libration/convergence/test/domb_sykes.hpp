@@ -14,7 +14,7 @@
 #include "libration/convergence/estimate/extrapolation.hpp"
 #include "libration/convergence/test/three_term_test.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// By the plot's extrapolated intercept. Needs eight coefficients. O(N log N) for each column of the table.
 template <rounding_scalar T>
@@ -55,4 +55,4 @@ radius_estimate<T> domb_sykes(const strided_series<T>& c) {
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -18,7 +18,7 @@
 #include "libration/convergence/estimate/conjugate_pair.hpp"
 #include "libration/convergence/estimate/extrapolation.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace fitting {
 
@@ -171,4 +171,4 @@ radius_estimate<T> hunter_guerrieri(const strided_series<T>& c) {
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

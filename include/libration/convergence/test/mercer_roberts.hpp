@@ -15,7 +15,7 @@
 #include "libration/convergence/estimate/conjugate_pair.hpp"
 #include "libration/convergence/estimate/extrapolation.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace fitting {
 
@@ -108,4 +108,4 @@ radius_estimate<T> mercer_roberts(const strided_series<T>& c) {
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

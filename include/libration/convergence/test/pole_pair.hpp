@@ -6,11 +6,11 @@
 #include "libration/scalar/error.hpp"
 #include "libration/series/power_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// Refuses indices outside of a series.
 template <scalar T>
-void require_terms(const power_series<T>& a, int first, int last) {
+void require_terms(const series::power_series<T>& a, int first, int last) {
     if (first < 1 || last > a.order()) {
         throw error(error_kind::argument, "coefficients", std::to_string(first) + " to " + std::to_string(last),
                     "are not those of a series of order " + std::to_string(a.order()));
@@ -24,7 +24,7 @@ void require_terms(const power_series<T>& a, int first, int last) {
 /// singularities at distance R2 contribute is of relative size (R/R2)^n.
 /// A heuristic: it takes four coefficients at their word. Throws error for missing coefficients.
 template <scalar T>
-T pole_pair_radius(const power_series<T>& a, int first, int stride) {
+T pole_pair_radius(const series::power_series<T>& a, int first, int stride) {
     using std::exp;
     using std::log;
     require_terms(a, first, first + 3 * stride);
@@ -35,7 +35,7 @@ T pole_pair_radius(const power_series<T>& a, int first, int stride) {
 
 /// R where one singularity is nearest (in the variable x^stride): |u_0/u_1|^(1/stride), the ratio test with n a_n.
 template <scalar T>
-T single_pole_radius(const power_series<T>& a, int first, int stride) {
+T single_pole_radius(const series::power_series<T>& a, int first, int stride) {
     using std::abs;
     using std::exp;
     using std::log;
@@ -43,4 +43,4 @@ T single_pole_radius(const power_series<T>& a, int first, int stride) {
     return exp(log(abs(a[first] * first / (a[first + stride] * (first + stride)))) / stride);
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

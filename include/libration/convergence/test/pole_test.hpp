@@ -9,7 +9,7 @@
 
 #include "libration/convergence/estimate/fitted_singularities.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// Poles of f. Needs six coefficients. O(M^3) for each degree M <= 40 tried.
 template <rounding_scalar T>
@@ -23,4 +23,4 @@ radius_estimate<T> pole_test_of_derivative(const strided_series<T>& c) {
     return estimate_by_recurrence("pole-of-derivative", c, recurrence_form{1, 1});
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

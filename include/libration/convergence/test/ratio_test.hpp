@@ -11,7 +11,7 @@
 #include "libration/convergence/estimate/settling.hpp"
 #include "libration/convergence/estimate/strided_series.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace fitting {
 
@@ -85,4 +85,4 @@ radius_estimate<T> ratio_test_in_power(const strided_series<T>& c) {
     return fitting::estimate_by_ratios("ratio-in-power", c);
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -15,13 +15,13 @@
 #include "libration/convergence/estimate/strided_series.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 /// The least |a_n|^(-1/n) of the last four n, in the unit of the variable; four, because symmetries leave only every
 /// second or fourth coefficient. Its error falls like log(n)/n, the coefficients being R^-n times a power of n. O(1).
 /// Throws error below order 4, or where all four are 0.
 template <rounding_scalar T>
-T radius_by_root_test(const power_series<T>& a) {
+T radius_by_root_test(const series::power_series<T>& a) {
     using std::abs;
     using std::pow;
     if (a.order() < 4) {
@@ -121,4 +121,4 @@ radius_estimate<T> corrected_root_test(const strided_series<T>& c) {
     return fitting::estimate_by_roots("root-corrected", c, 1);
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

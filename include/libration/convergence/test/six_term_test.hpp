@@ -18,7 +18,7 @@
 #include "libration/convergence/estimate/conjugate_pair.hpp"
 #include "libration/convergence/estimate/settling.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace fitting {
 
@@ -106,4 +106,4 @@ radius_estimate<T> six_term_test(const strided_series<T>& c) {
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -14,7 +14,7 @@
 
 #include "libration/convergence/test/ratio_test.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace fitting {
 
@@ -74,4 +74,4 @@ radius_estimate<T> three_term_test(const strided_series<T>& c) {
     return if_settled(in_variable(std::move(result), c.stride()));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

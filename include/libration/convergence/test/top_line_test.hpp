@@ -12,7 +12,7 @@
 
 #include "libration/convergence/test/root_test.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
 namespace fitting {
 
@@ -93,4 +93,4 @@ radius_estimate<T> top_line_test(const strided_series<T>& c) {
     return if_settled(std::move(result));
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

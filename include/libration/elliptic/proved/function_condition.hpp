@@ -6,7 +6,7 @@
 #include "libration/elliptic/proved/proved_functions.hpp"
 #include "libration/scalar/text/written_number.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// (|u df/du| + |x df/dx|)/|f|: when the argument u and the modulus or parameter x, as typed, are each off by a
 /// relative epsilon, f is off by up to this many relative epsilon, to first order; a number that is 0 is taken as
@@ -40,4 +40,4 @@ std::optional<mpfr> function_condition(const Value& value, const exact& u, const
     return midpoint_of(ball(ldexp(sum, step_bits) / abs(f)));
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

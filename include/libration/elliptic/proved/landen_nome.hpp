@@ -23,7 +23,7 @@
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// Chain, nome and mean. Cost: one square root, two products and three sums a level, log2 log2(1/k') levels until b/a
 /// is above 1/2, then about log2(bits) - 4; two square roots and 7 levels serve 1000 digits. Absolute errors relative
@@ -241,4 +241,4 @@ inline void landen_nome::measure() {
     arb_mul(scale_.handle(), scale_.handle(), second.handle(), bits_);
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

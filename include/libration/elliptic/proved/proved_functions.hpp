@@ -4,7 +4,7 @@
 #include "libration/elliptic/exact_functions.hpp"
 #include "libration/scalar/ball/ball.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// am, sn, cn or dn at u, as jacobi_value<T>.
 inline ball jacobi_value(jacobi_function f, const exact& u, const exact_parameter& p) {
@@ -14,4 +14,4 @@ inline ball jacobi_value(jacobi_function f, const exact& u, const exact_paramete
 /// F(phi, m), as incomplete_value<T>.
 inline ball incomplete_value(const exact& phi, const exact_parameter& p) { return incomplete_value<ball>(phi, p); }
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -5,7 +5,7 @@
 
 #include "libration/elliptic/proved/landen_nome.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// theta_2/(2 P^(1/4)) and theta_3 at one z; where asked for, theta_1/(2 P^(1/4)) and theta_4 [DLMF 20.2(i)].
 struct theta_values {
@@ -65,4 +65,4 @@ inline theta_values thetas_at(const landen_nome& nome, const ball& cosine, const
     return sums;
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -15,7 +15,7 @@
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// a_0 + x^p P(x^2)/Q(x^2), p = 0 or 1.
 template <rounding_scalar T>
@@ -27,9 +27,9 @@ public:
     const pade_approximant<T>& in_square() const { return in_square_; }
 
     /// Value and derivative at x.
-    jet<T> operator()(const T& x) const {
+    series::jet<T> operator()(const T& x) const {
         const T square = x * x;
-        const jet<T> g = in_square_(square);
+        const series::jet<T> g = in_square_(square);
         if (parity_ == 0) {
             return {constant_ + g.value, g.slope * x * 2};
         }
@@ -53,13 +53,13 @@ arc_pade<T> pade_from_top(const fundamental_arc<T>& d, int count) {
                     "of a Pade approximant is below 1");
     }
     const int parity = d.o.regime == regime::rotation ? 1 : 0;
-    const power_series<T> a = arc_series(d, 2 * count - parity);
+    const series::power_series<T> a = arc_series(d, 2 * count - parity);
     std::vector<T> g;
     g.reserve(static_cast<std::size_t>(count) + 1);
     for (int n = parity; n <= a.order(); n += 2) {
         g.push_back(n == 0 ? T(0) : a[n]);
     }
-    const power_series<T> in_square(std::move(g));
+    const series::power_series<T> in_square(std::move(g));
     for (int down = in_square.order() / 2; down > 0; --down) {
         if (auto found = pade(in_square, in_square.order() - down, down)) {
             return {a[0], parity, *std::move(found)};
@@ -68,4 +68,4 @@ arc_pade<T> pade_from_top(const fundamental_arc<T>& d, int count) {
     return {a[0], parity, *pade(in_square, in_square.order(), 0)};
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

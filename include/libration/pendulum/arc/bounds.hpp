@@ -20,7 +20,7 @@
 #include "libration/pendulum/energy/period.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The constants of the theorems for one energy level. Not for E = 0 or 2.
 template <scalar T>
@@ -33,7 +33,7 @@ struct top_bounds {
 
     static top_bounds of(const energy_level<T>& o) {
         using std::sqrt;
-        const T period = libration::effective_period(o);
+        const T period = pendulum::effective_period(o);
         const T height = singularity_height(o);
         const T square = period * period + height * height;
         const T half_turn_squared = pi<T>() * pi<T>();
@@ -72,4 +72,4 @@ struct top_bounds {
     }
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -24,7 +24,7 @@
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta^(j)(T*) T*^j/j!, j = 0 .. m-1, from the series about the bottom, where theta is odd but for its constant. They
 /// grow like (T*/K~')^j. O(m^2). Throws error for a negative m.
@@ -38,7 +38,8 @@ std::vector<T> arc_endpoint(const fundamental_arc<T>& d, int conditions) {
         return {};
     }
     const pendulum_state<T> bottom{d.bottom.value, d.bottom.slope, T(0), T(1)};
-    return taylor_coefficients(taylor_start<T>{bottom, d.o.pair, parity::odd}, conditions - 1, d.effective_period)
+    return taylor_coefficients(taylor_start<T>{bottom, d.o.pair, series::parity::odd}, conditions - 1,
+                               d.effective_period)
         .coefficients();
 }
 
@@ -74,4 +75,4 @@ T endpoint_norm(const top_bounds<T>& b, int order, int conditions) {
     return b.coefficient(n + m) * pow(b.rho, n + m) / pow(gap, m + 1) * largest;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

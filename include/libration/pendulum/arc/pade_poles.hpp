@@ -17,7 +17,7 @@
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/pendulum/singularity/lattice_points.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// One of the four mirror images +-re +- i im of a pole, the one with re, im >= 0, since the top.
 template <scalar T>
@@ -38,21 +38,21 @@ struct pade_poles {
 
 /// theta about the top: a_n R^n, n = 0 .. N, with R the radius of convergence.
 template <scalar T>
-power_series<T> theta_in_radii(const fundamental_arc<T>& arc, const T& radius, int order) {
-    const parity of_theta = arc.o.regime == regime::rotation ? parity::odd : parity::even;
+series::power_series<T> theta_in_radii(const fundamental_arc<T>& arc, const T& radius, int order) {
+    const series::parity of_theta = arc.o.regime == regime::rotation ? series::parity::odd : series::parity::even;
     return taylor_coefficients(taylor_start<T>{arc.top, arc.o.pair, of_theta}, order, radius);
 }
 
 /// The series in s = (t/R)^2 from theta's coefficients a_n R^n about the top.
 template <scalar T>
-power_series<T> speed_in_square(const power_series<T>& theta, regime r) {
+series::power_series<T> speed_in_square(const series::power_series<T>& theta, regime r) {
     const int first = r == regime::rotation ? 1 : 2;
     std::vector<T> c;
     c.reserve(static_cast<std::size_t>(theta.order()) / 2 + 1);
     for (int n = first; n <= theta.order(); n += 2) {
         c.push_back(theta[n] * n);
     }
-    return power_series<T>(std::move(c));
+    return series::power_series<T>(std::move(c));
 }
 
 /// The poles of a Pade approximant of the series in s, as times. Nothing where the roots of the denominator did not
@@ -100,7 +100,7 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
     const singularity_lattice<T> lattice = *singularities<T>(m);
     const T radius = modulus_of(complex_number<T>{lattice.effective_period, lattice.height});
     const auto theta = theta_in_radii(arc, radius, order);
-    const auto speed = order < 2 ? power_series<T>() : speed_in_square(theta, arc.o.regime);
+    const auto speed = order < 2 ? series::power_series<T>() : speed_in_square(theta, arc.o.regime);
     for (int down = (speed.order() + 1) / 2; down >= 1; --down) {
         const int up = speed.order() - down;
         if (const auto approximant = pade(speed, up, down, negligible)) {
@@ -125,4 +125,4 @@ std::optional<T> distance_from_first(const pade_poles<T>& found, const singulari
     return least;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -6,7 +6,7 @@
 
 #include "libration/pendulum/arc/resummation.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta and omega of a motion, from any function of x in [0, 1] that approximates its fundamental arc (jets in x).
 ///
@@ -28,14 +28,14 @@ public:
           f_(std::move(on_arc)) {}
 
     /// At an exact time.
-    jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
+    series::jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
     /// At a phase.
-    jet<T> at(const phase<T>& p) const {
+    series::jet<T> at(const phase<T>& p) const {
         born_.require();
-        const bool top = quarter_of_four(p.quarter) % 2 != 0;
+        const bool top = elliptic::quarter_of_four(p.quarter) % 2 != 0;
         const T away = p.offset * p.side / effective_period_;
-        jet<T> part = top ? f_(away) : before_bottom(away);
+        series::jet<T> part = top ? f_(away) : before_bottom(away);
         part.slope /= effective_period_;
         // Before the nearest top the fundamental arc runs backwards. At a bottom "after" means coming down from the top before.
         const bool after = top ? p.side >= 0 : p.side <= 0;
@@ -46,7 +46,7 @@ public:
 
 private:
     // An f that takes the time before the bottom is given that: 1 - away would lose the digits of a small one.
-    jet<T> before_bottom(const T& away) const {
+    series::jet<T> before_bottom(const T& away) const {
         if constexpr (requires { f_.before_bottom(away); }) {
             return f_.before_bottom(away);
         } else {
@@ -54,13 +54,13 @@ private:
         }
     }
 
-    jet<T> librating(const jet<T>& part, const integer& top, bool after) const {
-        const int sign = quarter_of_four(top) == 1 ? 1 : -1;
+    series::jet<T> librating(const series::jet<T>& part, const integer& top, bool after) const {
+        const int sign = elliptic::quarter_of_four(top) == 1 ? 1 : -1;
         return {whole_turns<T>(motion_.turns()) + part.value * sign, part.slope * (after ? sign : -sign)};
     }
 
     // Counterclockwise the top of quarter 2 i + 1 is at theta = 2 pi i + pi.
-    jet<T> rotating(const jet<T>& part, const integer& top, bool after) const {
+    series::jet<T> rotating(const series::jet<T>& part, const integer& top, bool after) const {
         const int d = motion_.direction();
         const integer half_turns = (top - 1) / 2;
         const T value = after ? part.value : T(pi<T>() * 2 - part.value);
@@ -74,4 +74,4 @@ private:
     F f_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

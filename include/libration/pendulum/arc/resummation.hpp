@@ -8,7 +8,7 @@
 #include "libration/pendulum/taylor/expansion.hpp"
 #include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The canonical motion on its way from the top down to the bottom: libration from (theta_max, 0) to (0, -sqrt(2E)),
 /// rotation counterclockwise from (pi, sqrt(2E-4)) to (2 pi, sqrt(2E)). All other motions are its mirror images and
@@ -18,8 +18,8 @@ struct fundamental_arc {
     energy_level<T> o;
     T effective_period;
     pendulum_state<T> top;
-    jet<T> bottom;  ///< theta* and omega*
-    motion m;       ///< whose fundamental arc it is: what is changed above is seen by the recurrences alone
+    series::jet<T> bottom;  ///< theta* and omega*
+    motion m;               ///< whose fundamental arc it is: what is changed above is seen by the recurrences alone
 };
 
 /// With the T* of a rule that is not exact, what is made of the fundamental arc is what the paper's formulas make with that T*:
@@ -40,8 +40,8 @@ fundamental_arc<T> arc_of(const motion& m, const period_rule& by = {}) {
 
 /// a_n T*^n, n = 0 .. N, about the top, by a recurrence alone.
 template <scalar T>
-power_series<T> arc_series(const fundamental_arc<T>& d, int order, recurrence by) {
-    const parity of_theta = d.o.regime == regime::rotation ? parity::odd : parity::even;
+series::power_series<T> arc_series(const fundamental_arc<T>& d, int order, recurrence by) {
+    const series::parity of_theta = d.o.regime == regime::rotation ? series::parity::odd : series::parity::even;
     return taylor_coefficients(taylor_start<T>{d.top, d.o.pair, of_theta}, order, d.effective_period, by);
 }
 
@@ -49,13 +49,13 @@ power_series<T> arc_series(const fundamental_arc<T>& d, int order, recurrence by
 /// up to the turns and the direction of the motion. The fixed scalars keep to the recurrence, whose rounding is what is
 /// asked of them.
 template <scalar T>
-power_series<T> arc_series(const fundamental_arc<T>& d, int order) {
+series::power_series<T> arc_series(const fundamental_arc<T>& d, int order) {
     if constexpr (fixed_scalar<T>) {
         return arc_series(d, order, recurrence::symmetric_squares);
     } else {
         require_taylor_order(order);
         const exact_solution<T> solution(d.m);
-        power_series<T> a(coefficients_about(solution, expansion_point(), d.effective_period, 0, order));
+        series::power_series<T> a(coefficients_about(solution, expansion_point(), d.effective_period, 0, order));
         a[0] = d.top.theta;
         if (d.o.regime == regime::rotation && d.m.direction() < 0) {
             for (int n = 1; n <= order; ++n) {
@@ -88,13 +88,13 @@ endpoint_approximant<T> resummation_from_top(const fundamental_arc<T>& d, int or
 
 // Compiled once, in libration::libration.
 #ifdef LIBRATION_COMPILED
-#define LIBRATION_DECLARE(T)                                                            \
-    extern template fundamental_arc<T> arc_of(const motion&, const period_rule&);           \
-    extern template power_series<T> arc_series(const fundamental_arc<T>&, int, recurrence); \
-    extern template power_series<T> arc_series(const fundamental_arc<T>&, int);             \
+#define LIBRATION_DECLARE(T)                                                                        \
+    extern template fundamental_arc<T> arc_of(const motion&, const period_rule&);                   \
+    extern template series::power_series<T> arc_series(const fundamental_arc<T>&, int, recurrence); \
+    extern template series::power_series<T> arc_series(const fundamental_arc<T>&, int);             \
     extern template endpoint_approximant<T> resummation_from_top(const fundamental_arc<T>&, int);
 LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -7,7 +7,7 @@
 #include "libration/digits/agreed_values.hpp"
 #include "libration/pendulum/arc/pade_poles.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// Whether two computations found the same poles to `digits` significant digits of every number, and two more.
 inline bool same_poles(const pade_poles<mpfr>& a, const pade_poles<mpfr>& b, long digits) {
@@ -50,4 +50,4 @@ inline pade_poles<mpfr> stable_pade_poles(const motion& m, int order, long digit
                            "a Pade pole of order " + std::to_string(order), compute, same);
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

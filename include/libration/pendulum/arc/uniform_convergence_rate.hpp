@@ -4,7 +4,7 @@
 #include "libration/pendulum/arc/bounds.hpp"
 #include "libration/pendulum/arc/uniform_remainder.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// T*/|(2P+1) T* + i K~'|, the rate of the uniform resummation a power of t.
 template <scalar T>
@@ -24,4 +24,4 @@ inline long uniform_digits_below(const motion& m, int order) {
     return 20 + static_cast<long>(nearest_integer(mpfr(of_rate + of_gap)));
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

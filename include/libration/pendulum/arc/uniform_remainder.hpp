@@ -31,7 +31,7 @@
 #include "libration/series/jet.hpp"
 #include "libration/series/power_series.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// y = pi T*/(2 K~'): half the distance of two columns in the time of the separatrix. It tends to 0 at E = 0 and for
 /// large E, to infinity at E = 2. Throws error at E = 0.
@@ -66,7 +66,7 @@ struct uniform_bounds {
 
     /// Bounds of the remainder after x^N and of its slope for |x| <= 1. Throws error when the first omitted
     /// power is below 2.
-    jet<T> remainder(int order, const T& x) const {
+    series::jet<T> remainder(int order, const T& x) const {
         using std::abs;
         using std::pow;
         using std::sqrt;
@@ -86,14 +86,14 @@ struct uniform_bounds {
 /// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up
 /// to a smooth function. O(N digits/(P y)). Throws error when P < 1 or N < 0.
 template <scalar T>
-power_series<T> uniform_remainder(regime r, const T& half_distance, int columns, int order) {
+series::power_series<T> uniform_remainder(regime r, const T& half_distance, int columns, int order) {
     using std::cosh;
     using std::exp;
     using std::sinh;
     if (columns < 1) {
         throw error(error_kind::argument, "number of pairs of columns", std::to_string(columns), "is negative");
     }
-    auto rest = power_series<T>::zero(order);
+    auto rest = series::power_series<T>::zero(order);
     const bool rotates = r == regime::rotation;
     // v_J >= bits log 2/(2 P), log 2 < 7/10. It decides the cost; what it leaves out is enclosed whatever it is.
     const long bits = digits<T>() + 8;
@@ -124,4 +124,4 @@ power_series<T> uniform_remainder(regime r, const T& half_distance, int columns,
     return rest;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

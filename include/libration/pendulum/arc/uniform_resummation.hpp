@@ -21,7 +21,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/series/arithmetic.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta as a function of x = t/T* on the fundamental arc from the top to the bottom, with its slope in x: the canonical
 /// motions of arc_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x| <= 1.
@@ -30,7 +30,8 @@ template <scalar T>
 class uniform_resummation {
 public:
     /// rest: b_0 .. b_N by uniform_remainder(); constants: b_0 + k pi with what theorem U's identity adds, k = -2P .. 2P.
-    uniform_resummation(regime r, T half_distance, int columns, const power_series<T>& rest, std::vector<T> constants)
+    uniform_resummation(regime r, T half_distance, int columns, const series::power_series<T>& rest,
+                        std::vector<T> constants)
         : bounds_{parity_from_top(r), columns},
           order_(rest.order()),
           half_distance_(std::move(half_distance)),
@@ -41,7 +42,7 @@ public:
         for (int n = bounds_.parity + 2; n <= order_; n += 2) {
             in_square.push_back(rest[n]);
         }
-        in_square_ = power_series<T>(std::move(in_square));
+        in_square_ = series::power_series<T>(std::move(in_square));
     }
 
     /// N, the last power kept.
@@ -56,11 +57,11 @@ public:
     }
 
     /// At the fraction x of T* after the top.
-    jet<T> operator()(const T& x) const { return at(x, T(1 - x)); }
+    series::jet<T> operator()(const T& x) const { return at(x, T(1 - x)); }
 
     /// At the fraction `away` of T* before the bottom: keeps the digits of a small `away`, which near E = 2 are many,
     /// because T* is long.
-    jet<T> before_bottom(const T& away) const { return at(T(1 - away), away); }
+    series::jet<T> before_bottom(const T& away) const { return at(T(1 - away), away); }
 
     /// The value alone.
     T value(const T& x) const { return (*this)(x).value; }
@@ -84,8 +85,8 @@ private:
         return {0, atan(tanh(s / 2)) * 4, slope};
     }
 
-    jet<T> at(const T& x, const T& away) const {
-        jet<T> sum = rest_at(x);
+    series::jet<T> at(const T& x, const T& away) const {
+        series::jet<T> sum = rest_at(x);
         const bool rotates = bounds_.parity == 1;
         int pis = 0;
         T part(0);
@@ -103,13 +104,13 @@ private:
         sum.value += part + constants_[static_cast<std::size_t>(place)];
         sum.slope += slope * half_distance_;
         if (proved_scalar<T> && encloses_theta_) {
-            const jet<T> left_out = proved_remainder(x);
+            const series::jet<T> left_out = proved_remainder(x);
             return {enclose(sum.value, left_out.value), enclose(sum.slope, left_out.slope)};
         }
         return sum;
     }
 
-    jet<T> proved_remainder(const T& x) const {
+    series::jet<T> proved_remainder(const T& x) const {
         using std::abs;
         if (certainly_less(T(1), T(abs(x)))) {
             throw error(error_kind::argument, "fraction of T*", "", "is beyond 1, where theorem U ends");
@@ -118,9 +119,9 @@ private:
     }
 
     // sum_n b_n x^n without the constant.
-    jet<T> rest_at(const T& x) const {
+    series::jet<T> rest_at(const T& x) const {
         const T square = x * x;
-        const jet<T> sum = evaluate(in_square_, square);
+        const series::jet<T> sum = evaluate(in_square_, square);
         if (bounds_.parity == 0) {
             return {sum.value, sum.slope * x * 2};
         }
@@ -132,7 +133,7 @@ private:
     int order_;
     T half_distance_;
     std::vector<T> constants_;
-    power_series<T> in_square_;  ///< b_n over x^2, without b_0
+    series::power_series<T> in_square_;  ///< b_n over x^2, without b_0
 };
 
 /// The uniform resummation of a motion to the power N. y and all b_n are computed in more digits and rounded once.
@@ -145,7 +146,7 @@ uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns 
         throw error(error_kind::argument, "energy", "0", "has infinitely many columns of singularities");
     }
     W half_distance;
-    power_series<W> wide;
+    series::power_series<W> wide;
     std::vector<W> wide_constants;
     {
         constexpr long guard_bits = 32;
@@ -168,7 +169,8 @@ uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns 
     for (const W& c : wide_constants) {
         constants.push_back(narrow<T>(c));
     }
-    return {m.regime(), narrow<T>(half_distance), columns, power_series<T>(std::move(rest)), std::move(constants)};
+    return {m.regime(), narrow<T>(half_distance), columns, series::power_series<T>(std::move(rest)),
+            std::move(constants)};
 }
 
 // Compiled once, in libration::libration.
@@ -178,4 +180,4 @@ LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif
 
-}  // namespace libration
+}  // namespace libration::pendulum

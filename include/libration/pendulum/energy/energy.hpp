@@ -7,7 +7,7 @@
 #include "libration/pendulum/motion/motion.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// E and 2-E, both to full relative precision: near E = 2 the second carries all the digits of the period, and a number
 /// that stands for E alone has lost them.
@@ -61,9 +61,9 @@ energy_pair<T> energies(const motion& m) {
 ///   rotation   k^2 = 2/E,  k'^2 = (E-2)/E,  u = t sqrt(E/2)
 template <scalar T>
 struct energy_level {
-    libration::regime regime;
+    pendulum::regime regime;
     energy_pair<T> pair;
-    modulus<T> modulus;
+    elliptic::modulus<T> modulus;
     T time_scale;
 };
 
@@ -79,11 +79,11 @@ energy_level<T> energy_level_of(const motion& m) {
         const T k = sqrt(2 / pair.energy);
         const T complement = sqrt(-pair.gap / pair.energy);
         T rate = sqrt(pair.energy / 2);
-        return {m.regime(), std::move(pair), modulus<T>::from_both(k, complement), std::move(rate)};
+        return {m.regime(), std::move(pair), elliptic::modulus<T>::from_both(k, complement), std::move(rate)};
     }
     const T k = sqrt(pair.energy / 2);
     const T complement = sqrt(pair.gap / 2);
-    return {m.regime(), std::move(pair), modulus<T>::from_both(k, complement), T(1)};
+    return {m.regime(), std::move(pair), elliptic::modulus<T>::from_both(k, complement), T(1)};
 }
 
 /// Seconds in a unit of dimensionless time, sqrt(length/gravity); 1 where no units were given.
@@ -94,7 +94,8 @@ T time_unit(const motion& m) {
     if (!squared_frequency.is_fraction()) {
         return 1 / sqrt(from_exact<T>(squared_frequency));
     }
-    return squared_frequency.coefficient == 1 ? T(1) : T(sqrt(from_rational<T>(rational(1 / squared_frequency.coefficient))));
+    return squared_frequency.coefficient == 1 ? T(1)
+                                              : T(sqrt(from_rational<T>(rational(1 / squared_frequency.coefficient))));
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

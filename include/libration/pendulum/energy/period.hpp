@@ -7,7 +7,7 @@
 #include "libration/elliptic/complete_integral_series.hpp"
 #include "libration/pendulum/energy/energy.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// T* = K(k)/rate: a quarter of the period below E = 2, half of it above. A few units in the last place.
 template <scalar T>
@@ -61,4 +61,4 @@ T singularity_height(const energy_level<T>& o) {
     return complete_integral(o.modulus.swapped()) / o.time_scale;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

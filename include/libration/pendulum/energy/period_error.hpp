@@ -5,7 +5,7 @@
 
 #include "libration/pendulum/energy/period.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// Bound of T* - effective_period_by(rule, o), which is never negative: the bounds of complete_integral_series.hpp over
 /// the rate; 0 for the mean, which has no order. At most 1.4 times what is left out. O(N).
@@ -27,4 +27,4 @@ inline long period_digits_below(const motion& m, int order) {
     return std::max(0L, 2 + static_cast<long>(nearest_integer(mpfr(log10(effective_period(o) / bound)))));
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -15,7 +15,7 @@
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 enum class approximation { series, resummed, fourth, eighth, two_point, pade, uniform };
 
@@ -106,4 +106,4 @@ auto with_approximation(approximation a, const motion& m, const fundamental_arc<
     }
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

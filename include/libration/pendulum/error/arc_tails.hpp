@@ -14,7 +14,7 @@
 #include "libration/pendulum/error/error_norm.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The errors at points 0 < x <= 1. Starts at the order of the series, where nothing is left out, and steps down.
 template <fixed_scalar T>
@@ -73,4 +73,4 @@ private:
     T slope_at_end_ = T(0);  ///< T_N'(1)
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

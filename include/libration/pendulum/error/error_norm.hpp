@@ -14,7 +14,7 @@
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// Decimal digits by which the error of order N is below theta itself, from its rate (T*/R)^N: what a computation has
 /// to carry beyond the digits wanted in the norm. N^-2 and a few digits for the constants are added.
@@ -40,14 +40,14 @@ public:
     /// The norm of order N as a true maximum and the fraction of T* where it is attained.
     norm_at<mpfr> norm(arc_method method, int order) {
         return method == arc_method::series ? norm_of(series_from_top(arc_, order), order)
-                                                : norm_of(resummation_from_top(arc_, order), order);
+                                            : norm_of(resummation_from_top(arc_, order), order);
     }
 
     /// |approximation - theta| at a fraction x of T*, theta by the second route: its agreement with a norm found at x
     /// is what makes that norm "two-method".
     mpfr second_opinion(arc_method method, int order, const mpfr& x) const {
         const mpfr value = method == arc_method::series ? series_from_top(arc_, order)(x).value
-                                                            : resummation_from_top(arc_, order)(x).value;
+                                                        : resummation_from_top(arc_, order)(x).value;
         return abs(value - second_theta(x));
     }
 
@@ -66,7 +66,7 @@ public:
             return rounded_norm([&](const T& x) { return widen(approximation.value(x)); }, narrow<T>(place));
         };
         return method == arc_method::series ? norm_of_rounded(series_from_top(arc, order))
-                                                : norm_of_rounded(resummation_from_top(arc, order));
+                                            : norm_of_rounded(resummation_from_top(arc, order));
     }
 
     /// The same in mpfr of that many digits and no guard: what the arithmetic itself reaches.
@@ -95,9 +95,9 @@ public:
     norm_at<mpfr> norm_of(const F& approximation, int order) {
         const auto points = chebyshev_points(points_for(order));
         const auto& truth = truth_at(points);
-        std::vector<jet<mpfr>> differences;
+        std::vector<series::jet<mpfr>> differences;
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const jet<mpfr> value = approximation(mpfr(points[i]));
+            const series::jet<mpfr> value = approximation(mpfr(points[i]));
             differences.push_back({value.value - truth[i].value, value.slope - truth[i].slope});
         }
         const auto exactly = [this](const mpfr& x) { return exact(x); };
@@ -130,7 +130,7 @@ private:
     // Enough points to part the stationary points: at least 251, and more than twice the order.
     static int points_for(int order) { return std::max(251, 2 * order + 11); }
 
-    jet<mpfr> exact(const mpfr& x) const {
+    series::jet<mpfr> exact(const mpfr& x) const {
         const auto state = truth_.from_top(x);
         const motion& m = truth_.of();
         const int mirrored = m.regime() == regime::rotation ? m.direction() : 1;
@@ -151,7 +151,7 @@ private:
         return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, arc_.effective_period)).value);
     }
 
-    const std::vector<jet<mpfr>>& truth_at(const std::vector<double>& points) {
+    const std::vector<series::jet<mpfr>>& truth_at(const std::vector<double>& points) {
         auto& sampled = sampled_[points.size()];
         for (std::size_t i = sampled.size(); i < points.size(); ++i) {
             sampled.push_back(exact(mpfr(points[i])));
@@ -163,7 +163,7 @@ private:
     separatrix_sum<mpfr> second_route_;
     fundamental_arc<mpfr> arc_;
     top_bounds<mpfr> bounds_;
-    std::map<std::size_t, std::vector<jet<mpfr>>> sampled_;
+    std::map<std::size_t, std::vector<series::jet<mpfr>>> sampled_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

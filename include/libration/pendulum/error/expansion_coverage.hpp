@@ -16,7 +16,7 @@
 #include "libration/approximant/truncated_series.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The expansion about x T* after the top against [0, T*].
 template <scalar T>
@@ -55,7 +55,8 @@ expansion_coverage<T> coverage_from(const motion& m, const rational& x) {
     const phase<T> place = phase_from_top<T>(m, x, lattice.effective_period);
     const T radius = lattice.radius(place);
     const T reach = from_rational<T>(std::max(x, rational(1 - x))) * lattice.effective_period;
-    return {lattice.effective_period, lattice.height, place, radius, reach, reach / radius, coverage_sign(m, x, lattice)};
+    return {lattice.effective_period,    lattice.height, place, radius, reach, reach / radius,
+            coverage_sign(m, x, lattice)};
 }
 
 /// Decimal digits by which the error of order N is below theta, from its rate, and a few for the constants; what a
@@ -79,15 +80,15 @@ public:
         const auto sigma = series_about<mpfr>(truth_, cover, order);
         const mpfr middle = from_rational<mpfr>(x);
         const auto approximation = [&](const mpfr& u) {
-            const jet<mpfr> at = sigma(mpfr((u - middle) * cover.effective_period));
-            return jet<mpfr>{at.value, at.slope * cover.effective_period};
+            const series::jet<mpfr> at = sigma(mpfr((u - middle) * cover.effective_period));
+            return series::jet<mpfr>{at.value, at.slope * cover.effective_period};
         };
         const auto exactly = [&](const mpfr& u) { return exact(u, cover.effective_period); };
         const auto& truth = truth_at(points, cover.effective_period);
-        std::vector<jet<mpfr>> differences;
+        std::vector<series::jet<mpfr>> differences;
         differences.reserve(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const jet<mpfr> at = approximation(mpfr(points[i]));
+            const series::jet<mpfr> at = approximation(mpfr(points[i]));
             differences.push_back({at.value - truth[i].value, at.slope - truth[i].slope});
         }
         return difference_norm<mpfr>(difference(approximation, exactly), points, differences);
@@ -116,12 +117,12 @@ private:
         return {taylor_coefficients(start_at(solution, cover.place), order, cover.radius), cover.radius};
     }
 
-    jet<mpfr> exact(const mpfr& u, const mpfr& duration) const {
+    series::jet<mpfr> exact(const mpfr& u, const mpfr& duration) const {
         const auto state = truth_.from_top(u);
         return {state.theta, state.omega * duration};
     }
 
-    const std::vector<jet<mpfr>>& truth_at(const std::vector<double>& points, const mpfr& duration) {
+    const std::vector<series::jet<mpfr>>& truth_at(const std::vector<double>& points, const mpfr& duration) {
         auto& sampled = sampled_[points.size()];
         for (std::size_t i = sampled.size(); i < points.size(); ++i) {
             sampled.push_back(exact(mpfr(points[i]), duration));
@@ -130,7 +131,7 @@ private:
     }
 
     exact_solution<mpfr> truth_;
-    std::map<std::size_t, std::vector<jet<mpfr>>> sampled_;
+    std::map<std::size_t, std::vector<series::jet<mpfr>>> sampled_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

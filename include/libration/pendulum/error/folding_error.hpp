@@ -6,7 +6,7 @@
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The exact canonical motion on its way from the top, as a function of x = t/T* with the T* of a rule. Between the
 /// bottom and that T* it goes on as the motion does.
@@ -19,7 +19,7 @@ public:
           effective_period_(effective_period_by(by, energy_level_of<T>(canonical))),
           stretch_(effective_period_ / effective_period(energy_level_of<T>(canonical))) {}
 
-    jet<T> operator()(const T& x) const {
+    series::jet<T> operator()(const T& x) const {
         const pendulum_state<T> at = solution_.from_top(T(x * stretch_));
         return {at.theta, at.omega * effective_period_};
     }
@@ -69,4 +69,4 @@ T folding_error_estimate(const rational& energy, const T& period_error, const in
     return sqrt(from_rational<T>(rational(energy * 2))) * period_error * from_rational<T>(rational(periods + 1));
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

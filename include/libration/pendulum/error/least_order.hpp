@@ -11,7 +11,7 @@
 #include "libration/pendulum/error/arc_tails.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The proved order: the least N >= 4 whose bound A (series) or A2 (resummed) is at most 10^-D. Both bounds fall with
 /// N, so from there on no norm is above it.
@@ -66,8 +66,7 @@ public:
     static constexpr long most_digits = 4000;
 
     /// Throws error for E = 0, E = 2 and more than most_digits digits, which long double cannot hold.
-    arc_orders(const motion& m, long digits)
-        : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.o)) {
+    arc_orders(const motion& m, long digits) : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.o)) {
         if (digits > most_digits) {
             throw error(error_kind::argument, "number of digits", std::to_string(digits),
                         "is more than " + std::to_string(most_digits));
@@ -146,8 +145,8 @@ public:
     }
 
     /// approximation - theta at a fraction x of T*. O(N).
-    jet<mpfr> error_at(arc_method method, int order, const mpfr& x) const {
-        jet<mpfr> at = partial_sum(order, x);
+    series::jet<mpfr> error_at(arc_method method, int order, const mpfr& x) const {
+        series::jet<mpfr> at = partial_sum(order, x);
         if (method == arc_method::resummed) {
             const auto i = static_cast<std::size_t>(order);
             const mpfr defect = arc_.bottom.value - values_[i];
@@ -181,10 +180,10 @@ private:
     }
 
     // sigma_N by Horner's rule in x^2, as every second a_n is 0 (but a_0 = pi in rotation).
-    jet<mpfr> partial_sum(int order, const mpfr& x) const {
+    series::jet<mpfr> partial_sum(int order, const mpfr& x) const {
         const int parity = bounds_.parity;
         const mpfr square = x * x;
-        jet<mpfr> sum{mpfr(0), mpfr(0)};
+        series::jet<mpfr> sum{mpfr(0), mpfr(0)};
         for (int n = order - (order % 2 == parity ? 0 : 1); n >= parity; n -= 2) {
             sum.slope = sum.slope * square + sum.value;
             sum.value = sum.value * square + series_[n];
@@ -198,9 +197,9 @@ private:
     exact_solution<mpfr> truth_;
     fundamental_arc<mpfr> arc_;
     top_bounds<mpfr> bounds_;
-    power_series<mpfr> series_;
+    series::power_series<mpfr> series_;
     std::vector<mpfr> values_;  ///< sigma_n(1)
     std::vector<mpfr> slopes_;  ///< sigma_n'(1)
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -9,7 +9,7 @@
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// What the march from (0, 2) misses. The solution departs from its neighbours like e^t on its way to the
 /// top, so a step's own error arrives at time t multiplied by about e^(t-s): `undone` is the largest
@@ -41,7 +41,7 @@ march_error separatrix_march_error(const rational& step, long steps, int samples
     const motion on_separatrix = motion::of_energy(2);
     const T h = from_rational<T>(step);
     const mpfr exact_h = widen(h);
-    jet<T> state{T(0), T(2)};
+    series::jet<T> state{T(0), T(2)};
     march_error result{mpfr(0), mpfr(0), mpfr(0)};
     long done = 0;
     for (int i = 1; i <= samples; ++i) {
@@ -61,4 +61,4 @@ march_error separatrix_march_error(const rational& step, long steps, int samples
     return result;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -9,12 +9,12 @@
 #include "libration/pendulum/error/expansion_coverage.hpp"
 #include "libration/scalar/complex_number.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// a_n unit^n about a point, each within a unit in the last place of T.
 template <rounding_scalar T>
 struct arc_list {
-    power_series<T> scaled;
+    series::power_series<T> scaled;
     T unit;  ///< dimensionless time
 };
 
@@ -24,7 +24,7 @@ struct arc_list {
 template <rounding_scalar T>
 arc_list<T> series_on_arc(const motion& m, const rational& x, int order, const rational& radii = 1) {
     constexpr long guard_digits = 25;
-    power_series<mpfr> wide;
+    series::power_series<mpfr> wide;
     mpfr unit;
     {
         const precision_scope scope(decimal_digits(digits<T>() + m.condition_bits()) + guard_digits);
@@ -37,7 +37,7 @@ arc_list<T> series_on_arc(const motion& m, const rational& x, int order, const r
     for (const mpfr& a : wide.coefficients()) {
         rounded.push_back(narrow<T>(a));
     }
-    return {power_series<T>(std::move(rounded)), narrow<T>(unit)};
+    return {series::power_series<T>(std::move(rounded)), narrow<T>(unit)};
 }
 
 /// The nearest singularity (of least argument) as seen from the fraction x of T*: (1-x) T* + i K~'.
@@ -66,4 +66,4 @@ inline std::optional<int> limit_of_ratios(const motion& m, const rational& x, in
     return std::nullopt;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

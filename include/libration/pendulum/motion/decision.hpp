@@ -12,7 +12,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A proved sign, with the e of 2^(e-1) <= |value| < 2^(e+1).
 struct proved_sign {
@@ -48,4 +48,4 @@ struct winding {
 /// undecided where no precision tells a formula from a multiple of pi.
 winding wind(const exact& angle);
 
-}  // namespace libration
+}  // namespace libration::pendulum

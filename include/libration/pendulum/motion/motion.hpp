@@ -10,7 +10,7 @@
 #include "libration/pendulum/motion/regime.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A motion of the pendulum, dimensionless unless it was given a length and a gravity: then its times are seconds and
 /// its angular velocities rad/s, t = t_dimensionless sqrt(length/gravity). The energy is always in units of m g l.
@@ -43,9 +43,11 @@ public:
         result.squared_frequency_ = squared_frequency;
         return result;
     }
-    motion with_squared_frequency(const rational& squared_frequency) const { return with_squared_frequency(exactly(squared_frequency)); }
+    motion with_squared_frequency(const rational& squared_frequency) const {
+        return with_squared_frequency(exactly(squared_frequency));
+    }
 
-    libration::regime regime() const { return regime_; }
+    pendulum::regime regime() const { return regime_; }
     /// +1 counterclockwise, -1 clockwise, for rotation and separatrix.
     int direction() const { return direction_; }
     /// Sign of omega0.
@@ -95,7 +97,7 @@ private:
     void finish();
     void place_symmetric_start();
 
-    libration::regime regime_ = libration::regime::libration;
+    pendulum::regime regime_ = pendulum::regime::libration;
     int direction_ = 1;
     int omega0_sign_ = 0;
     integer turns_ = 0;
@@ -112,4 +114,4 @@ private:
     long turn_bits_ = 0;       // of the turns, which come on top of each of them
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

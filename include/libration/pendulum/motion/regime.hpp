@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace libration {
+namespace libration::pendulum {
 
 /// By the energy E = omega^2/2 + 1 - cos theta: libration below 2, rotation above; at 2 the separatrix or, at rest on
 /// top, the unstable equilibrium; at 0 the stable one.
@@ -22,4 +22,4 @@ inline std::string_view name_of(regime r) {
 /// E = 2 exactly: the period is infinite and there is no top to expand about.
 constexpr bool at_critical_energy(regime r) { return r == regime::separatrix || r == regime::unstable_equilibrium; }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -7,7 +7,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/written_number.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta0 and omega0; else the gap, else the energy, from the canonical start or from theta0.
 struct typed_motion {
@@ -24,10 +24,10 @@ struct typed_motion {
     exact exact_energy() const;
 
     /// The motion; throws error as motion does, where an energy is negative or does not reach theta0.
-    libration::motion motion() const;
+    pendulum::motion motion() const;
 
     /// With the nearest double in the place of each number.
     typed_motion in_double() const;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

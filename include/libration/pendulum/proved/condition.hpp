@@ -8,7 +8,7 @@
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/pendulum/solution/variation.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A motion with its variation (variation.hpp), for
 ///     condition = (|t omega| + sum_x |x dtheta/dx|) / max(1, |theta|),
@@ -21,7 +21,7 @@ namespace libration {
 class conditioned_motion {
 public:
     /// At the working precision. Throws as proved_motion.
-    conditioned_motion(const typed_motion& typed, const libration::motion& m)
+    conditioned_motion(const typed_motion& typed, const pendulum::motion& m)
         : motion_(m), typed_(typed), differentiable_(is_differentiable(typed, m)) {
         if (differentiable_ && !motion_.at_rest()) {
             if (serves_double(m, 0)) {
@@ -35,13 +35,13 @@ public:
     const proved_motion& of() const { return motion_; }
 
     /// The bits that three digits of the condition at a time of this binary exponent need.
-    static long bits_for(const libration::motion& m, long time_exponent) {
+    static long bits_for(const pendulum::motion& m, long time_exponent) {
         return 30 + m.condition_bits() + 2 * std::max(0L, time_exponent);
     }
 
     /// The condition at a time, for the state there; nothing where it is infinite or beyond e^1000.
     std::optional<mpfr> at(const exact& time, const enclosed_state& state) const {
-        const libration::motion& m = motion_.of();
+        const pendulum::motion& m = motion_.of();
         const auto elapsed = dimensionless_time<mpfr>(m, time);
         const long exponent = binary_exponent(elapsed);
         if (!differentiable_ || (at_critical_energy(m.regime()) && exponent > longest_growth)) {
@@ -72,14 +72,14 @@ private:
     static constexpr long longest_growth = 10;
     static constexpr long largest_energy = 1L << 40U;
 
-    static bool is_differentiable(const typed_motion& typed, const libration::motion& m) {
+    static bool is_differentiable(const typed_motion& typed, const pendulum::motion& m) {
         const bool jumps = !typed.theta0 && typed.energy && at_critical_energy(m.regime());
         const bool rests = typed.theta0 && !typed.omega0 && m.omega0_sign() == 0;
         return !jumps && !rests;
     }
 
     // Whether double does at a time, or an angle, of this binary exponent. Beyond its range of energies it does not.
-    static bool serves_double(const libration::motion& m, long exponent) {
+    static bool serves_double(const pendulum::motion& m, long exponent) {
         return !at_critical_energy(m.regime()) && bits_for(m, exponent) <= digits<double>() &&
                (m.energy() ? *m.energy() < largest_energy : !m.exact_energy() || is_moderate(*m.exact_energy()));
     }
@@ -145,4 +145,4 @@ private:
     std::optional<variation<mpfr>> precise_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -24,7 +24,7 @@
 #include "libration/scalar/ball/fraction.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// One energy, any number of times. Everything that depends on the energy alone is done when it is made. A time costs a
 /// cosine, an arctangent, a division a level and a few products. Absolute error of theta: about 2^8 units of the
@@ -80,7 +80,7 @@ public:
         // V = 1/X: V_n = V_{n+1} + (c_n^2/4)/V_{n+1}.
         ball inverse = denominator / values.second;
         for (int n = nome_.levels() - 1; n >= 1; --n) {
-            inverse += landen_nome::quotient(nome_.step(n), inverse, nome_.bits());
+            inverse += elliptic::landen_nome::quotient(nome_.step(n), inverse, nome_.bits());
         }
         return quarter_angle(cut_, inverse) * 4;
     }
@@ -153,7 +153,7 @@ private:
     ball half_gap_;
     ball widest_;  ///< a_0
     ball cut_;     ///< c_0
-    landen_nome nome_;
+    elliptic::landen_nome nome_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

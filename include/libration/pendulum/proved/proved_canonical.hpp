@@ -8,7 +8,7 @@
 #include "libration/pendulum/proved/landen_motion.hpp"
 #include "libration/pendulum/proved/proved_libration.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// One energy, any number of times: what landen_motion gives, from proved_libration where that serves the energy and
 /// the working precision. Where it leaves a time out (|cos z| < 1/16), a landen_motion is made for that time alone. Use
@@ -76,4 +76,4 @@ private:
     std::optional<landen_motion> floating_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

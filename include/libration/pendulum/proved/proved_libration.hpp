@@ -22,7 +22,7 @@
 #include "libration/pendulum/proved/proved_state.hpp"
 #include "libration/scalar/ball/fixed_arithmetic.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// One energy, any number of times. Cost: a square root, two products a level, 3 or 4 divisions, and a division a level
 /// for a time. Absolute errors: some 2^8 units of 2^-bits(), times max(1, t) in theta. Not proved, but empty, where cos
@@ -175,4 +175,4 @@ inline void proved_libration::measure(const fixed_ball& p) {
     third_slope_ = ldexp(p, 2) * scale_;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -14,7 +14,7 @@
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// One motion, any number of times, in the motion's units (seconds and rad/s where it has a length and a gravity). The
 /// cost at a time is that of the route. Use it in a precision_scope of the size it was made in; what a wider one needs
@@ -61,7 +61,7 @@ public:
         if (engine_) {
             return pi<ball>() / (engine_->mean() * 2) * seconds_;
         }
-        return libration::effective_period(energy_level_of<ball>(motion_)) * seconds_;
+        return pendulum::effective_period(energy_level_of<ball>(motion_)) * seconds_;
     }
 
     /// The radius of convergence about the top, sqrt(T*^2 + K~'^2) [paper (librationROC), (rotationROCgood)]; on the
@@ -90,13 +90,13 @@ private:
     // A whole number of T* after a passage through the bottom.
     enclosed_state at_quarter(const integer& quarter) const {
         const auto [energy, gap] = energies<ball>(motion_);
-        const bool top = quarter_of_four(quarter) % 2 != 0;
+        const bool top = elliptic::quarter_of_four(quarter) % 2 != 0;
         if (motion_.regime() == regime::rotation) {
             const int d = motion_.direction();
             const ball speed = sqrt((top ? -gap : energy) * 2) * d;
             return {pi<ball>() * from_rational<ball>(rational(motion_.turns() * 2 + quarter * d)), speed / seconds_};
         }
-        const int sign = quarter_of_four(quarter) < 2 ? 1 : -1;
+        const int sign = elliptic::quarter_of_four(quarter) < 2 ? 1 : -1;
         const ball middle = whole_turns<ball>(motion_.turns());
         if (top) {
             return {middle + atan2(sqrt(energy), sqrt(gap)) * (2 * sign), ball(0)};
@@ -138,4 +138,4 @@ private:
     std::optional<exact_solution<ball>> solution_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -3,7 +3,7 @@
 
 #include "libration/scalar/ball/ball.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// An enclosure of the state.
 struct enclosed_state {
@@ -11,4 +11,4 @@ struct enclosed_state {
     ball omega;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -10,7 +10,7 @@
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The digits that a time loses before its point when it is reduced; 0 for multiples of T, which are reduced exactly.
 long digits_before_point(const motion& m, const exact& time);
@@ -60,4 +60,4 @@ private:
     std::map<long, proved_motion> made_;  ///< by working digits
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

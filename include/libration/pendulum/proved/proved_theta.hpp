@@ -10,7 +10,7 @@
 #include "libration/pendulum/proved/proved_canonical.hpp"
 #include "libration/pendulum/solution/variation.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below
 /// 10^-places: the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own.
@@ -44,4 +44,4 @@ inline mpfr energy_condition(const rational& energy, const rational& gap, const 
     return abs(at.phi) * from_rational<mpfr>(energy) / unit;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

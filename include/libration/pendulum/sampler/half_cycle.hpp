@@ -6,7 +6,7 @@
 
 #include "libration/pendulum/solution/exact_solution.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta and omega since a passage through the bottom with theta = 0 rising, whatever the start, the turns and the
 /// direction of the motion [paper (subcritical), (supercritical), (critical)]. An equilibrium stays at 0.
@@ -60,10 +60,10 @@ private:
     }
 
     energy_pair<T> pair_;
-    libration::regime regime_;
+    pendulum::regime regime_;
     std::optional<energy_level<T>> level_;
-    std::optional<landen_chain<T>> chain_;
+    std::optional<elliptic::landen_chain<T>> chain_;
     T effective_period_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -7,7 +7,7 @@
 #error "-ffast-math takes the rounding errors apart that swing_clock keeps"
 #endif
 
-namespace libration {
+namespace libration::pendulum {
 
 /// x as a number of T and what it lacks.
 template <fixed_scalar T>
@@ -99,4 +99,4 @@ private:
     T third_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -12,7 +12,7 @@
 #include "libration/scalar/concept.hpp"
 #include "libration/series/jet.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// How many powers of a panel are kept, an even number: 4.7 bits each; the bound 8/n R^-n of a coefficient [THEOREMS A]
 /// and the derivative's n take 3 more than the digits.
@@ -45,7 +45,7 @@ struct alignas(64) panel {
     }
 
     /// theta and its slope at x = centre + step, even and odd powers side by side.
-    [[gnu::always_inline]] jet<T> at(const T& step) const {
+    [[gnu::always_inline]] series::jet<T> at(const T& step) const {
         const T square = step * step;
         constexpr std::size_t last = 2 * panel_head<T> - 4;
         std::array<T, 4> sum{head[last], head[last + 1], head[last + 2], head[last + 3]};
@@ -91,4 +91,4 @@ inline panel_place place_of(double x) {
     return {static_cast<std::size_t>(leading - first), std::bit_cast<double>(middle) - 1};
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

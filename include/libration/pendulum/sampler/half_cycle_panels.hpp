@@ -17,7 +17,7 @@
 #include "libration/pendulum/taylor/coefficients.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A scalar with at least 11 bits more than T, in which the centres of the panels are computed.
 template <fixed_scalar T>
@@ -108,7 +108,7 @@ private:
         const pendulum_state<finer> at = half.at(finer(scale * centre));
         const taylor_start<T> start{{down(at.theta), down(at.omega), down(at.half_sine), down(at.half_cosine)},
                                     {down(half.pair().energy), down(half.pair().gap)}};
-        power_series<T> theta = taylor_coefficients(start, static_cast<int>(panel_terms<T>), down(scale));
+        series::power_series<T> theta = taylor_coefficients(start, static_cast<int>(panel_terms<T>), down(scale));
         theta[1] = down(finer(at.omega * scale));
         panel<T> result;
         for (std::size_t n = 0; n < panel_terms<T>; ++n) {
@@ -123,4 +123,4 @@ private:
     std::vector<panel<T>> panels_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -3,7 +3,7 @@
 
 #include "libration/pendulum/sampler/half_cycle_clock.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta of the motion from that of the swing, g(y), after passage j: (-1)^j g in the libration, 2 pi (turns + d j) + d
 /// g in the rotation, d its direction.
@@ -67,4 +67,4 @@ private:
     T alternation_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

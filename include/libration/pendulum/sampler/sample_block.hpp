@@ -8,7 +8,7 @@
 #include "libration/pendulum/sampler/half_cycle_panels.hpp"
 #include "libration/pendulum/sampler/half_cycle_turns.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// What the sampler keeps of a motion.
 template <fixed_scalar T>
@@ -60,7 +60,7 @@ template <std::size_t count, fixed_scalar T>
         step[i] = (step[i] - place.centre) + rest[i];
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const jet<T> swing = tables.panels[index[i]].at(step[i]);
+        const series::jet<T> swing = tables.panels[index[i]].at(step[i]);
         value[i] = swing.value;
         slope[i] = swing.slope;
     }
@@ -72,4 +72,4 @@ template <std::size_t count, fixed_scalar T>
     }
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

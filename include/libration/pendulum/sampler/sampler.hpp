@@ -16,7 +16,7 @@
 #define LIBRATION_CHOOSES_AVX2 0
 #endif
 
-namespace libration {
+namespace libration::pendulum {
 
 /// One motion, from exact initial conditions, at floating times in any order, in the motion's units (seconds and rad/s
 /// where it has a length and a gravity). A time counts as exact, and T is known to twice the digits: 10^9 periods
@@ -41,8 +41,8 @@ public:
     const motion& of() const { return motion_; }
 
     /// At one time. Throws error where it is not finite, error of the kind range where theta is not.
-    jet<T> operator()(const T& time) const {
-        jet<T> state{};
+    series::jet<T> operator()(const T& time) const {
+        series::jet<T> state{};
         sample<1>({&time, 1}, {&state.value, 1}, {&state.slope, 1});
         return state;
     }
@@ -115,7 +115,7 @@ private:
             const mpfr x = abs(at.time) / widen(tables_.panels.unit());
             const split_number<T> inside(x < widen(end) ? x : widen(end));
             const panel_place place = place_of(static_cast<double>(inside.high));
-            const jet<T> swing = tables_.panels[place.index].at(T((inside.high - place.centre) + inside.low));
+            const series::jet<T> swing = tables_.panels[place.index].at(T((inside.high - place.centre) + inside.low));
             const T sign = turns.sign(T(0), tables_.clock);
             *theta = turns.theta(T(0), T(at.time < 0 ? T(-swing.value * sign) : T(swing.value * sign)));
             require_finite(*theta++, error_kind::range, "theta at time", time);
@@ -150,4 +150,4 @@ private:
     sampling_tables<T> tables_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

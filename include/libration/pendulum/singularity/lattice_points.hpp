@@ -6,7 +6,7 @@
 #include "libration/pendulum/singularity/singularities.hpp"
 #include "libration/scalar/complex_number.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The odd multiple of `step` > 0 that is nearest to x >= 0.
 template <rounding_scalar T>
@@ -46,4 +46,4 @@ std::vector<complex_number<T>> lattice_points(const singularity_lattice<T>& latt
     return points;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

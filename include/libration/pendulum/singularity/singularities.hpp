@@ -6,7 +6,7 @@
 #include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/time/phase.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// Logarithmic branch points of theta, simple poles of omega with residue +-2i, at 2 p T* +- i (2 q + 1) K~' from a
 /// passage through the bottom, p any integer, q >= 0; from the top, odd multiples of T* [paper (libratingpoles),
@@ -20,7 +20,7 @@ struct singularity_lattice {
     /// Distance from a phase to the nearest column: |offset| next to the bottom, T* - |offset| next to the top.
     T distance_to_column(const phase<T>& p) const {
         const T away = p.offset * p.side;
-        return single_column || quarter_of_four(p.quarter) % 2 == 0 ? away : T(effective_period - away);
+        return single_column || elliptic::quarter_of_four(p.quarter) % 2 == 0 ? away : T(effective_period - away);
     }
 
     /// Radius of convergence of the Taylor series about a phase: the distance to the nearest singularity
@@ -45,4 +45,4 @@ std::optional<singularity_lattice<T>> singularities(const motion& m) {
     return singularity_lattice<T>{effective_period(o), singularity_height(o)};
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

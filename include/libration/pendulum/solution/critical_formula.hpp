@@ -4,7 +4,7 @@
 #include "libration/pendulum/time/phase.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// w = e^t tan((theta0 + pi)/4), theta0 within its turn and in the direction of motion: theta = 4 arctan w - pi there.
 /// Throws error for a motion with an energy other than 2.
@@ -36,4 +36,4 @@ T critical_speed(const motion& m, const T& t) {
     return 4 * w / (1 + w * w) * m.direction();
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

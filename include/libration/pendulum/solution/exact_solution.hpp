@@ -8,7 +8,7 @@
 #include "libration/pendulum/time/phase.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta and omega at one instant, with sin(theta/2) and cos(theta/2) to full relative precision next to their zeros
 /// (theta less 4 pi times whole turns; only their products and squares have a meaning of their own).
@@ -78,13 +78,14 @@ public:
     }
 
 private:
-    jacobi_values<T> values(const phase<T>& p, int quarter) const {
-        return advance_quarters(jacobi_at(T(p.offset * level_->time_scale), *chain_), quarter, level_->modulus.complement);
+    elliptic::jacobi_values<T> values(const phase<T>& p, int quarter) const {
+        return advance_quarters(jacobi_at(T(p.offset * level_->time_scale), *chain_), quarter,
+                                level_->modulus.complement);
     }
 
     pendulum_state<T> librating(const phase<T>& p) const {
         using std::atan2;
-        const auto v = values(p, quarter_of_four(p.quarter));
+        const auto v = values(p, elliptic::quarter_of_four(p.quarter));
         const T half_sine = level_->modulus.k * v.sn;
         return {whole_turns<T>(motion_.turns()) + atan2(half_sine, v.dn) * 2, level_->modulus.k * v.cn * 2, half_sine,
                 v.dn};
@@ -92,7 +93,7 @@ private:
 
     pendulum_state<T> rotating(const phase<T>& p) const {
         using std::atan2;
-        const int odd = quarter_of_four(p.quarter) % 2;
+        const int odd = elliptic::quarter_of_four(p.quarter) % 2;
         const auto v = values(p, odd);
         const int d = motion_.direction();
         const integer half_turns = (p.quarter - odd) / 2;
@@ -115,8 +116,8 @@ private:
     motion motion_;
     phase_map<T> phase_map_;
     std::optional<energy_level<T>> level_;
-    std::optional<landen_chain<T>> chain_;
+    std::optional<elliptic::landen_chain<T>> chain_;
     T effective_period_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

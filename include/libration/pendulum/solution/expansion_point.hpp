@@ -8,7 +8,7 @@
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A point of a motion to expand about. The top is the one that canonical motions start from (+theta_max, or pi after
 /// the whole turns), the bottom the passage T* later.
@@ -82,4 +82,4 @@ phase<T> phase_from_top(const motion& m, const X& x, const T& effective_period) 
     return {integer(exact_solution<T>::top_quarter(m) + whole), std::move(offset), side};
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -7,7 +7,7 @@
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The phase of a motion that starts at a top or a bottom, by the remainder of the rounded time and the rounded period,
 /// fmod(t, T) [paper (newseries), the modulo]. The remainder itself is exact, but t and T each have an error of up to
@@ -93,4 +93,4 @@ mpfr phase_map_error(const rational& energy, const Clock& clock, const integer& 
     return worst;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -12,7 +12,7 @@
 #include "libration/pendulum/time/phase.hpp"
 #include "libration/series/jet.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta and omega by the sum. Absolute error a few epsilon per pair of columns; at tiny energies theta is small and
 /// its relative digits cancel (terms are near 0.4): ask for more digits there. Cost: digits log 2/(2 c T*) pairs.
@@ -34,17 +34,17 @@ public:
     long pairs() const { return pairs_; }
 
     /// At an exact time.
-    jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
+    series::jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
     /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the pairs
     /// left out sum to at most the last one kept over cosh d - 1, for theta and for omega.
-    jet<T> at(const phase<T>& p) const {
+    series::jet<T> at(const phase<T>& p) const {
         born_.require();
         // The nearest passage through the bottom is an even quarter: this one, or the one on our side of the top.
-        const bool near_top = quarter_of_four(p.quarter) % 2 != 0;
+        const bool near_top = elliptic::quarter_of_four(p.quarter) % 2 != 0;
         const int toward = near_top ? (p.side < 0 ? -1 : 1) : 0;
         const integer passage = (p.quarter + toward) / 2;
-        const jet<T> part = around_bottom(p.offset - effective_period_ * toward);
+        const series::jet<T> part = around_bottom(p.offset - effective_period_ * toward);
         const integer turns = motion_.turns();
         if (motion_.regime() == regime::rotation) {
             const int d = motion_.direction();
@@ -56,7 +56,7 @@ public:
 
 private:
     // The sum at r and its derivative with respect to r.
-    jet<T> around_bottom(const T& r) const {
+    series::jet<T> around_bottom(const T& r) const {
         using std::atan;
         using std::cosh;
         using std::sinh;
@@ -89,4 +89,4 @@ private:
     long pairs_ = 0;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -24,7 +24,7 @@
 #include "libration/pendulum/time/phase.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The two solutions at one instant.
 template <class T>
@@ -50,7 +50,7 @@ public:
             return;
         }
         level_.emplace(energy_level_of<T>(m));
-        zeta_.emplace(landen_chain<T>(level_->modulus));
+        zeta_.emplace(elliptic::landen_chain<T>(level_->modulus));
         start_zeta_ = zeta_at(half_sine_, half_cosine_, omega0_);
         phi0_ = half_sine_ * half_cosine_ * 2 / critical_product();
     }
@@ -142,7 +142,7 @@ private:
 
     motion motion_;
     std::optional<energy_level<T>> level_;
-    std::optional<jacobi_zeta<T>> zeta_;
+    std::optional<elliptic::jacobi_zeta<T>> zeta_;
     T half_sine_ = T(0);
     T half_cosine_ = T(0);
     T omega0_ = T(0);
@@ -151,4 +151,4 @@ private:
     T phi0_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

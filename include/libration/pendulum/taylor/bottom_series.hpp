@@ -6,7 +6,7 @@
 
 #include "libration/pendulum/taylor/expansion.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The motion of this energy that is at its lowest point at t = 0: libration passing theta = 0 with omega = -sqrt(2E),
 /// as the one released at +theta_max does T* after its start, rotation counterclockwise at theta = 2 pi [paper
@@ -23,7 +23,7 @@ public:
     /// O(order^2). Throws error for a negative order and at E = 2.
     bottom_series(const rational& energy, int order)
         : exact_(motion_from_bottom(energy)),
-          effective_period_(libration::effective_period(energy_level_of<T>(exact_.of()))),
+          effective_period_(pendulum::effective_period(energy_level_of<T>(exact_.of()))),
           about_(expand(exact_, {expansion_point::place::start, {}}, order)) {}
 
     const T& effective_period() const { return effective_period_; }
@@ -75,4 +75,4 @@ inline long bottom_digits_below(const rational& energy, int order, const std::ve
     return 25 + static_cast<long>(nearest_integer(below));
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

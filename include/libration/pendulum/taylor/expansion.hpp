@@ -13,13 +13,13 @@
 #include "libration/scalar/compiled.hpp"
 #include "libration/series/scaled_quotient.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A Taylor series of theta about a point: coefficients a_n scale^n, the scale being the radius of convergence, of a
 /// ball its midpoint (1 where that is infinite), in dimensionless time.
 template <scalar T>
 struct expansion {
-    power_series<T> scaled;
+    series::power_series<T> scaled;
     T scale;
     std::optional<T> radius;  ///< nothing where it is infinite
 };
@@ -44,8 +44,8 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
 /// quotient of thetas, whose errors are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the quotient
 /// 2. Not by that in the fixed scalars.
 template <scalar T>
-power_series<T> head_coefficients(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
-                                  int order, head_by head) {
+series::power_series<T> head_coefficients(const exact_solution<T>& solution, const expansion_point& point,
+                                          const T& scale, int order, head_by head) {
     if constexpr (!fixed_scalar<T>) {
         if (head == head_by::thetas) {
             return taylor_by_thetas(solution, point, order, scale);
@@ -59,7 +59,7 @@ template <scalar T>
 std::pair<long, head_by> start_and_head(const singularity_view<T>& view, long first, long last) {
     const long begin = lattice_begins(view, first, last);
     if constexpr (!fixed_scalar<T>) {
-        if (first < begin && has_whole_quotients<T>() &&
+        if (first < begin && series::has_whole_quotients<T>() &&
             thetas_cost_less<T>(view.symmetric(), std::min(begin - 1, last))) {
             return {lattice_begins(view, first, last, head_by::thetas), head_by::thetas};
         }
@@ -106,7 +106,7 @@ expansion<T> expand(const exact_solution<T>& solution, const expansion_point& po
     require_taylor_order(order);
     auto radius = radius_about(solution, point);
     T scale = midpoint(radius.value_or(T(1)));
-    power_series<T> scaled(coefficients_about(solution, point, scale, 0, order));
+    series::power_series<T> scaled(coefficients_about(solution, point, scale, 0, order));
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
@@ -121,4 +121,4 @@ LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
 #undef LIBRATION_DECLARE
 #endif
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -14,7 +14,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/integer_power.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The last power that has a coefficient here: 128 bits beyond those of T hold the errors of a power of 10^15.
 inline constexpr long largest_power = 1'000'000'000'000'000;
@@ -194,4 +194,4 @@ private:
     std::optional<singularity_view<W>> view_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -6,7 +6,7 @@
 
 #include "libration/pendulum/taylor/expansion.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// a_first .. a_last about a point, in the motion's unit of time. The scaled coefficients are rounded in T, and leave its
 /// range only here, in its wide arithmetic. Cost and exceptions as coefficients_about.
@@ -35,4 +35,4 @@ std::vector<bool> vanishing_at(const motion& m, const expansion_point& point, lo
 /// kind argument for what is no point of this motion.
 expansion_point point_of_motion(const motion& m, const std::string& name);
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -8,7 +8,7 @@
 
 #include "libration/pendulum/taylor/singularity_view.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// How far the poles reach that a_n needs: left-out ones add less than an eighth of an epsilon of T in 8/(n R^n).
 /// 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it decides costs alone, few
@@ -103,4 +103,4 @@ long lattice_begins(const singularity_view<T>& view, long first, long last, head
     return std::min(enough, last + 1);
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -22,7 +22,7 @@
 #include "libration/pendulum/singularity/singularities.hpp"
 #include "libration/pendulum/taylor/coefficients.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A pole of omega in the upper half plane, from the expansion point, and sigma, doubled where the symmetry of the
 /// point makes its mirror image add the same.
@@ -49,8 +49,8 @@ struct power_pattern {
 template <scalar T>
 power_pattern powers_about(const motion& m, const phase<T>& at) {
     switch (parity_about(m, at)) {
-        case parity::any: return {0, 1};
-        case parity::odd: return {1, 2};
+        case series::parity::any: return {0, 1};
+        case series::parity::odd: return {1, 2};
         default: return m.energy() && *m.energy() == 1 ? power_pattern{2, 4} : power_pattern{0, 2};
     }
 }
@@ -64,7 +64,7 @@ public:
           at_(std::move(at)),
           powers_(powers_about(m, at_)),
           radius_(lattice_.radius(at_)) {
-        const int quarter = lattice_.single_column ? 0 : quarter_of_four(at_.quarter);
+        const int quarter = lattice_.single_column ? 0 : elliptic::quarter_of_four(at_.quarter);
         from_bottom_ = quarter % 2 == 0;
         alternates_ = m.regime() == regime::libration;
         sign_ = alternates_ ? (quarter < 2 ? 1 : -1) : m.direction();
@@ -148,4 +148,4 @@ std::optional<singularity_view<T>> view_from(const motion& m, const phase<T>& at
     return singularity_view<T>(m, std::move(*lattice), at);
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

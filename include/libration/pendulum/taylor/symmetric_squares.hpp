@@ -9,23 +9,23 @@
 
 #include "libration/series/convolution.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// The coefficients of D and w up to those that theta of a given order needs. About a symmetric point D is even and w
 /// has one parity: coefficient j of D is that of t^(step j), and j of w that of t^(first + step j).
 template <field R>
 class symmetric_squares {
 public:
-    power_series<R> d;  ///< d_0 = 0; d_1 to be set before solve(), where the step is 1
-    power_series<R> w;  ///< w_0 to be set, and w_1 where the step is 1
+    series::power_series<R> d;  ///< d_0 = 0; d_1 to be set before solve(), where the step is 1
+    series::power_series<R> w;  ///< w_0 to be set, and w_1 where the step is 1
 
     /// For theta up to t^order, with this parity of theta - theta_0.
-    symmetric_squares(int order, parity of_theta)
-        : d(power_series<R>::zero(order / step_of(of_theta) + 2 / step_of(of_theta))),
+    symmetric_squares(int order, series::parity of_theta)
+        : d(series::power_series<R>::zero(order / step_of(of_theta) + 2 / step_of(of_theta))),
           w(d),
           order_(order),
           step_(step_of(of_theta)),
-          first_(of_theta == parity::even ? 1 : 0) {}
+          first_(of_theta == series::parity::even ? 1 : 0) {}
 
     int step() const { return step_; }
     int first() const { return first_; }
@@ -43,11 +43,11 @@ public:
     }
 
 private:
-    static int step_of(parity p) { return p == parity::any ? 1 : 2; }
+    static int step_of(series::parity p) { return p == series::parity::any ? 1 : 2; }
 
     int order_;
     int step_;
     int first_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

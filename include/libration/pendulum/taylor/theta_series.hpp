@@ -19,7 +19,7 @@
 #include "libration/pendulum/taylor/coefficients.hpp"
 #include "libration/series/scaled_quotient.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// omega of a motion about a phase. Not for equilibria.
 template <scalar T>
@@ -29,7 +29,7 @@ public:
         : librates_(m.regime() == regime::libration), lattice_(singularities<T>(m).value()), side_(at.side) {
         using std::exp;
         const bool critical = lattice_.single_column;
-        const int quarter = critical ? 0 : quarter_of_four(at.quarter);
+        const int quarter = critical ? 0 : elliptic::quarter_of_four(at.quarter);
         from_top_ = quarter % 2 != 0;
         real_ = critical || certainly_less(lattice_.height, lattice_.effective_period);
         frequency_ = pi<T>() / ((real_ ? lattice_.height : lattice_.effective_period) * 2);
@@ -48,10 +48,10 @@ public:
     /// omega_n scale^n, n = 0 .. N, N >= 0, in the working precision. A product by integers for each coefficient and
     /// term of the thetas, and one quotient of series, of half the length about symmetric points. The error grows by a
     /// power of n: on balls it was below 2^40 epsilon of 8/R up to n = 800, scale = R, at every energy tried.
-    power_series<T> omega(const T& scale, int order) const {
-        auto result = power_series<T>::zero(order);
-        const theta_kind numerator = above(from_top_);
-        const theta_kind denominator = below(from_top_);
+    series::power_series<T> omega(const T& scale, int order) const {
+        auto result = series::power_series<T>::zero(order);
+        const elliptic::theta_kind numerator = above(from_top_);
+        const elliptic::theta_kind denominator = below(from_top_);
         const int stride = side_ == 0 ? 2 : 1;
         const int first = side_ == 0 && numerator.is_first() ? 1 : 0;
         if (order < first) {
@@ -60,11 +60,11 @@ public:
         const int count = (order - first) / stride + 1;
         // About the bottom e^x would make one side of the circle of convergence large.
         const int shift = real_ && denominator.odd && side_ != 0 ? 1 : 0;
-        const theta_argument<T> argument{root_ * root_, offset_, frequency_ * scale, real_, shift};
-        const auto part = [&](const theta_kind& kind, int from) {
-            return power_series<T>(theta_taylor<T>(kind, argument).coefficients(from, stride, count));
+        const elliptic::theta_argument<T> argument{root_ * root_, offset_, frequency_ * scale, real_, shift};
+        const auto part = [&](const elliptic::theta_kind& kind, int from) {
+            return series::power_series<T>(elliptic::theta_taylor<T>(kind, argument).coefficients(from, stride, count));
         };
-        const power_series<T> w = scaled_quotient(part(numerator, first), part(denominator, 0));
+        const series::power_series<T> w = scaled_quotient(part(numerator, first), part(denominator, 0));
         for (int i = 0, n = first; i < count; ++i, n += stride) {
             result[n] = w[i] * (is_negated(n) ? T(-amplitude_) : amplitude_);
         }
@@ -72,16 +72,18 @@ public:
     }
 
 private:
-    theta_kind above(bool from_top) const {
+    elliptic::theta_kind above(bool from_top) const {
         if (!librates_) {
-            return !from_top ? third_theta : real_ ? second_theta : fourth_theta;
+            return !from_top ? elliptic::third_theta : real_ ? elliptic::second_theta : elliptic::fourth_theta;
         }
-        return from_top ? first_theta : real_ ? fourth_theta : second_theta;
+        return from_top ? elliptic::first_theta : real_ ? elliptic::fourth_theta : elliptic::second_theta;
     }
-    theta_kind below(bool from_top) const { return from_top ? third_theta : real_ ? second_theta : fourth_theta; }
+    elliptic::theta_kind below(bool from_top) const {
+        return from_top ? elliptic::third_theta : real_ ? elliptic::second_theta : elliptic::fourth_theta;
+    }
 
-    T at_zero(const theta_kind& kind) const {
-        return theta_taylor<T>(kind, {root_ * root_, T(0), T(0), real_}).coefficients(0, 1, 1).front();
+    T at_zero(const elliptic::theta_kind& kind) const {
+        return elliptic::theta_taylor<T>(kind, {root_ * root_, T(0), T(0), real_}).coefficients(0, 1, 1).front();
     }
 
     // Without its sign.
@@ -112,15 +114,15 @@ private:
 /// quotient of whole series on balls, and in mpfr where the program has chosen it (scaled_quotient), O(N^2) products elsewhere. Not for equilibria.
 /// Throws error when N < 0.
 template <scalar T>
-power_series<T> taylor_by_thetas(const exact_solution<T>& solution, const expansion_point& point, int order,
-                                 const T& scale) {
+series::power_series<T> taylor_by_thetas(const exact_solution<T>& solution, const expansion_point& point, int order,
+                                         const T& scale) {
     using W = wide_t<T>;
-    auto a = power_series<T>::zero(order);
+    auto a = series::power_series<T>::zero(order);
     a[0] = solution.at(phase_of(point, solution)).theta;
     if (order == 0) {
         return a;
     }
-    power_series<W> w;
+    series::power_series<W> w;
     {
         const precision_scope wide(decimal_digits(digits<T>() + 64));
         const motion& m = solution.of();
@@ -137,4 +139,4 @@ power_series<T> taylor_by_thetas(const exact_solution<T>& solution, const expans
     return a;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

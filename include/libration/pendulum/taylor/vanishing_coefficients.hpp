@@ -15,7 +15,7 @@
 #include "libration/pendulum/motion/motion.hpp"
 #include "libration/pendulum/taylor/symmetric_squares.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// For n = 0 .. N whether a_n, n >= 1, is exactly 0 about a point with this energy and this cosine of theta, where
 /// omega^2 = 2(E - 1 + cosine) >= 0; false for a_0. O(N^2) operations on fractions that grow like N digits: for the few
@@ -27,7 +27,7 @@ inline std::vector<bool> vanishing_coefficients(const rational& energy, const ra
     const rational h = symmetric ? rational(1) : rational(sine_squared * speed_squared);  // the square of the scale
     const rational constant = (sine_squared - cosine * speed_squared) * h;
     const rational linear = ((1 - energy) * 2 - cosine * 6) * h;
-    symmetric_squares<rational> squares(order, parity::any);
+    symmetric_squares<rational> squares(order, series::parity::any);
     if (symmetric) {
         squares.w[0] = speed_squared == 0 ? 0 : 1;
         squares.w[1] = sine_squared == 0 ? 0 : -1;
@@ -50,7 +50,7 @@ inline std::optional<rational> rational_cosine_at(const motion& m, const integer
     if (!m.energy() || m.regime() == regime::unstable_equilibrium) {
         return std::nullopt;
     }
-    if (quarter_of_four(quarter) % 2 == 0) {
+    if (elliptic::quarter_of_four(quarter) % 2 == 0) {
         return rational(1);
     }
     return m.regime() == regime::rotation ? rational(-1) : rational(1 - *m.energy());
@@ -61,4 +61,4 @@ inline std::optional<rational> rational_cosine_at_start(const motion& m) {
     return m.energy() && m.theta0() ? rational_cosine(*m.theta0()) : std::nullopt;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -3,7 +3,7 @@
 
 #include "libration/pendulum/energy/period.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// t sqrt(gravity/length): the typed time in units of sqrt(length/gravity), which are 1 where no units were given; T in
 /// it is the exact period. A few units in the last place. Throws error for a multiple of T at E = 2.
@@ -32,4 +32,4 @@ T elapsed_periods(const motion& m, const exact& time) {
     return dimensionless_time<T>(m, time) / (effective_period(energy_level_of<T>(m)) * quarters_per_period(m.regime()));
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

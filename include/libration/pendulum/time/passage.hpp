@@ -3,7 +3,7 @@
 
 #include "libration/pendulum/time/phase.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// A passage through the bottom, counted from the one with theta = 2 pi turns, rising, and the time since then.
 struct after_passage {
@@ -24,7 +24,7 @@ template <rounding_scalar T>
 after_passage nearest_passage(const motion& m, const exact& time) {
     const phase<T> p = phase_map<T>(m).at(time);
     const mpfr offset = widen(p.offset) * time_unit<mpfr>(m);
-    if (quarter_of_four(p.quarter) % 2 == 0) {
+    if (elliptic::quarter_of_four(p.quarter) % 2 == 0) {
         return {p.quarter / 2, offset};
     }
     const int sign = p.side < 0 ? -1 : 1;
@@ -41,7 +41,7 @@ after_passage passage_before_start(const motion& m) {
         return {0, arsinh(mpfr(sine / cosine)) * m.direction() * time_unit<mpfr>(m)};
     }
     const auto o = energy_level_of<T>(m);
-    const landen_chain<T> chain(o.modulus);
+    const elliptic::landen_chain<T> chain(o.modulus);
     const mpfr along = widen(T(incomplete_integral(narrow<T>(sine), narrow<T>(cosine), chain) / o.time_scale));
     const bool falls = m.regime() == regime::libration && m.omega0_sign() < 0;
     const int sign = m.regime() == regime::rotation ? m.direction() : falls ? -1 : 1;
@@ -62,4 +62,4 @@ after_passage passage_at_start(const motion& m, const mpfr& interval) {
                             : after_passage{(quarter + 1) / 2, mpfr(-interval / 2)};
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

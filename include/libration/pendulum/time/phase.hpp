@@ -9,7 +9,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/inverse_hyperbolic.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// Time since the motion passed the bottom with theta = 2 pi turns rising (in its direction): quarter * T* + offset,
 /// |offset| <= T*/2. On the separatrix and in equilibrium the quarter is 0 and the offset is the whole time.
@@ -144,7 +144,7 @@ private:
             return;
         }
         const energy_level<W> o = energy_level_of<W>(motion_);
-        const landen_chain<W> chain(o.modulus);
+        const elliptic::landen_chain<W> chain(o.modulus);
         if (motion_.regime() == regime::rotation) {
             start.offset = incomplete_integral(sine, cosine, chain) * motion_.direction() / o.time_scale;
             return;
@@ -161,4 +161,4 @@ private:
     origin start_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum

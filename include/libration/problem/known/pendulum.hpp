@@ -28,7 +28,7 @@ sweep_energy energy_from_gap(const exact& gap);
 
 /// A way to T* as it was typed: agm, series:N or resummed:N.
 struct sweep_period_rule {
-    period_rule rule;
+    pendulum::period_rule rule;
     std::string text;
 };
 

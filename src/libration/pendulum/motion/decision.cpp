@@ -5,7 +5,7 @@
 
 #include "libration/digits/growing_precision.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 proved_sign decide_sign(const std::function<bounded_value()>& evaluate, const std::string& what) {
     constexpr long first = decimal_digits(128);
@@ -130,4 +130,4 @@ winding wind(const exact& angle) {
     return {turns, rest};
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-namespace libration {
+namespace libration::pendulum {
 
 namespace {
 
@@ -138,13 +138,13 @@ void motion::set_angle(const exact& theta0) {
 void motion::finish() {
     const bool at_rest = omega0_sign_ == 0;
     if (energy_ && *energy_ == 0) {
-        regime_ = libration::regime::stable_equilibrium;
+        regime_ = pendulum::regime::stable_equilibrium;
     } else if (gap_.sign > 0) {
-        regime_ = libration::regime::libration;
+        regime_ = pendulum::regime::libration;
     } else if (gap_.sign < 0) {
-        regime_ = libration::regime::rotation;
+        regime_ = pendulum::regime::rotation;
     } else {
-        regime_ = at_rest ? libration::regime::unstable_equilibrium : libration::regime::separatrix;
+        regime_ = at_rest ? pendulum::regime::unstable_equilibrium : pendulum::regime::separatrix;
     }
     if (!quarter_) {
         place_symmetric_start();
@@ -155,11 +155,11 @@ void motion::place_symmetric_start() {
     const bool on_top =
         theta0_ && theta0_->is_angle() && denominator(theta0_->in_pi()) == 1 && numerator(theta0_->in_pi()) % 2 != 0;
     if (rest_.sign == 0) {
-        quarter_ = regime_ == libration::regime::libration && omega0_sign_ < 0 ? 2 : 0;
-    } else if (omega0_sign_ == 0 || (on_top && regime_ == libration::regime::rotation)) {
+        quarter_ = regime_ == pendulum::regime::libration && omega0_sign_ < 0 ? 2 : 0;
+    } else if (omega0_sign_ == 0 || (on_top && regime_ == pendulum::regime::rotation)) {
         // At a turning point, or rotating through the top: theta - 2 pi turns = direction * 2 am there.
-        quarter_ = regime_ == libration::regime::rotation ? rest_.sign * direction_ : rest_.sign;
+        quarter_ = regime_ == pendulum::regime::rotation ? rest_.sign * direction_ : rest_.sign;
     }
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

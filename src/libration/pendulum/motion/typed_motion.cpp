@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace libration {
+namespace libration::pendulum {
 
 exact typed_motion::exact_energy() const {
     if (!gap && !energy) {
@@ -13,10 +13,10 @@ exact typed_motion::exact_energy() const {
 
 motion typed_motion::motion() const {
     if (by_state()) {
-        return libration::motion::of_state(*theta0, *omega0, squared_frequency);
+        return pendulum::motion::of_state(*theta0, *omega0, squared_frequency);
     }
-    const libration::motion of = theta0 ? libration::motion::of_energy_from(exact_energy(), *theta0, direction)
-                                        : libration::motion::of_energy(exact_energy(), direction);
+    const pendulum::motion of = theta0 ? pendulum::motion::of_energy_from(exact_energy(), *theta0, direction)
+                                       : pendulum::motion::of_energy(exact_energy(), direction);
     return of.with_squared_frequency(squared_frequency);
 }
 
@@ -30,4 +30,4 @@ typed_motion typed_motion::in_double() const {
     return rounded;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

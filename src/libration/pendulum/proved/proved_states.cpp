@@ -7,7 +7,7 @@
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 namespace {
 
@@ -142,4 +142,4 @@ bool proved_states::confirms(const exact& time) {
                                   attempt);
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

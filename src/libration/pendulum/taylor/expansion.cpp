@@ -1,7 +1,7 @@
 // The templates of the header for the scalars that round.
 #include "libration/pendulum/taylor/expansion.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 #define LIBRATION_DEFINE(T)                                                                             \
     template expansion<T> expand_by(recurrence, const exact_solution<T>&, const expansion_point&, int); \
@@ -10,4 +10,4 @@ namespace libration {
 LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DEFINE)
 #undef LIBRATION_DEFINE
 
-}  // namespace libration
+}  // namespace libration::pendulum

@@ -6,7 +6,7 @@
 #include "libration/pendulum/taylor/vanishing_coefficients.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 namespace {
 
@@ -45,4 +45,4 @@ expansion_point point_of_motion(const motion& m, const std::string& name) {
     return point;
 }
 
-}  // namespace libration
+}  // namespace libration::pendulum

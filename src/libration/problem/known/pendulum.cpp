@@ -134,7 +134,7 @@ sweep_energy energy_from_gap(const exact& gap) {
 
 sweep_period_rule read_period_rule(std::string_view text) {
     if (text == "agm") {
-        return {{period_method::agm, 0}, std::string(text)};
+        return {{pendulum::period_method::agm, 0}, std::string(text)};
     }
     const auto colon = text.find(':');
     const std::string_view method = text.substr(0, colon);
@@ -142,7 +142,7 @@ sweep_period_rule read_period_rule(std::string_view text) {
         throw error(error_kind::argument, "value", "",
                     "has '" + std::string(text) + "', which is not agm, series:N or resummed:N");
     }
-    const auto arc = method == "series" ? period_method::series : period_method::resummed;
+    const auto arc = method == "series" ? pendulum::period_method::series : pendulum::period_method::resummed;
     return {{arc, order_from(text.substr(colon + 1))}, std::string(text)};
 }
 

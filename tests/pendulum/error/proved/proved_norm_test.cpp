@@ -5,6 +5,7 @@
 namespace pendulum_proved_norm_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "libration/pendulum/error/error_norm.hpp"
 #include "libration/pendulum/taylor/singularity_view.hpp"
 
-namespace libration {
+namespace libration::pendulum {
 
 /// theta of a canonical motion on [0, T*] in panels, for any number of norms, at the working precision in force: it has
 /// to hold the wanted digits of a norm below theta, digits_below() and some more.
@@ -37,12 +37,12 @@ public:
     /// The norm of order N, and the fraction of T* where it is attained. O(K N^2) and the search. Throws
     /// precision_exhausted where the working precision is too low, error for N < 0.
     proved_maximum norm(arc_method method, int order) const {
-        const power_series<ball> a = arc_series(arc_, order);
+        const series::power_series<ball> a = arc_series(arc_, order);
         return norm_of(method == arc_method::series ? a : endpoint_corrected(a, arc_endpoint(arc_)));
     }
 
     /// The norm of any polynomial in x = t/T*.
-    proved_maximum norm_of(const power_series<ball>& polynomial) const {
+    proved_maximum norm_of(const series::power_series<ball>& polynomial) const {
         std::vector<enclosed_panel> panels;
         panels.reserve(truth_.size());
         const ball half = ball(1) / (2 * count_);
@@ -56,7 +56,7 @@ public:
 private:
     // theta about the middle of a panel, in units of its half width, and what bounds the powers from order + 1 on.
     struct truth_panel {
-        power_series<ball> theta;
+        series::power_series<ball> theta;
         ball ratio;  ///< d/R
         ball scale;
     };
@@ -76,9 +76,9 @@ private:
     }
 
     // theta - p on a panel; beyond the order of theta's polynomial p stands against the bound of theta's tail.
-    enclosed_panel difference(int panel, const power_series<ball>& p) const {
+    enclosed_panel difference(int panel, const series::power_series<ball>& p) const {
         const auto& [theta, ratio, scale] = truth_[static_cast<std::size_t>(panel)];
-        power_series<ball> kept = theta;
+        series::power_series<ball> kept = theta;
         for (int n = kept.order() + 1; n <= p.order(); ++n) {
             kept.push_back(enclose(ball(0), ball(scale * pow(ratio, n))));
         }
@@ -95,4 +95,4 @@ private:
     std::vector<truth_panel> truth_;
 };
 
-}  // namespace libration
+}  // namespace libration::pendulum
