@@ -45,6 +45,7 @@ add_library(libration STATIC ${library_sources})
 add_library(libration::libration ALIAS libration)
 # The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
+set_target_properties(libration PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 
 # Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
@@ -54,7 +55,7 @@ if(FLINT_FOUND)
     add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
-    set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved)
+    set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved UNITY_BUILD OFF)
     target_link_libraries(libration-proved
         PUBLIC libration FLINT::FLINT
         PRIVATE $<BUILD_INTERFACE:libration-warnings>)

@@ -5,6 +5,7 @@
 
 #include "claims/judging.hpp"
 #include "libration/ode/runge_kutta.hpp"
+#include "libration/series/exponential.hpp"
 
 namespace libration {
 

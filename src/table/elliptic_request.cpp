@@ -132,7 +132,7 @@ ball function_ball(const std::string& function, const exact& at, const exact_par
     const precision_scope wider(working_digits() + digits_before_point(at));
     const auto jacobi = jacobi_of(function);
     return jacobi            ? jacobi_value(*jacobi, at, p)
-           : function == "K" ? complete_integral(p.modulus<ball>())
+           : function == "K" ? complete_integral(p.shape<ball>())
                              : incomplete_value(at, p);
 }
 

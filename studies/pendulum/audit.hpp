@@ -63,7 +63,7 @@ inline ball theta_of_received(const audited_input& given) {
         const precision_scope scope(proved_places + 10);
         return pi<ball>();
     }
-    return proved_theta(energy, rational(2 - energy), rational(given.time), proved_places);
+    return pendulum::proved_theta(energy, rational(2 - energy), rational(given.time), proved_places);
 }
 
 /// The digits of an error, each proved.
@@ -144,9 +144,9 @@ inline audit_row judged_row(const audit_case& one, const std::string& library, d
 
 inline table judged_rows(const audit_case& one, const std::string& library, double theta) {
     const rational instant(one.time);
-    const ball reference = proved_theta(one.at->value, one.gap, instant, proved_places);
+    const ball reference = pendulum::proved_theta(one.at->value, one.gap, instant, proved_places);
     const ball received = theta_of_received({one.k, one.time});
-    const cell condition = decimal_cell(energy_condition(one.at->value, one.gap, instant), judged_digits);
+    const cell condition = decimal_cell(pendulum::energy_condition(one.at->value, one.gap, instant), judged_digits);
     const double ours =
         pendulum::exact_solution<double>(pendulum::motion::of_energy(one.at->value))(exactly(instant)).theta;
     return make_table(audit_columns(),

@@ -111,7 +111,7 @@ table answers_about(const sweep_energy& at, const exact& point, const std::vecto
     with_scalar(scalar, 0, [&]<class T>() {
         const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit());
         for (const int order : orders) {
-            const auto report = report_on_radius(cut(list.scaled, order), epsilon<T>());
+            const auto report = convergence::report_on_radius(cut(list.scaled, order), epsilon<T>());
             std::vector<convergence::radius_estimate<T>> answers{report.verdict};
             answers.insert(answers.end(), report.tests.begin(), report.tests.end());
             for (const auto& answer : answers) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "libration/pendulum/error/descent_method.hpp"
+#include "libration/pendulum/error/arc_method.hpp"
 #include "libration/pendulum/given_motion.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 

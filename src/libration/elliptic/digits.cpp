@@ -46,7 +46,7 @@ rounded_decimal dn(const std::string& u, const elliptic::given_modulus& modulus,
 
 rounded_decimal K(const elliptic::given_modulus& modulus, long digits) {
     const elliptic::exact_parameter p = exact_parameter_of(modulus);
-    if (p.complement() == 0) {
+    if (p.complement().is_zero()) {
         return {"inf"};
     }
     // The chain has at most 64 levels, each of which adds less than 2 epsilon; k' and the quotient add 3.

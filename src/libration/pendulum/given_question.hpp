@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "libration/pendulum/error/descent_method.hpp"
+#include "libration/pendulum/error/arc_method.hpp"
 #include "libration/pendulum/given_motion.hpp"
 #include "libration/pendulum/motion/motion.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"

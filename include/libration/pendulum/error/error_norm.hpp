@@ -10,7 +10,7 @@
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/pendulum/arc/bounds.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
-#include "libration/pendulum/error/descent_method.hpp"
+#include "libration/pendulum/error/arc_method.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 

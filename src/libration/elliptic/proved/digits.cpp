@@ -44,8 +44,8 @@ proved_decimal dn(const std::string& u, const elliptic::given_modulus& modulus, 
 
 proved_decimal K(const elliptic::given_modulus& modulus, long digits) {
     const elliptic::exact_parameter p = exact_parameter_of(modulus);
-    return p.complement() == 0 ? proved_decimal{"inf", "0"}
-                               : digits_of(digits, 0, [&] { return complete_integral(p.shape<ball>()); });
+    return p.complement().is_zero() ? proved_decimal{"inf", "0"}
+                                    : digits_of(digits, 0, [&] { return complete_integral(p.shape<ball>()); });
 }
 
 proved_decimal F(const std::string& phi, const elliptic::given_modulus& modulus, long digits) {

@@ -95,7 +95,7 @@ proved_states::constant_texts proved_states::constants() {
 
 std::vector<std::string> proved_states::energies() {
     return texts_of(proved_decimals(digits_, [&] {
-        auto pair = libration::energies<ball>(motion_);
+        auto pair = pendulum::energies<ball>(motion_);
         return std::vector<ball>{std::move(pair.energy), std::move(pair.gap)};
     }));
 }
