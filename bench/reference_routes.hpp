@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "libration/pendulum/proved/proved_canonical.hpp"
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration::bench {
 

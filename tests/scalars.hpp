@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 #include "libration/scalar/exact.hpp"
 #include "libration/scalar/text/decimal.hpp"
 

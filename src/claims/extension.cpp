@@ -20,7 +20,7 @@ using namespace judging;
 class top_series {
 public:
     explicit top_series(const char* energy, int direction = 1) : arc_(arc_of<mpfr>(of_energy(energy))) {
-        const mpfr height = singularity_height(arc_.o) / arc_.effective_period;
+        const mpfr height = singularity_height(arc_.level) / arc_.effective_period;
         const mpfr rate = log(1 + height * height) / 2;  // log(R/T*)
         const int order = nearest_integer(45 * log(mpfr(10)) / rate).convert_to<int>() + 2;
         arc_.top.omega *= direction;
@@ -70,7 +70,7 @@ claim series_passes_the_bottom() {
                 mpfr largest(0);
                 for (const char* energy : {"0.5", "1.71", "2.02", "8"}) {
                     const auto arc = arc_of<mpfr>(of_energy(energy));
-                    const mpfr height = singularity_height(arc.o) / arc.effective_period;
+                    const mpfr height = singularity_height(arc.level) / arc.effective_period;
                     const mpfr x = (1 + sqrt(1 + height * height)) / 2;
                     const mpfr sum = evaluate(arc_series(arc, 1000), x).value;
                     const auto top = top_of(number(energy));

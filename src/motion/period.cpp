@@ -94,8 +94,8 @@ struct period_texts {
     std::string error = "0";
 };
 
-// |T* as printed - truth|, the truth by the mean with more digits. It is not 0: what is printed is rational, and T* at an
-// algebraic energy is not [Schneider].
+// |T* as printed - truth|, the truth by the mean with more digits. It is not 0: what is printed is rational, and T* at
+// an algebraic energy is not [Schneider].
 std::string error_of(const std::string& tstar, const period_request& request) {
     const motion& m = request.chosen.of;
     const auto difference = [&]<class T>() {

@@ -44,8 +44,8 @@ jet<wide_t<T>> widened(const pendulum_state<T>& at) {
     return {widen(at.theta), widen(at.omega)};
 }
 
-// theta and omega, in the motion's units, at every time, one after the other; omega is divided in more digits where they
-// round.
+// theta and omega, in the motion's units, at every time, one after the other; omega is divided in more digits where
+// they round.
 template <class T, class Function>
 std::vector<wide_t<T>> follow(const trajectory_request& request, const Function& function) {
     const long own_digits = working_digits();

@@ -1,4 +1,5 @@
-// What a command prints in the arithmetic that was chosen: the one place that tells fixed scalars, mpfr and balls apart.
+// What a command prints in the arithmetic that was chosen: the one place that tells fixed scalars, mpfr and balls
+// apart.
 #pragma once
 
 #include <functional>

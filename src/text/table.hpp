@@ -103,8 +103,8 @@ table make_table(const column_list<Row>& columns, const std::vector<Row>& rows) 
 std::string to_csv(const table& data);
 
 /// Reads what to_csv wrote: cells may be quoted, and hold commas, quotes and line ends then. The meanings of the
-/// columns stay empty; a cell is a number where one is written. Throws std::runtime_error naming the line where a row has another number of cells than the
-/// header.
+/// columns stay empty; a cell is a number where one is written. Throws std::runtime_error naming the line where a row
+/// has another number of cells than the header.
 table from_csv(const std::string& text);
 
 /// An array of objects of strings with the keys of the CSV.

@@ -78,10 +78,10 @@ struct given {
 
 given<mpfr> given_by(const motion& m, int order) {
     const auto arc = arc_of<mpfr>(m);
-    const parity of_theta = arc.o.regime == regime::rotation ? parity::odd : parity::even;
+    const parity of_theta = arc.level.regime == regime::rotation ? parity::odd : parity::even;
     const auto lattice = *singularities<mpfr>(m);
     const auto top = phase_map<mpfr>::at_quarter(exact_solution<mpfr>::top_quarter(m));
-    return {{arc.top, arc.o.pair, of_theta},
+    return {{arc.top, arc.level.pair, of_theta},
             lattice.radius(top),
             lattice.height,
             arc_series(arc, order),

@@ -1,5 +1,5 @@
-// Numbers typed as formulas, in every command: values of mpmath at 160 digits (theta by Landen's fundamental arc from K + t,
-// K by the arithmetic-geometric mean), and the exit codes of bad ones.
+// Numbers typed as formulas, in every command: values of mpmath at 160 digits (theta by Landen's fundamental arc from K
+// + t, K by the arithmetic-geometric mean), and the exit codes of bad ones.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 using house = std::map<std::string, std::string>;  // path relative to the top, with slashes -> text
 using complaints = std::vector<std::string>;
 
-// The room of a file: its folder, without include/libration/ or src/libration/ where it is one of the library's. "library" holds the headers
-// that gather others.
+// The room of a file: its folder, without include/libration/ or src/libration/ where it is one of the library's.
+// "library" holds the headers that gather others.
 std::string room(const std::string& path) {
     const auto folder = fs::path(path).parent_path().generic_string();
     if (folder == "include/libration") return "library";

@@ -38,7 +38,7 @@ TEST_CASE("with the sign of (omegab) as printed the error of libration is 2 sqrt
     const precision_scope precision(40);
     for (const std::string energy : {"0.5", "1.71"}) {
         const auto d = arc_of<mpfr>(with_energy(energy));
-        const mpfr speed = sqrt(d.o.pair.energy * 2) * d.effective_period;
+        const mpfr speed = sqrt(d.level.pair.energy * 2) * d.effective_period;
         for (const int order : {100, 200, 400}) {
             INFO("E = " << energy << ", N = " << order);
             const mpfr printed = norm_with(energy, order, {mpfr(0), speed});

@@ -41,7 +41,7 @@ struct judge_of {
         };
         return difference_norm<mpfr>(difference(f, truth), chebyshev_points(101)).norm;
     }
-    mpfr fastest() const { return sqrt(d.o.pair.energy * 2); }
+    mpfr fastest() const { return sqrt(d.level.pair.energy * 2); }
 
     motion m;
     fundamental_arc<mpfr> d;
@@ -123,7 +123,7 @@ TEST_CASE("claim b_constants: holds with correction, because b_0 lacks -theta*",
     const judge_of j("4");
     const auto series = arc_series(j.d, 200);
     const mpfr sum = evaluate(series, mpfr(1)).value;
-    CHECK(abs(sum - pi<mpfr>() * 2) < top_bounds<mpfr>::of(j.d.o).series_norm(200));
+    CHECK(abs(sum - pi<mpfr>() * 2) < top_bounds<mpfr>::of(j.d.level).series_norm(200));
 }
 
 TEST_CASE("claim square_expansion: holds for |t| < T*", "[paper][claims]") {

@@ -22,8 +22,8 @@ std::vector<table_row> rows_for(const study_words& words, std::size_t table = 0)
 }  // namespace
 
 TEST_CASE("late errors are those of the exact descent folded by (newseries) as printed", "[studies][all_time]") {
-    // mpmath at 60 digits: K by (Kold) and (Knew), the fundamental arc by sn, cn, dn, and (newseries) with that T* at the 129
-    // times.
+    // mpmath at 60 digits: K by (Kold) and (Knew), the fundamental arc by sn, cn, dn, and (newseries) with that T* at
+    // the 129 times.
     struct expected_row {
         std::string energy, rule, periods, period_error, error;
     };

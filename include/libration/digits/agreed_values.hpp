@@ -35,10 +35,10 @@ auto until_two_agree(const growing_digits& digits, const std::string& subject, c
 inline constexpr long most_agreement_digits = 100'000;
 
 /// Numbers with `digits` digits each right to one unit in the last: compute(guard) returns them by arithmetic of
-/// `guard` digits more, in whatever scope it opens. vanishing() is asked, once, which of them are exactly 0, when one has kept no digit in two
-/// runs: no precision would tell. Cost: two runs, with 20 and 45 guard digits, where less than 18 are lost; then 90,
-/// 180, ... A 0 that two runs find is believed where vanishing() stands by, else from 1440 guard digits on: a loss of
-/// all digits looks the same.
+/// `guard` digits more, in whatever scope it opens. vanishing() is asked, once, which of them are exactly 0, when one
+/// has kept no digit in two runs: no precision would tell. Cost: two runs, with 20 and 45 guard digits, where less than
+/// 18 are lost; then 90, 180, ... A 0 that two runs find is believed where vanishing() stands by, else from 1440 guard
+/// digits on: a loss of all digits looks the same.
 /// Throws error of the kind undecided where most_agreement_digits do not do.
 std::vector<mpfr> agreed_values(long digits, const std::function<std::vector<mpfr>(long guard)>& compute,
                                 const std::function<std::vector<bool>()>& vanishing = {});

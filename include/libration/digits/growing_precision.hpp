@@ -19,8 +19,8 @@ enum class digit_growth {
     by_first,  ///< 1, 2, 3, 4 ... times the first
 };
 
-/// The working precisions of the runs, in decimal digits: `wanted` ones, which stay, and `first` .. `last` besides, which
-/// grow.
+/// The working precisions of the runs, in decimal digits: `wanted` ones, which stay, and `first` .. `last` besides,
+/// which grow.
 struct growing_digits {
     long wanted = 0;
     long first = 20;

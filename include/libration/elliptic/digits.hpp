@@ -1,4 +1,5 @@
-// Correct digits of elliptic functions and integrals, as many as are asked for: start here. No precision has to be chosen.
+// Correct digits of elliptic functions and integrals, as many as are asked for: start here. No precision has to be
+// chosen.
 #pragma once
 
 #include <string>
@@ -6,8 +7,8 @@
 #include "libration/elliptic/given_modulus.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
-/// Each digit is right to one unit in the last, by arithmetic that rounds: K by one run whose error is bounded before, the
-/// others by runs that agree.
+/// Each digit is right to one unit in the last, by arithmetic that rounds: K by one run whose error is bounded before,
+/// the others by runs that agree.
 /// Arguments are exact as written: "1.5", "3/2", "pi/4", of F "60deg" too. No FLINT is needed.
 /// Each throws error: of the kind argument, with the quantity and its value, for what is no argument; of the kind
 /// undecided where no precision within the limits gives the digits.

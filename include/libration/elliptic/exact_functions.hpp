@@ -1,5 +1,5 @@
-// Elliptic functions and integrals of exact arguments at an exact parameter: every limit and every exact value is decided
-// on what was typed, and the rest is computed in T, rounded or enclosed.
+// Elliptic functions and integrals of exact arguments at an exact parameter: every limit and every exact value is
+// decided on what was typed, and the rest is computed in T, rounded or enclosed.
 //
 // For 0 < m < 1 rational and u a rational multiple of 1 or pi other than 0, no value is 0 or at the end of its range: u
 // would be a multiple of K, and K(m) and K(m)/pi are transcendental at algebraic m [Schneider]. So every digit of
@@ -91,8 +91,8 @@ T hyperbolic_value(jacobi_function f, const exact& u) {
 }
 
 /// The function at u. Cost O(log digits) square roots and divisions and a tangent; loses the bits that u has before its
-/// point and log2(1/k') of them next to odd multiples of K. On balls throws precision_exhausted where the quarter is not
-/// decided.
+/// point and log2(1/k') of them next to odd multiples of K. On balls throws precision_exhausted where the quarter is
+/// not decided.
 template <scalar T>
 T jacobi_value(jacobi_function f, const exact& u, const exact_parameter& p) {
     if (p.m().is_zero()) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration::elliptic {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "libration/scalar/concept.hpp"
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/scalar.hpp"
 #include "libration/series/jet.hpp"
 
 namespace libration {

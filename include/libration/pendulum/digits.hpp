@@ -9,8 +9,8 @@
 
 /// Each digit is right to one unit in the last, by arithmetic that rounds: by one run where its error is bounded before
 /// (periods and energies), by runs that agree elsewhere.
-/// Times are exact as written, "1e12", "3/2", "T/4" as a part of the period, and like all results in the motion's units:
-/// sqrt(l/g), or seconds where it has a length and a gravity. No FLINT is needed.
+/// Times are exact as written, "1e12", "3/2", "T/4" as a part of the period, and like all results in the motion's
+/// units: sqrt(l/g), or seconds where it has a length and a gravity. No FLINT is needed.
 /// Each throws error: of the kind argument, with the quantity and its value, for what is no motion, time or order; of
 /// the kind undecided where no precision within the limits gives the digits.
 namespace libration::rounded {

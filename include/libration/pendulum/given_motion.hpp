@@ -1,5 +1,5 @@
-// A motion of the pendulum in the words of the one who asks for it, exact as written. No other header is needed to write
-// one down.
+// A motion of the pendulum in the words of the one who asks for it, exact as written. No other header is needed to
+// write one down.
 #pragma once
 
 #include <string>

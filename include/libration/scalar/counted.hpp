@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration {
 

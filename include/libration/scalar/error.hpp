@@ -14,8 +14,8 @@ enum class error_kind {
     undecided  ///< no precision within the limits decides: nothing is wrong with the value
 };
 
-/// "energy '-1' is negative": a quantity that the caller knows by this name, its value as text, and the reason. Mistakes
-/// of the library itself are std::logic_error, never this.
+/// "energy '-1' is negative": a quantity that the caller knows by this name, its value as text, and the reason.
+/// Mistakes of the library itself are std::logic_error, never this.
 class error : public std::runtime_error {
 public:
     error(error_kind kind, std::string subject, std::string value, std::string reason)

@@ -1,7 +1,7 @@
 // Sums of products over arrays, the one loop under every convolution, by the best that a type has.
 #pragma once
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration {
 

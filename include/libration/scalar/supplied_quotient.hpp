@@ -14,9 +14,10 @@ namespace libration {
 /// the largest of them; std::nullopt where that is not proved.
 using mpfr_quotient = std::optional<std::vector<mpfr>> (*)(const std::vector<mpfr>& a, const std::vector<mpfr>& b);
 
-/// Lets mpfr divide whole sequences by a quotient of the program's choice, quotient_by_flint of scalar/ball/quotient.hpp
-/// say, in all threads until the end of the scope: made at the top of main(), before there are threads. Nothing else
-/// makes that choice; without one, coefficients come one after the other. A nullptr takes it back.
+/// Lets mpfr divide whole sequences by a quotient of the program's choice, quotient_by_flint of
+/// scalar/ball/quotient.hpp say, in all threads until the end of the scope: made at the top of main(), before there are
+/// threads. Nothing else makes that choice; without one, coefficients come one after the other. A nullptr takes it
+/// back.
 class whole_quotient_scope {
 public:
     explicit whole_quotient_scope(mpfr_quotient by) : previous_(std::exchange(chosen(), by)) {}

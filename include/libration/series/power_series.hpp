@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/scalar/concept.hpp"
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration::series {
 

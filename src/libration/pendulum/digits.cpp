@@ -38,8 +38,8 @@ rounded_decimal bounded(long digits, int epsilons, const Compute& compute) {
     return {to_decimal(value_within_bound(given_digits(digits), lost, run), digits)};
 }
 
-// T* times a number of them. The energies are within an epsilon and k, k', the rate and the unit within 4; the chain has
-// at most 64 levels, each of which adds less than 2.
+// T* times a number of them. The energies are within an epsilon and k, k', the rate and the unit within 4; the chain
+// has at most 64 levels, each of which adds less than 2.
 rounded_decimal quarters(const pendulum::given_motion& given, int count, long digits) {
     const pendulum::motion m = exact_motion(given);
     if (at_critical_energy(m.regime())) {

@@ -20,8 +20,8 @@ std::optional<std::string> short_decimal(const std::optional<rational>& value, l
 /// The point of an expansion and its power; throws error of the kind argument.
 expansion_point exact_point(const motion& m, const std::string& point, long n);
 
-/// The energy of a motion that has an error norm; throws error of the kind argument for E = 0 and 2, for one that is not
-/// rational, and for an order below 0.
+/// The energy of a motion that has an error norm; throws error of the kind argument for E = 0 and 2, for one that is
+/// not rational, and for an order below 0.
 rational energy_of_norm(const motion& m, int order);
 
 }  // namespace libration::pendulum

@@ -50,7 +50,7 @@ TEMPLATE_LIST_TEST_CASE("two conditions make the paper's resummation, and its bo
         const auto two = endpoint_from_top(arc, 9, 2);
         const auto papers = resummation_from_top(arc, 9);
         CHECK_THAT(two(T(1) / 3).value, near<T>(papers(T(1) / 3).value, 4));
-        const auto bounds = top_bounds<T>::of(arc.o);
+        const auto bounds = top_bounds<T>::of(arc.level);
         CHECK_THAT(endpoint_norm(bounds, 9, 2), near<T>(bounds.resummation_norm(9), 40));
         CHECK_THROWS_AS(endpoint_norm(bounds, 0, 0), libration::error);  // theorem A begins with n = 4
         CHECK(two_point_from_top(arc, 4).order() == 4);
@@ -90,7 +90,7 @@ TEST_CASE("the two-point expansion falls or grows at its rate", "[endpoint_resum
         const precision_scope precision(160);
         const exact_solution<mpfr> truth(with_gap(gap));
         const auto arc = arc_of<mpfr>(with_gap(gap));
-        const mpfr rate = two_point_rate(top_bounds<mpfr>::of(arc.o));
+        const mpfr rate = two_point_rate(top_bounds<mpfr>::of(arc.level));
         CHECK((rate > 1) == (gap == "1e-6"));
         const mpfr measured = pow(mpfr(largest(truth, arc, 110) / largest(truth, arc, 30)), mpfr(mpfr(1) / 80));
         CHECK(abs(measured / rate - 1) < mpfr("0.04"));  // powers of N: (110/30)^(-3/2) over 80 steps is 0.976

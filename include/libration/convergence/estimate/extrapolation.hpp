@@ -62,8 +62,9 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
-/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0, std::nullopt where the equations are singular. In the variable u with u = -+1 at
-/// the ends n = m and n = m/2, so that the normal equations are well conditioned.
+/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0, std::nullopt where the equations
+/// are singular. In the variable u with u = -+1 at the ends n = m and n = m/2, so that the normal equations are well
+/// conditioned.
 template <rounding_scalar T>
 std::optional<T> fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last,
                               std::size_t degree) {

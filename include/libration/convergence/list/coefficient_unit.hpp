@@ -115,8 +115,8 @@ coefficient_unit unit_of(const series::power_series<T>& a) {
     return unit;
 }
 
-/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws error of the kind range where T
-/// cannot hold one of them.
+/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws error of the kind range
+/// where T cannot hold one of them.
 template <rounding_scalar T>
 series::power_series<T> in_unit_of(const series::power_series<mpfr>& a, const coefficient_unit& unit) {
     std::vector<mpfr> scaled;

@@ -1,4 +1,5 @@
-// Proved digits of elliptic functions and integrals, as many as are asked for: start here. No precision has to be chosen.
+// Proved digits of elliptic functions and integrals, as many as are asked for: start here. No precision has to be
+// chosen.
 #pragma once
 
 #include <string>

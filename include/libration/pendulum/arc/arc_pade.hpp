@@ -52,7 +52,7 @@ arc_pade<T> pade_from_top(const fundamental_arc<T>& d, int count) {
         throw error(error_kind::argument, "number of coefficients", std::to_string(count),
                     "of a Pade approximant is below 1");
     }
-    const int parity = d.o.regime == regime::rotation ? 1 : 0;
+    const int parity = d.level.regime == regime::rotation ? 1 : 0;
     const series::power_series<T> a = arc_series(d, 2 * count - parity);
     std::vector<T> g;
     g.reserve(static_cast<std::size_t>(count) + 1);

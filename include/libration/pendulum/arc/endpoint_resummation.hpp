@@ -38,7 +38,7 @@ std::vector<T> arc_endpoint(const fundamental_arc<T>& d, int conditions) {
         return {};
     }
     const pendulum_state<T> bottom{d.bottom.value, d.bottom.slope, T(0), T(1)};
-    return taylor_coefficients(taylor_start<T>{bottom, d.o.pair, series::parity::odd}, conditions - 1,
+    return taylor_coefficients(taylor_start<T>{bottom, d.level.pair, series::parity::odd}, conditions - 1,
                                d.effective_period)
         .coefficients();
 }

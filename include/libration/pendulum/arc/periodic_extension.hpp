@@ -37,7 +37,8 @@ public:
         const T away = p.offset * p.side / effective_period_;
         series::jet<T> part = top ? f_(away) : before_bottom(away);
         part.slope /= effective_period_;
-        // Before the nearest top the fundamental arc runs backwards. At a bottom "after" means coming down from the top before.
+        // Before the nearest top the fundamental arc runs backwards. At a bottom "after" means coming down from the top
+        // before.
         const bool after = top ? p.side >= 0 : p.side <= 0;
         const integer nearest_top = top ? p.quarter : integer(p.quarter + (after ? -1 : 1));
         return motion_.regime() == regime::rotation ? rotating(part, nearest_top, after)

@@ -15,15 +15,15 @@ namespace libration::pendulum {
 /// shifts [paper (seriesfixed), with the sign of (omegab) as it must be for a bob that falls].
 template <scalar T>
 struct fundamental_arc {
-    energy_level<T> o;
+    energy_level<T> level;
     T effective_period;
     pendulum_state<T> top;
     series::jet<T> bottom;  ///< theta* and omega*
-    motion m;               ///< whose fundamental arc it is: what is changed above is seen by the recurrences alone
+    motion of;              ///< whose fundamental arc it is: what is changed above is seen by the recurrences alone
 };
 
-/// With the T* of a rule that is not exact, what is made of the fundamental arc is what the paper's formulas make with that T*:
-/// the resummation has theta* and omega* there, though the motion has them at another time.
+/// With the T* of a rule that is not exact, what is made of the fundamental arc is what the paper's formulas make with
+/// that T*: the resummation has theta* and omega* there, though the motion has them at another time.
 /// Throws error at E = 2.
 template <scalar T>
 fundamental_arc<T> arc_of(const motion& m, const period_rule& by = {}) {
@@ -41,8 +41,8 @@ fundamental_arc<T> arc_of(const motion& m, const period_rule& by = {}) {
 /// a_n T*^n, n = 0 .. N, about the top, by a recurrence alone.
 template <scalar T>
 series::power_series<T> arc_series(const fundamental_arc<T>& d, int order, recurrence by) {
-    const series::parity of_theta = d.o.regime == regime::rotation ? series::parity::odd : series::parity::even;
-    return taylor_coefficients(taylor_start<T>{d.top, d.o.pair, of_theta}, order, d.effective_period, by);
+    const series::parity of_theta = d.level.regime == regime::rotation ? series::parity::odd : series::parity::even;
+    return taylor_coefficients(taylor_start<T>{d.top, d.level.pair, of_theta}, order, d.effective_period, by);
 }
 
 /// a_n T*^n, n = 0 .. N, about the top: in mpfr and on balls by the cheapest way (coefficients_about), which knows them
@@ -54,10 +54,10 @@ series::power_series<T> arc_series(const fundamental_arc<T>& d, int order) {
         return arc_series(d, order, recurrence::symmetric_squares);
     } else {
         require_taylor_order(order);
-        const exact_solution<T> solution(d.m);
+        const exact_solution<T> solution(d.of);
         series::power_series<T> a(coefficients_about(solution, expansion_point(), d.effective_period, 0, order));
         a[0] = d.top.theta;
-        if (d.o.regime == regime::rotation && d.m.direction() < 0) {
+        if (d.level.regime == regime::rotation && d.of.direction() < 0) {
             for (int n = 1; n <= order; ++n) {
                 a[n] = -a[n];
             }

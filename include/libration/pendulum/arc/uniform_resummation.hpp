@@ -23,13 +23,14 @@
 
 namespace libration::pendulum {
 
-/// theta as a function of x = t/T* on the fundamental arc from the top to the bottom, with its slope in x: the canonical
-/// motions of arc_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x| <= 1.
-/// O(N + P).
+/// theta as a function of x = t/T* on the fundamental arc from the top to the bottom, with its slope in x: the
+/// canonical motions of arc_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x|
+/// <= 1. O(N + P).
 template <scalar T>
 class uniform_resummation {
 public:
-    /// rest: b_0 .. b_N by uniform_remainder(); constants: b_0 + k pi with what theorem U's identity adds, k = -2P .. 2P.
+    /// rest: b_0 .. b_N by uniform_remainder(); constants: b_0 + k pi with what theorem U's identity adds, k = -2P ..
+    /// 2P.
     uniform_resummation(regime r, T half_distance, int columns, const series::power_series<T>& rest,
                         std::vector<T> constants)
         : bounds_{parity_from_top(r), columns},

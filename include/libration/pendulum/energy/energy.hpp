@@ -27,8 +27,8 @@ void require_in_range(const wide_t<T>& value, const char* what) {
 }
 
 /// E = 1 - cos theta0 + omega0^2/2 and 2-E = 1 + cos theta0 - omega0^2/2 of the motion (dimensionless, units of m g l),
-/// with as many extra digits as the motion cancels. Within an ulp. Throws error of the kind range where E or 2-E is below the
-/// range of a fixed scalar.
+/// with as many extra digits as the motion cancels. Within an ulp. Throws error of the kind range where E or 2-E is
+/// below the range of a fixed scalar.
 template <scalar T>
 energy_pair<T> energies(const motion& m) {
     using W = wide_t<T>;

@@ -32,7 +32,7 @@ class arc_errors {
 public:
     /// Throws error for E = 0 (theta is constant) and E = 2.
     explicit arc_errors(const motion& m)
-        : truth_(m), second_route_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.o)) {}
+        : truth_(m), second_route_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level)) {}
 
     const top_bounds<mpfr>& bounds() const { return bounds_; }
     const fundamental_arc<mpfr>& arc() const { return arc_; }

@@ -39,9 +39,9 @@ struct angle_pair {
 };
 
 /// The largest error of theta at the times (p + i/points) T, i = 0 .. points, of the canonical motion of an energy,
-/// counterclockwise, whose fundamental arc is exact and whose folding has the T* of a rule [paper (newseries)]: nothing but T*
-/// errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations.
-/// Throws error at E = 2.
+/// counterclockwise, whose fundamental arc is exact and whose folding has the T* of a rule [paper (newseries)]: nothing
+/// but T* errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations. Throws
+/// error at E = 2.
 template <rounding_scalar T>
 angle_pair<T> folding_error(const rational& energy, const period_rule& by, const integer& periods, int points) {
     using std::abs;

@@ -66,7 +66,7 @@ public:
     static constexpr long most_digits = 4000;
 
     /// Throws error for E = 0, E = 2 and more than most_digits digits, which long double cannot hold.
-    arc_orders(const motion& m, long digits) : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.o)) {
+    arc_orders(const motion& m, long digits) : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level)) {
         if (digits > most_digits) {
             throw error(error_kind::argument, "number of digits", std::to_string(digits),
                         "is more than " + std::to_string(most_digits));

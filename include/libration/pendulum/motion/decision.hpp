@@ -8,7 +8,7 @@
 #include <string>
 
 #include "libration/digits/bounded_value.hpp"
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 

@@ -29,8 +29,8 @@ public:
         return of_energy_from(exactly(energy), theta0, direction);
     }
 
-    /// From the angle theta0 with angular velocity omega0; squared frequency is gravity/length in the units of omega0 squared.
-    /// Throws error for an omega0 that is a bare fraction of pi, error of the kind undecided where no
+    /// From the angle theta0 with angular velocity omega0; squared frequency is gravity/length in the units of omega0
+    /// squared. Throws error for an omega0 that is a bare fraction of pi, error of the kind undecided where no
     /// precision shows the regime.
     static motion of_state(const exact& theta0, const exact& omega0, const exact& squared_frequency = exactly(1));
     static motion of_state(const exact& theta0, const exact& omega0, const rational& squared_frequency) {

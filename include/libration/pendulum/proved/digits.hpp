@@ -8,10 +8,10 @@
 #include "libration/scalar/text/printed_number.hpp"
 
 /// Each digit is proved: the exact number is less than one unit of the last away.
-/// Times are exact as written, "1e12", "3/2", "T/4" as a part of the period, and like all results in the motion's units:
-/// sqrt(l/g), or seconds where it has a length and a gravity. libration::proved has to be linked.
-/// Each throws error: of the kind argument, with the quantity and its value, for what is no motion, time or order; of
-/// the kind undecided where no precision within the limits gives the digits.
+/// Times are exact as written, "1e12", "3/2", "T/4" as a part of the period, and like all results in the motion's
+/// units: sqrt(l/g), or seconds where it has a length and a gravity. libration::proved has to be linked. Each throws
+/// error: of the kind argument, with the quantity and its value, for what is no motion, time or order; of the kind
+/// undecided where no precision within the limits gives the digits.
 namespace libration::proved {
 
 /// The angle, not reduced to one turn, and the angular velocity.

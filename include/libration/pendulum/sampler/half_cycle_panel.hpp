@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 #include "libration/series/jet.hpp"
 
 namespace libration::pendulum {

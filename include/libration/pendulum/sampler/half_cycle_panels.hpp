@@ -51,8 +51,8 @@ template <fixed_scalar T>
 class half_cycle_panels {
 public:
     /// The motion's times are counted in its own units (seconds where it has a length and a gravity). Cost: a Jacobi
-    /// function and a Taylor series of panel_terms powers each. Throws error of the kind range where the square of the unit
-    /// leaves the range of T (E above 10^307 in double), and as energies.
+    /// function and a Taylor series of panel_terms powers each. Throws error of the kind range where the square of the
+    /// unit leaves the range of T (E above 10^307 in double), and as energies.
     explicit half_cycle_panels(const motion& m) {
         using std::ldexp;
         using W = finer_t<T>;

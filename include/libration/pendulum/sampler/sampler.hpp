@@ -34,8 +34,8 @@ namespace libration::pendulum {
 template <fixed_scalar T>
 class sampler {
 public:
-    /// Throws error of the kind range where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double), and where
-    /// T cannot hold the square of the time to the top (E above 10^307).
+    /// Throws error of the kind range where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double),
+    /// and where T cannot hold the square of the time to the top (E above 10^307).
     explicit sampler(const motion& m) : sampler(m, precision_scope(working_precision())) {}
 
     const motion& of() const { return motion_; }

@@ -40,9 +40,9 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
-/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, where there are whole quotients, by the
-/// quotient of thetas, whose errors are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the quotient
-/// 2. Not by that in the fixed scalars.
+/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, where there are whole quotients,
+/// by the quotient of thetas, whose errors are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the
+/// quotient 2. Not by that in the fixed scalars.
 template <scalar T>
 series::power_series<T> head_coefficients(const exact_solution<T>& solution, const expansion_point& point,
                                           const T& scale, int order, head_by head) {

@@ -8,8 +8,8 @@
 
 namespace libration::pendulum {
 
-/// a_first .. a_last about a point, in the motion's unit of time. The scaled coefficients are rounded in T, and leave its
-/// range only here, in its wide arithmetic. Cost and exceptions as coefficients_about.
+/// a_first .. a_last about a point, in the motion's unit of time. The scaled coefficients are rounded in T, and leave
+/// its range only here, in its wide arithmetic. Cost and exceptions as coefficients_about.
 template <scalar T>
 std::vector<wide_t<T>> point_coefficients(const motion& m, const expansion_point& point, long first, long last) {
     using W = wide_t<T>;

@@ -111,8 +111,8 @@ private:
 
 /// a_n scale^n, n = 0 .. N, of theta about a point: omega_{n-1}/n, made from the exact motion with 64 bits more than T
 /// has, which hold what the quotient loses: within a few epsilon of 8/n where the scale is at most the radius. A
-/// quotient of whole series on balls, and in mpfr where the program has chosen it (scaled_quotient), O(N^2) products elsewhere. Not for equilibria.
-/// Throws error when N < 0.
+/// quotient of whole series on balls, and in mpfr where the program has chosen it (scaled_quotient), O(N^2) products
+/// elsewhere. Not for equilibria. Throws error when N < 0.
 template <scalar T>
 series::power_series<T> taylor_by_thetas(const exact_solution<T>& solution, const expansion_point& point, int order,
                                          const T& scale) {

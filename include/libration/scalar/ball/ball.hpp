@@ -36,6 +36,6 @@ T from_exact(const exact& number) {
 
 }  // namespace libration
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
 static_assert(libration::scalar<libration::ball>);

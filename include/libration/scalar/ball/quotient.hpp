@@ -1,5 +1,5 @@
-// Quotients of whole sequences of mpfr numbers as the midpoints of those of balls: what FLINT offers mpfr. The radii tell
-// whether they are good enough. A program chooses it with whole_quotient_scope(quotient_by_flint).
+// Quotients of whole sequences of mpfr numbers as the midpoints of those of balls: what FLINT offers mpfr. The radii
+// tell whether they are good enough. A program chooses it with whole_quotient_scope(quotient_by_flint).
 #pragma once
 
 #include <algorithm>

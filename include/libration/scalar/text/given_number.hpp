@@ -7,7 +7,8 @@
 
 namespace libration {
 
-/// The exact number that a text stands for. Throws error of the kind argument with the quantity, the text and the reason.
+/// The exact number that a text stands for. Throws error of the kind argument with the quantity, the text and the
+/// reason.
 exact given_number(const std::string& quantity, const std::string& text);
 
 /// The same for what must have no unit.

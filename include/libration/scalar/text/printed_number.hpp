@@ -1,4 +1,5 @@
-// Numbers as they are printed: decimals with the digits that were asked for. No header of a scalar is needed to hold one.
+// Numbers as they are printed: decimals with the digits that were asked for. No header of a scalar is needed to hold
+// one.
 #pragma once
 
 #include <ostream>

@@ -24,7 +24,7 @@ public:
     /// bits^2). Throws error for E = 0 and 2, precision_exhausted.
     explicit proved_arc_errors(const rational& energy)
         : motion_(motion::of_energy(energy)), arc_(arc_of<ball>(motion_)) {
-        const singularity_lattice<ball> lattice{arc_.effective_period, singularity_height(arc_.o)};
+        const singularity_lattice<ball> lattice{arc_.effective_period, singularity_height(arc_.level)};
         const ball panels = lattice.effective_period * 2 / lattice.height;
         count_ = static_cast<int>(nearest_integer(upper_bound(panels)) + 1);
         order_ = digits<ball>() / 2 + 8;

@@ -1,4 +1,4 @@
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
