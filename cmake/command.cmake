@@ -43,19 +43,26 @@ list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
 file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
 file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${command_rooms})
 
-# A library of its own, so that tests can run a study or a sweep without starting the program.
-add_library(libration-studies STATIC ${sweep_sources} ${study_sources} ${generated_dir}/registry.cpp)
-add_dependencies(libration-studies libration-version)
-target_include_directories(libration-studies PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
-target_link_libraries(libration-studies
-    PUBLIC libration::libration libration::ball fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
+# Libraries of their own, so that tests can run a study or a sweep without starting the program. What studies stand on is
+# compiled source by source: names in an anonymous namespace are its own. Studies keep theirs in namespaces with their
+# names, so that a clean build may compile several as one.
+add_library(libration-sweep STATIC ${sweep_sources})
+add_library(libration-studies OBJECT ${study_sources} ${generated_dir}/registry.cpp)
+set_target_properties(libration-sweep PROPERTIES UNITY_BUILD OFF)
+set_target_properties(libration-studies PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
+add_dependencies(libration-sweep libration-version)
+target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
+target_link_libraries(libration-sweep
+    PUBLIC libration::libration libration::proved fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE libration-warnings)
-target_precompile_headers(libration-studies PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
+target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
+target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
+target_precompile_headers(libration-studies REUSE_FROM libration-sweep)
 
 # Where the figure scripts are: in the source tree, and as seen from the folder of an installed program.
 set(installed_studies_dir ${CMAKE_INSTALL_DATADIR}/libration/studies)
 file(RELATIVE_PATH studies_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_studies_dir})
-target_compile_definitions(libration-studies PUBLIC
+target_compile_definitions(libration-sweep PUBLIC
     LIBRATION_STUDIES_DIR="${PROJECT_SOURCE_DIR}/studies"
     LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
 if(TARGET libration-gsl-theta)
@@ -66,10 +73,9 @@ endif()
 
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
-# Each source by itself: names in an anonymous namespace are its own.
-set_target_properties(libration-studies libration-command PROPERTIES UNITY_BUILD OFF)
+set_target_properties(libration-command PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(libration-command PRIVATE libration-studies CLI11::CLI11 libration-warnings)
-target_precompile_headers(libration-command REUSE_FROM libration-studies)
+target_precompile_headers(libration-command REUSE_FROM libration-sweep)
 if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
 endif()

@@ -46,6 +46,7 @@ add_library(libration::libration ALIAS libration)
 # The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
 set_target_properties(libration PROPERTIES UNITY_BUILD OFF)
+target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/precompiled.hpp)
 target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 
 # Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
@@ -59,6 +60,7 @@ if(FLINT_FOUND)
     target_link_libraries(libration-proved
         PUBLIC libration FLINT::FLINT
         PRIVATE $<BUILD_INTERFACE:libration-warnings>)
+    target_precompile_headers(libration-proved REUSE_FROM libration)
     target_sources(libration-proved PUBLIC
         FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${proved_headers})
 endif()

@@ -12,9 +12,10 @@
 
 namespace libration::studies {
 
+namespace all_time_study {
+
 using namespace pendulum;
 
-namespace all_time_study {
 namespace {
 
 constexpr int points_in_period = 128;

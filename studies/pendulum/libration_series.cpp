@@ -3,8 +3,6 @@
 
 namespace libration::studies {
 
-using namespace pendulum;
-
 const study& libration_series() {
     static const study result{
         .name = "libration_series",
@@ -25,7 +23,7 @@ const study& libration_series() {
         .seconds = 0.4,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("libration_series", arc_method::series, request);
+            return run_extension("libration_series", pendulum::arc_method::series, request);
         }};
     return result;
 }

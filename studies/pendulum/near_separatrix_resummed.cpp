@@ -3,8 +3,6 @@
 
 namespace libration::studies {
 
-using namespace pendulum;
-
 const study& near_separatrix_resummed() {
     static const study result{
         .name = "near_separatrix_resummed",
@@ -28,7 +26,7 @@ const study& near_separatrix_resummed() {
         .seconds = 0.6,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("near_separatrix_resummed", arc_method::resummed, request);
+            return run_extension("near_separatrix_resummed", pendulum::arc_method::resummed, request);
         }};
     return result;
 }

@@ -3,8 +3,6 @@
 
 namespace libration::studies {
 
-using namespace pendulum;
-
 const study& near_separatrix_series() {
     static const study result{
         .name = "near_separatrix_series",
@@ -28,7 +26,7 @@ const study& near_separatrix_series() {
         .seconds = 0.6,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("near_separatrix_series", arc_method::series, request);
+            return run_extension("near_separatrix_series", pendulum::arc_method::series, request);
         }};
     return result;
 }

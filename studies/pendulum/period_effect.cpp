@@ -6,9 +6,10 @@
 
 namespace libration::studies {
 
+namespace period_effect_study {
+
 using namespace pendulum;
 
-namespace period_effect_study {
 namespace {
 
 // A value of one curve at a time, with the T* that it was folded by.

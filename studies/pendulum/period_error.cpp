@@ -7,10 +7,11 @@
 
 namespace libration::studies {
 
+namespace period_error_study {
+
 using namespace elliptic;
 using namespace pendulum;
 
-namespace period_error_study {
 namespace {
 
 constexpr long guard_digits = 15;

@@ -9,10 +9,11 @@
 
 namespace libration::studies {
 
+namespace resummations_study {
+
 using namespace series;
 using namespace pendulum;
 
-namespace resummations_study {
 namespace {
 
 constexpr long printed_digits = 12;

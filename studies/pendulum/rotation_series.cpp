@@ -3,8 +3,6 @@
 
 namespace libration::studies {
 
-using namespace pendulum;
-
 const study& rotation_series() {
     static const study result{
         .name = "rotation_series",
@@ -23,7 +21,7 @@ const study& rotation_series() {
         .seconds = 0.4,
         .excluded = without_period(),
         .run = [](const study_request& request) {
-            return run_extension("rotation_series", arc_method::series, request);
+            return run_extension("rotation_series", pendulum::arc_method::series, request);
         }};
     return result;
 }

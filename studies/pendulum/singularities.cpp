@@ -12,10 +12,11 @@
 
 namespace libration::studies {
 
+namespace singularities_study {
+
 using namespace convergence;
 using namespace pendulum;
 
-namespace singularities_study {
 namespace {
 
 constexpr long guard_digits = 15;

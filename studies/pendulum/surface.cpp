@@ -13,10 +13,11 @@
 
 namespace libration::studies {
 
+namespace surface_study {
+
 using namespace elliptic;
 using namespace pendulum;
 
-namespace surface_study {
 namespace {
 
 motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }

@@ -9,11 +9,12 @@
 
 namespace libration::studies {
 
+namespace uniform_study {
+
 using namespace series;
 using namespace elliptic;
 using namespace pendulum;
 
-namespace uniform_study {
 namespace {
 
 constexpr long printed_digits = 12;

@@ -16,11 +16,12 @@
 
 namespace libration::studies {
 
+namespace cost_study {
+
 using namespace series;
 using namespace elliptic;
 using namespace pendulum;
 
-namespace cost_study {
 namespace {
 
 constexpr long guard_digits = 15;

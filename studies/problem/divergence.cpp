@@ -7,9 +7,10 @@
 
 namespace libration::studies {
 
+namespace divergence_study {
+
 using namespace pendulum;
 
-namespace divergence_study {
 namespace {
 
 // A partial sum at a time.

@@ -10,11 +10,12 @@
 
 namespace libration::studies {
 
+namespace domb_sykes_study {
+
 using namespace series;
 using namespace convergence;
 using namespace pendulum;
 
-namespace domb_sykes_study {
 namespace {
 
 constexpr long guard_digits = 15;

@@ -11,10 +11,11 @@
 
 namespace libration::studies {
 
+namespace error_norm_study {
+
 using namespace elliptic;
 using namespace pendulum;
 
-namespace error_norm_study {
 namespace {
 
 constexpr long guard_digits = 15;

@@ -9,10 +9,11 @@
 
 namespace libration::studies {
 
+namespace expansion_point_study {
+
 using namespace elliptic;
 using namespace pendulum;
 
-namespace expansion_point_study {
 namespace {
 
 constexpr long guard_digits = 15;

@@ -7,10 +7,11 @@
 
 namespace libration::studies {
 
+namespace precision_floor_study {
+
 using namespace elliptic;
 using namespace pendulum;
 
-namespace precision_floor_study {
 namespace {
 
 constexpr long printed_digits = 12;

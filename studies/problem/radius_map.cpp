@@ -7,10 +7,11 @@
 
 namespace libration::studies {
 
+namespace radius_map_study {
+
 using namespace convergence;
 using namespace pendulum;
 
-namespace radius_map_study {
 namespace {
 
 constexpr int least_order = 4;

@@ -13,11 +13,12 @@
 
 namespace libration::studies {
 
+namespace radius_tournament_study {
+
 using namespace series;
 using namespace convergence;
 using namespace pendulum;
 
-namespace radius_tournament_study {
 namespace {
 
 constexpr long guard_digits = 30;

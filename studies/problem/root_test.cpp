@@ -7,10 +7,11 @@
 
 namespace libration::studies {
 
+namespace root_test_study {
+
 using namespace convergence;
 using namespace pendulum;
 
-namespace root_test_study {
 namespace {
 
 constexpr long guard_digits = 15;

@@ -8,10 +8,11 @@
 
 namespace libration::studies {
 
+namespace terms_study {
+
 using namespace series;
 using namespace pendulum;
 
-namespace terms_study {
 namespace {
 
 constexpr long printed_digits = 12;
