@@ -84,14 +84,15 @@ const column_list<reduction_row>& reduction_columns() {
 table folding_rows(const sweep_energy& at, const sweep_period_rule& by, const std::vector<integer>& periods) {
     const scalar_spec scalar = read_scalar("mpfr:40");
     const bool exact_period = by.rule.method == period_method::agm;
-    const judged period = period_by(motion::of_energy(at.value), by.rule, scalar);
+    const value_with_error period = period_by(motion::of_energy(at.value), by.rule, scalar);
     std::vector<folding_row> rows;
     const precision_scope of_rows(scalar.digits * 2 + guard_digits);
     for (const integer& count : periods) {
         const auto worst = resolved(scalar.digits, 0, [&] {
             const auto pair = folding_error<mpfr>(at.value, by.rule, count, points_in_period);
             // An exact T* leaves rounding alone.
-            return std::vector<judged>{{pair.expected, pair.error, exact_period ? mpfr(0) : pair.error, exact_period}};
+            return std::vector<value_with_error>{
+                {pair.expected, pair.error, exact_period ? mpfr(0) : pair.error, exact_period}};
         });
         const precision_scope scope(scalar.digits * 2 + guard_digits);
         const mpfr& error = worst.front().error;
@@ -116,7 +117,7 @@ table reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const st
             const auto worst = resolved(scalar.digits, 2 * before_point + 40, [&] {
                 const mpfr error = wide ? phase_map_error<T>(at.value, typed, count, points)
                                         : phase_map_error<T>(at.value, rounded, count, points);
-                return std::vector<judged>{{error, error, error, false}};
+                return std::vector<value_with_error>{{error, error, error, false}};
             });
             const precision_scope scope(scalar.digits * 2 + guard_digits);
             const mpfr& error = worst.front().error;

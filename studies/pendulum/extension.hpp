@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "judged.hpp"
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "numerical_points.hpp"
 #include "periodic_rows.hpp"
 #include "run/parallel.hpp"
+#include "value_with_error.hpp"
 
 namespace libration::studies {
 
@@ -25,7 +25,7 @@ struct extension_row {
     std::optional<int> order;
     std::string_view method;
     time_cells when;
-    judged value;
+    value_with_error value;
     long digits;
     bool judges = true;  ///< not the exact solution itself
 };
@@ -59,16 +59,17 @@ inline bool interpolates(pendulum::arc_method method, const pendulum::phase<mpfr
 /// The extension of one function of the fundamental arc, in the arithmetic T, against the exact solution in the working
 /// precision.
 template <class T, class F>
-std::vector<judged> follow(const pendulum::motion& m, const std::vector<exact>& times, pendulum::arc_method method,
-                           const pendulum::periodic_extension<T, F>& extension, bool slope_at_top) {
+std::vector<value_with_error> follow(const pendulum::motion& m, const std::vector<exact>& times,
+                                     pendulum::arc_method method, const pendulum::periodic_extension<T, F>& extension,
+                                     bool slope_at_top) {
     const pendulum::exact_solution<mpfr> truth(m);
-    std::vector<judged> values;
+    std::vector<value_with_error> values;
     values.reserve(times.size());
     for (const exact& time : times) {
         const pendulum::phase<mpfr> at = truth.phases().at(time);
         const pendulum::pendulum_state<mpfr> expected = truth.at(at);
         const series::jet<T> found = extension(time);
-        judged value{widen(found.value), widen(found.slope), mpfr(0), interpolates(method, at)};
+        value_with_error value{widen(found.value), widen(found.slope), mpfr(0), interpolates(method, at)};
         if (fixed_scalar<T> || !value.settled) {
             value.error = abs(value.theta - expected.theta);
         } else if (slope_at_top || elliptic::quarter_of_four(at.quarter) % 2 == 0) {
@@ -81,8 +82,8 @@ std::vector<judged> follow(const pendulum::motion& m, const std::vector<exact>& 
 }
 
 /// All times of one energy and order.
-inline std::vector<judged> extended(const pendulum::motion& m, const std::vector<exact>& times,
-                                    pendulum::arc_method method, int order, const scalar_spec& scalar) {
+inline std::vector<value_with_error> extended(const pendulum::motion& m, const std::vector<exact>& times,
+                                              pendulum::arc_method method, int order, const scalar_spec& scalar) {
     return resolved(scalar.digits, digits_below(m, order), [&] {
         return with_scalar(scalar, working_digits() - scalar.digits, [&]<class T>() {
             const pendulum::fundamental_arc<T> arc = arc_of<T>(m);
@@ -105,7 +106,7 @@ inline std::vector<table> extension_at(const sweep_energy& energy, const pendulu
                                        const scalar_spec& scalar) {
     const pendulum::motion m = pendulum::motion::of_energy(energy.value);
     const auto curve = [&](std::optional<int> order, std::string_view name, const std::vector<time_cells>& at,
-                           const std::vector<judged>& values, long digits) {
+                           const std::vector<value_with_error>& values, long digits) {
         std::vector<extension_row> rows;
         rows.reserve(values.size());
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -123,7 +124,7 @@ inline std::vector<table> extension_at(const sweep_energy& energy, const pendulu
     table numerical = curve(std::nullopt, "rk4", cells_of(m, some, 17), marched(m, some, request.step()), 17);
     const precision_scope scope(scalar.digits + 2 * guard_digits);
     const pendulum::exact_solution<mpfr> truth(m);
-    std::vector<judged> values;
+    std::vector<value_with_error> values;
     values.reserve(sweep.times.size());
     for (const exact& time : sweep.times) {
         const pendulum::pendulum_state<mpfr> at = truth(time);

@@ -4,15 +4,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "judged.hpp"
 #include "libration/ode/numerical_solution.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "text/input_error.hpp"
+#include "value_with_error.hpp"
 
 namespace libration::studies {
 
 /// The paper's numerical solution: Runge-Kutta in double from the same start, against the exact solution.
-inline std::vector<judged> marched(const pendulum::motion& m, const std::vector<exact>& times, const exact& step) {
+inline std::vector<value_with_error> marched(const pendulum::motion& m, const std::vector<exact>& times,
+                                             const exact& step) {
     series::jet<double> start{};
     std::vector<double> rounded;
     rounded.reserve(times.size());
@@ -29,7 +30,7 @@ inline std::vector<judged> marched(const pendulum::motion& m, const std::vector<
     constexpr long digits_of_double = 17;
     return resolved(digits_of_double, 20, [&] {
         const pendulum::exact_solution<mpfr> truth(m);
-        std::vector<judged> values;
+        std::vector<value_with_error> values;
         values.reserve(times.size());
         for (std::size_t i = 0; i < times.size(); ++i) {
             const pendulum::phase<mpfr> at = truth.phases().at(times[i]);

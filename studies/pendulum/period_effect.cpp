@@ -18,7 +18,7 @@ struct effect_row {
     cell period_by, order, period, period_error;
     std::string_view method;
     time_cells when;
-    judged value;
+    value_with_error value;
     long digits;
 };
 
@@ -50,7 +50,7 @@ std::vector<table> tables_at(const sweep_energy& at, const pendulum_sweep& sweep
     std::vector<effect_row> folded_rows;
     const auto when = cells_of(m, sweep.times, scalar.digits);
     for (const sweep_period_rule& by : sweep.period_rules) {
-        const judged period = period_by(m, by.rule, scalar);
+        const value_with_error period = period_by(m, by.rule, scalar);
         for (const int order : request.orders()) {
             const auto values = folded(m, sweep.times, order, by.rule, scalar);
             for (std::size_t i = 0; i < values.size(); ++i) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "../problem/sweep_columns.hpp"
-#include "judged.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
+#include "value_with_error.hpp"
 
 namespace libration::studies {
 

@@ -23,11 +23,12 @@ namespace {
 motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }
 
 // (critical) is exact: beyond the digits of the arithmetic it has no error.
-std::vector<judged> by_critical_formula(const motion& m, const std::vector<exact>& times, const scalar_spec& scalar) {
+std::vector<value_with_error> by_critical_formula(const motion& m, const std::vector<exact>& times,
+                                                  const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + 2 * guard_digits);
     const exact_solution<mpfr> truth(m);
     return with_scalar(scalar, guard_digits, [&]<class T>() {
-        std::vector<judged> values;
+        std::vector<value_with_error> values;
         values.reserve(times.size());
         for (const exact& time : times) {
             const mpfr theta = widen(critical_formula(m, dimensionless_time<T>(m, time)));
@@ -52,7 +53,7 @@ struct surface_row {
     regime kind;
     std::string_view method;
     cell order, period_by;
-    judged approximation;
+    value_with_error approximation;
 };
 
 const column_list<surface_row>& columns() {
@@ -84,7 +85,7 @@ table rows_at(const sweep_energy& at, const pendulum_sweep& sweep, const std::ve
     const motion m = pushed(at);
     std::vector<surface_row> rows;
     const auto add = [&](std::string_view method, const cell& order, const cell& period_by,
-                         const std::vector<judged>& values) {
+                         const std::vector<value_with_error>& values) {
         const precision_scope scope(scalar.digits + 2 * guard_digits);
         const exact_solution<mpfr> truth(m);
         for (std::size_t i = 0; i < values.size(); ++i) {

@@ -37,7 +37,7 @@ struct judged_radius {
 };
 
 template <rounding_scalar T>
-judged_radius judged(const convergence::radius_estimate<T>& found, const mpfr& exact, long digits) {
+judged_radius against_exact(const convergence::radius_estimate<T>& found, const mpfr& exact, long digits) {
     if (!found.radius) {
         return {std::nullopt, mpfr(0), exact, digits, std::nullopt, std::nullopt};
     }
@@ -118,7 +118,8 @@ table answers_about(const sweep_energy& at, const exact& point, const std::vecto
                 if (shown(answer.method)) {
                     const auto found = in_unit(answer, list.unit);
                     const precision_scope judging(scalar.digits + digits_for_judging);
-                    all.push_back({at, point, order, found.method, judged(found, truth, scalar.digits), found.note});
+                    all.push_back(
+                        {at, point, order, found.method, against_exact(found, truth, scalar.digits), found.note});
                 }
             }
         }

@@ -56,7 +56,7 @@ map_row row_of(const sweep_energy& at, int order, const judged_point& p, long di
     if (p.found.position) {
         error = modulus_of(*p.found.position - nearest_on_arc(p.cover, p.point.coefficient)) / p.cover.radius;
     }
-    return {at, p.point, digits, order, judged(p.found, p.cover.radius, digits), p.found, p.cover, error};
+    return {at, p.point, digits, order, against_exact(p.found, p.cover.radius, digits), p.found, p.cover, error};
 }
 
 column_list<map_row> place_columns() {

@@ -13,7 +13,7 @@ namespace libration::studies {
 
 /// theta and omega by some way, and |theta - exact|. Where the two are equal in exact arithmetic, the error that is
 /// left is rounding and `settled` says that no digits will resolve it.
-struct judged {
+struct value_with_error {
     mpfr theta;
     mpfr omega;
     mpfr error;
@@ -24,7 +24,7 @@ struct judged {
 inline constexpr long guard_digits = 15;
 
 /// The working precision in which all three have their digits right; 0 where there are none to get right.
-inline long digits_to_resolve(const judged& value, long digits) {
+inline long digits_to_resolve(const value_with_error& value, long digits) {
     if (value.settled && value.error == 0) {
         return 0;
     }
@@ -39,15 +39,15 @@ inline long digits_to_resolve(const judged& value, long digits) {
     return digits + guard_digits + decimal_digits(std::max(largest - smallest, 0L));
 }
 
-/// compute(), which returns judged values, in a working precision of `digits` and `more` to begin with and then in what
+/// compute(), which returns value_with_error values, in a working precision of `digits` and `more` to begin with and then in what
 /// the smallest value or error asks for. Throws error of the kind undecided where 100000 digits do not resolve one.
 template <class Compute>
-std::vector<judged> resolved(long digits, long more, const Compute& compute) {
+std::vector<value_with_error> resolved(long digits, long more, const Compute& compute) {
     constexpr long most_working_digits = 100'000;
-    const auto attempt = [&](long& working) -> std::optional<std::vector<judged>> {
-        std::vector<judged> values = compute();
+    const auto attempt = [&](long& working) -> std::optional<std::vector<value_with_error>> {
+        std::vector<value_with_error> values = compute();
         long needed = 0;
-        for (const judged& value : values) {
+        for (const value_with_error& value : values) {
             needed = std::max(needed, digits_to_resolve(value, digits));
         }
         if (needed <= working) {
