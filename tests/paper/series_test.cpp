@@ -5,6 +5,7 @@
 
 #include "libration/ode/runge_kutta.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/series/exponential.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 

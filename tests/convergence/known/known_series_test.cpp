@@ -29,7 +29,7 @@ known_series<T> known(const std::string& name) {
             return each;
         }
     }
-    throw libration::error("no series " + name);
+    throw std::invalid_argument("no series " + name);
 }
 
 // Coefficients are narrowed from guard digits: half an eps, and one for the fraction that they are compared with.

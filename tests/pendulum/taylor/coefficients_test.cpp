@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/series/exponential.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
