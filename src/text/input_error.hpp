@@ -27,7 +27,8 @@ auto reading(const std::string& option, const std::string& value, const std::str
         return read();
     } catch (const error& problem) {
         if (problem.kind() == error_kind::undecided) {
-            throw error(error_kind::undecided, option, value, problem.reason());
+            throw error(error_kind::undecided, option, value,
+                        "leaves open " + problem.subject() + ", which " + problem.reason());
         }
         throw input_error(option, value, problem.reason(), remedy);
     }
