@@ -39,9 +39,6 @@ const std::vector<column> period_columns{{"energy", ""},    {"gap", ""},        
                                          {"error", ""},     {"regime", ""},       {"energy_typed", ""},
                                          {"gap_typed", ""}, {"theta0_typed", ""}, {"omega0_typed", ""}};
 
-// The text format leaves out what was typed.
-constexpr std::size_t untyped_columns = 8;
-
 period_method read_method(const std::string& name) {
     if (name == "agm") {
         return period_method::agm;
@@ -141,9 +138,9 @@ int run_period(const period_options& options) {
                        number_cell(found.period), number_cell(found.tstar), number_cell(found.error), regime,
                        chosen.energy_typed, chosen.gap_typed, chosen.theta0_typed, chosen.omega0_typed}});
     std::string text;
-    for (std::size_t i = 0; i < untyped_columns; ++i) {
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
         if (!data.rows()[0][i].is_empty()) {
-            text += fmt::format("{:<8}{}\n", data.columns()[i].name, data.rows()[0][i].text());
+            text += fmt::format("{:<14}{}\n", data.columns()[i].name, data.rows()[0][i].text());
         }
     }
     options.output.write(data, text);

@@ -90,7 +90,9 @@ int run_study(const study_options& options) {
                               "use --scalar mpfr:DIGITS");
         }
         const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
-        throw input_error("study", what.name, reason, "leave that value out");
+        const bool names_option = problem.subject().starts_with("--");
+        throw input_error("study", what.name, reason,
+                          "leave that value out" + (names_option ? " of " + problem.subject() : ""));
     }
 }
 

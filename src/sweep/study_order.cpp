@@ -70,7 +70,7 @@ axis_reading without_excluded(const study& what, const axis& along, const std::v
                 values += (values.empty() ? "" : ", ") + value.text;
             } else {
                 const std::string text = along.to_coordinate ? decimal_of(along.coordinate_of(value), 50) : value.text;
-                throw error(error_kind::argument, "list", "",
+                throw error(error_kind::argument, along.option, "",
                             "has the " + along.coordinate + " " + text + ", where " + reason);
             }
         }

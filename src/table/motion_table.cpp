@@ -174,8 +174,10 @@ private:
     }
 
     std::string time_text(const exact& time) {
-        return time.has_periods() && !time.is_zero() ? states_.time_text(time, more_digits())
-                                                     : decimal_text(time, more_digits());
+        if (time.has_periods() && !time.is_zero()) {
+            return states_.time_text(time, more_digits());
+        }
+        return style_ == input_style::typed ? decimal_of(time, more_digits()) : decimal_text(time, more_digits());
     }
 
     const grid_motion& of_;

@@ -152,7 +152,7 @@ judged_row row_judge::operator()(const csv_record& record) {
     try {
         return judged(record, *cells);
     } catch (const error& problem) {  // what cannot be read, motions that there are not, and what cannot be proved
-        return malformed(record, *cells, problem.what());
+        return malformed(record, *cells, problem.value().empty() ? problem.reason() : problem.what());
     }
 }
 

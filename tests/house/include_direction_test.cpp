@@ -96,6 +96,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"problem", ode + proofs},
         {"problem/known", pendulum + problem},
         {"library", library},
+        {"src/libration", {}},
         {"src/text", problem},
         {"src/run", text},
         {"src/option", run},

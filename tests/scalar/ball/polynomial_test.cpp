@@ -37,7 +37,8 @@ TEST_CASE("a whole product is that of its coefficients, alone and for long seque
             REQUIRE(c.size() == count);
             for (std::size_t n = 0; n < count; ++n) {
                 INFO(asked << " digits, " << n << " of " << count);
-                CHECK(overlaps(c[n], scalar_traits<ball>::sum_of_products(a.data(), 1, &b[n], -1, static_cast<int>(n) + 1)));
+                CHECK(overlaps(c[n],
+                               scalar_traits<ball>::sum_of_products(a.data(), 1, &b[n], -1, static_cast<int>(n) + 1)));
                 // Two radii in each of up to 200 products, and as much for the blocks.
                 CHECK(certainly_less(radius_of(c[n]), epsilon<ball>() * 1000));
             }

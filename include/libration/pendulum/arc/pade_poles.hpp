@@ -103,7 +103,9 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
     const auto speed = order < 2 ? series::power_series<T>() : speed_in_square(theta, arc.level.regime);
     for (int down = (speed.order() + 1) / 2; down >= 1; --down) {
         const int up = speed.order() - down;
-        if (const auto approximant = pade(speed, up, down, negligible)) {
+        // A denominator of a lower degree is that of another approximant.
+        if (const auto approximant = pade(speed, up, down, negligible);
+            approximant && approximant->denominator[down] != 0) {
             const auto found = poles_in_time(*approximant, arc.level.regime, radius, lattice);
             return found ? std::optional(pade_poles<T>{up, down, *found}) : std::nullopt;
         }
