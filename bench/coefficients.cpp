@@ -18,13 +18,16 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/expansion.hpp"
-#include "libration/scalar/ball_decimal.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/quotient.hpp"
 #include "ratio_table.hpp"
 
 namespace {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::bench;
 
 constexpr long guard = 20;
@@ -236,5 +239,6 @@ int run(const std::vector<char*>& words) {
 }  // namespace
 
 int main(int count, char** given) {
+    const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
     return libration::bench::exit_code_of("coefficients", [&] { return run({given, given + count}); });
 }

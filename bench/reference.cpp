@@ -12,13 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "libration/scalar/ball_decimal.hpp"
+#include "libration/scalar/ball/decimal.hpp"
 #include "ratio_table.hpp"
 #include "reference_routes.hpp"
 
 namespace {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::bench;
 
 constexpr long most_guard = 60;

@@ -11,8 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "libration/pendulum/proved_canonical.hpp"
-#include "libration/scalar/concept.hpp"
+#include "libration/pendulum/proved/proved_canonical.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration::bench {
 
@@ -35,7 +35,7 @@ struct exact_question {
 /// Ours: a few Landen steps, a short theta series, and back.
 inline ball by_landen(const question& asked) {
     exact_question exact(asked);
-    const proved_canonical motion(std::move(exact.energy), std::move(exact.gap));
+    const pendulum::proved_canonical motion(std::move(exact.energy), std::move(exact.gap));
     return motion.theta_at(motion.phase_at(exact.time));
 }
 

@@ -17,15 +17,18 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "libration/pendulum/proved_motion.hpp"
-#include "libration/pendulum/sampler.hpp"
+#include "libration/pendulum/proved/proved_motion.hpp"
+#include "libration/pendulum/sampler/sampler.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"
-#include "sweep/child_program.hpp"
+#include "run/child_program.hpp"
 
 namespace {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::bench;
 
 constexpr int rounds = 15;
@@ -153,7 +156,7 @@ void add_gsl(std::vector<contender>& all, const modulus<double>& shape, const mo
 // One libration, double against GSL and Boost.Math.
 void compare_in_double(const exact& energy, std::size_t count) {
     const motion m = motion::of_energy(energy.coefficient);
-    const modulus<double> shape = orbit_of<double>(m).shape;
+    const modulus<double> shape = energy_level_of<double>(m).modulus;
     trajectory<double> in(random_times<double>(m, count));
     const sampler<double> sample(m);
     std::vector<contender> all;
@@ -180,7 +183,7 @@ void compare_in_double(const exact& energy, std::size_t count) {
 
 void compare_in_quad(const exact& energy, std::size_t count) {
     const motion m = motion::of_energy(energy.coefficient);
-    const modulus<quad> shape = orbit_of<quad>(m).shape;
+    const modulus<quad> shape = energy_level_of<quad>(m).modulus;
     trajectory<quad> in(random_times<quad>(m, count));
     const sampler<quad> sample(m);
     const exact_solution<quad> solution(m);

@@ -13,7 +13,7 @@ endforeach()
 
 # The one that starts a peer of its own, and whose Boost.Math in float128 asks for the literals of GNU's C++.
 set_target_properties(libration-bench-trajectory PROPERTIES CXX_EXTENSIONS ON)
-target_sources(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/sweep/child_program.cpp)
+target_sources(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/run/child_program.cpp)
 target_include_directories(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src)
 if(TARGET libration-gsl-trajectory)
     add_dependencies(libration-bench-trajectory libration-gsl-trajectory)

@@ -10,7 +10,7 @@ execute_process(
 
 file(GLOB config ${PREFIX}/lib*/cmake/libration/libration-config-version.cmake
     ${PREFIX}/lib/*/cmake/libration/libration-config-version.cmake)
-file(GLOB headers ${PREFIX}/include/libration/*/*.hpp)
+file(GLOB headers ${PREFIX}/include/libration/scalar/*.hpp)
 if(NOT config OR NOT headers)
     message(FATAL_ERROR "no package file or no headers in ${PREFIX}")
 endif()

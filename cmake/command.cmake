@@ -1,4 +1,4 @@
-# The command `libration`, in the order of the house: src/sweep and the studies first, the subcommands on top.
+# The command `libration`, in the order of the house: what studies stand on first, the subcommands on top.
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
@@ -24,51 +24,60 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: studies/NAME.cpp defines libration::studies::NAME(), and nothing else names a study.
-file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.cpp)
+# The registry: studies/problem/NAME.cpp or studies/pendulum/NAME.cpp defines libration::studies::NAME(), and nothing else names a study.
+file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*/*.cpp)
 set(study_declarations "")
 set(study_entries "")
-foreach(source IN LISTS study_sources)
-    cmake_path(GET source STEM name)
+set(study_names ${study_sources})
+list(TRANSFORM study_names REPLACE "^.*/|[.]cpp$" "")
+list(SORT study_names)
+foreach(name IN LISTS study_names)
     string(APPEND study_declarations "const study& ${name}();\n")
     list(APPEND study_entries "&studies::${name}()")
 endforeach()
 list(JOIN study_entries ", " study_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
-file(GLOB sweep_sources CONFIGURE_DEPENDS
-    ${PROJECT_SOURCE_DIR}/src/sweep/*.cpp
-    ${PROJECT_SOURCE_DIR}/src/claims/*.cpp)
-file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
+set(study_rooms text run option sweep claims)
+set(command_rooms motion table verify report)
+list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
+list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
+file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
+file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${command_rooms})
 
-# A library of its own, so that tests can run a study or a sweep without starting the program.
-add_library(libration-studies STATIC ${sweep_sources} ${study_sources} ${generated_dir}/registry.cpp)
-add_dependencies(libration-studies libration-version)
-target_include_directories(libration-studies PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
-target_link_libraries(libration-studies
-    PUBLIC libration::libration libration::ball fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
+# Libraries of their own, so that tests can run a study or a sweep without starting the program. What studies stand on is
+# compiled source by source: names in an anonymous namespace are its own. Studies keep theirs in namespaces with their
+# names, so that a clean build may compile several as one.
+add_library(libration-sweep STATIC ${sweep_sources})
+add_library(libration-studies OBJECT ${study_sources} ${generated_dir}/registry.cpp)
+set_target_properties(libration-sweep PROPERTIES UNITY_BUILD OFF)
+set_target_properties(libration-studies PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
+add_dependencies(libration-sweep libration-version)
+target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
+target_link_libraries(libration-sweep
+    PUBLIC libration::libration libration::proved fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE libration-warnings)
-target_precompile_headers(libration-studies PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
+target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
+target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
+target_precompile_headers(libration-studies REUSE_FROM libration-sweep)
 
 # Where the figure scripts are: in the source tree, and as seen from the folder of an installed program.
 set(installed_studies_dir ${CMAKE_INSTALL_DATADIR}/libration/studies)
 file(RELATIVE_PATH studies_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_studies_dir})
-target_compile_definitions(libration-studies PUBLIC
+target_compile_definitions(libration-sweep PUBLIC
     LIBRATION_STUDIES_DIR="${PROJECT_SOURCE_DIR}/studies"
     LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
 if(TARGET libration-gsl-theta)
     # Started as a process and never linked; it does not belong to what is installed.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/audit_gsl.cpp PROPERTIES
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/pendulum/audit_gsl.cpp PROPERTIES
         COMPILE_DEFINITIONS LIBRATION_GSL_THETA="$<TARGET_FILE:libration-gsl-theta>")
 endif()
 
-# It has to come before every other header of the library.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/cost.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
+set_target_properties(libration-command PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(libration-command PRIVATE libration-studies CLI11::CLI11 libration-warnings)
-target_precompile_headers(libration-command REUSE_FROM libration-studies)
+target_precompile_headers(libration-command REUSE_FROM libration-sweep)
 if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
 endif()

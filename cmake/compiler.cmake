@@ -5,8 +5,8 @@
 add_library(libration-warnings INTERFACE)
 target_compile_options(libration-warnings INTERFACE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>)
-# From GCC 13 on its flow analysis takes an empty std::optional of a quad for an uninitialized number.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+# From GCC 12 on its flow analysis takes an empty std::optional of a quad for an uninitialized number.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
     target_compile_options(libration-warnings INTERFACE -Wno-error=maybe-uninitialized)
 endif()
 if(PROJECT_IS_TOP_LEVEL)

@@ -1,17 +1,26 @@
-# The headers: target libration::libration, here and for find_package(libration) after `cmake --install`.
+# The library, here and for find_package(libration) after `cmake --install`:
+#   libration::headers    the templates alone, nothing to link but MPFR and GMP
+#   libration::libration  with what needs no template, compiled once; no FLINT, also at link time
+#   libration::proved     with proved arithmetic, where FLINT is (libration::ball is its other name)
+# Sources stand in src/libration/ROOM as their headers do in include/libration/ROOM.
 
 find_package(Boost 1.81 REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(mpfr REQUIRED IMPORTED_TARGET mpfr)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmp)
 
-add_library(libration INTERFACE)
-add_library(libration::libration ALIAS libration)
-target_compile_features(libration INTERFACE cxx_std_20)
-target_include_directories(libration INTERFACE
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(libration INTERFACE Boost::headers PkgConfig::mpfr PkgConfig::gmp)
+add_library(libration-headers INTERFACE)
+add_library(libration::headers ALIAS libration-headers)
+set_target_properties(libration-headers PROPERTIES EXPORT_NAME headers)
+target_compile_features(libration-headers INTERFACE cxx_std_20)
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/libration/*.hpp)
+set(proved_headers ${headers})
+list(FILTER proved_headers INCLUDE REGEX "/(ball|proved)/|/proved\\.hpp$")
+list(FILTER headers EXCLUDE REGEX "/(ball|proved)/|/proved\\.hpp$")
+# Each header of a set compiles alone, which the target all_verify_interface_header_sets of the preset `lint` shows.
+target_sources(libration-headers INTERFACE
+    FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${headers})
+target_link_libraries(libration-headers INTERFACE Boost::headers PkgConfig::mpfr PkgConfig::gmp)
 
 # quad is __float128 where GCC brings libquadmath (not on every processor); the header finds out by itself through
 # __has_include(<quadmath.h>), so a user who compiles with clang gets the portable type and no library.
@@ -24,17 +33,36 @@ block()
         LIBRATION_HAS_QUADMATH)
 endblock()
 if(LIBRATION_HAS_QUADMATH)
-    target_link_libraries(libration INTERFACE $<$<CXX_COMPILER_ID:GNU>:quadmath>)
+    target_link_libraries(libration-headers INTERFACE $<$<CXX_COMPILER_ID:GNU>:quadmath>)
 endif()
+
+file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/libration/*.cpp)
+set(proved_sources ${library_sources})
+list(FILTER proved_sources INCLUDE REGEX "/(ball|proved)/")
+list(FILTER library_sources EXCLUDE REGEX "/(ball|proved)/")
+
+add_library(libration STATIC ${library_sources})
+add_library(libration::libration ALIAS libration)
+# The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
+target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
+set_target_properties(libration PROPERTIES UNITY_BUILD OFF)
+target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/precompiled.hpp)
+target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 
 # Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_package(FLINT 2.9 QUIET)
 if(FLINT_FOUND)
-    add_library(libration-ball INTERFACE)
-    add_library(libration::ball ALIAS libration-ball)
-    set_target_properties(libration-ball PROPERTIES EXPORT_NAME ball)
-    target_link_libraries(libration-ball INTERFACE libration FLINT::FLINT)
+    add_library(libration-proved STATIC ${proved_sources})
+    add_library(libration::proved ALIAS libration-proved)
+    add_library(libration::ball ALIAS libration-proved)
+    set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved UNITY_BUILD OFF)
+    target_link_libraries(libration-proved
+        PUBLIC libration FLINT::FLINT
+        PRIVATE $<BUILD_INTERFACE:libration-warnings>)
+    target_precompile_headers(libration-proved REUSE_FROM libration)
+    target_sources(libration-proved PUBLIC
+        FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${proved_headers})
 endif()
 
 include(CMakePackageConfigHelpers)
@@ -43,20 +71,21 @@ configure_package_config_file(cmake/libration-config.cmake.in
     ${PROJECT_BINARY_DIR}/libration-config.cmake
     INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/libration-config-version.cmake
-    COMPATIBILITY SameMinorVersion
-    ARCH_INDEPENDENT)
+    COMPATIBILITY SameMinorVersion)
 
 # Component "headers": what a C++ project needs. Component "command": the program and its figure scripts.
-install(TARGETS libration EXPORT libration-targets)
+install(TARGETS libration-headers libration
+    EXPORT libration-targets
+    ARCHIVE COMPONENT headers
+    FILE_SET headers COMPONENT headers)
 install(EXPORT libration-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
-install(DIRECTORY include/libration
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    COMPONENT headers
-    FILES_MATCHING PATTERN "*.hpp")
-if(TARGET libration-ball)
+if(TARGET libration-proved)
     # In a file of its own, which is read only where FLINT is found.
-    install(TARGETS libration-ball EXPORT libration-ball-targets)
-    install(EXPORT libration-ball-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
+    install(TARGETS libration-proved
+        EXPORT libration-proved-targets
+        ARCHIVE COMPONENT headers
+        FILE_SET headers COMPONENT headers)
+    install(EXPORT libration-proved-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
 endif()
 install(FILES
     cmake/FindFLINT.cmake

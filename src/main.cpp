@@ -6,19 +6,21 @@
 #include <exception>
 #include <vector>
 
-#include "provenance.hpp"
-#include "subcommand.hpp"
-#include "sweep/input_error.hpp"
+#include "libration/scalar/ball/quotient.hpp"
+#include "libration/scalar/error.hpp"
+#include "option/subcommand.hpp"
+#include "run/provenance.hpp"
+#include "text/input_error.hpp"
 
 namespace {
 
 constexpr int failed = 1;
 constexpr int bad_input = 2;
 
-// One line, whatever the message quotes.
+// One line, whatever the message quotes, and no control characters.
 int complain(std::string message, int code) {
     for (char& c : message) {
-        c = c == '\n' || c == '\r' ? ' ' : c;
+        c = (c >= '\0' && c < ' ') || c == '\x7f' ? ' ' : c;
     }
     fmt::print(stderr, "libration: {}\n", message);
     return code;
@@ -48,6 +50,7 @@ int complain_of_usage(const CLI::App& program, const CLI::ParseError& problem) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
     CLI::App program("Exact power-series solutions of the nonlinear pendulum, in any arithmetic.", "libration");
     program.set_version_flag("--version", libration::version_text());
     program.require_subcommand(1);
@@ -73,8 +76,13 @@ int main(int argc, char** argv) {
         }
     } catch (const libration::input_error& problem) {
         return complain(problem.what(), bad_input);
-    } catch (const std::range_error& problem) {
-        return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
+    } catch (const libration::error& problem) {
+        switch (problem.kind()) {
+            case libration::error_kind::undecided: return complain(problem.what(), failed);
+            case libration::error_kind::range:
+                return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
+            default: return complain(problem.what(), bad_input);
+        }
     } catch (const std::bad_alloc&) {
         return complain("out of memory: ask for fewer digits, powers or times", failed);
     } catch (const std::exception& problem) {

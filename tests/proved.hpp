@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "libration/scalar/ball.hpp"
-#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/ball/ball.hpp"
+#include "libration/scalar/text/decimal.hpp"
 #include "scalars.hpp"
 
 namespace libration::tests {

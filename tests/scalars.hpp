@@ -7,8 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "libration/scalar/concept.hpp"
-#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/scalar.hpp"
+#include "libration/scalar/exact.hpp"
+#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::tests {
 

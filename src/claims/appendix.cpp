@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "claims/claim.hpp"
-#include "claims/way_down.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "claims/sampled_arc.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 
 namespace libration {
+
+using namespace series;
 
 using namespace judging;
 
@@ -39,14 +41,14 @@ jet<mpfr> sigma_as_printed(const std::vector<mpfr>& a, const mpfr& t) {
     return {sum * pow(t, order), sum * pow(t, order - 1) * order};
 }
 
-std::vector<mpfr> unscaled(const way_down& way, int order) {
-    return rescale(way.series(order), mpfr(1 / way.period())).coefficients();
+std::vector<mpfr> unscaled(const sampled_arc& arc, int order) {
+    return rescale(arc.series(order), mpfr(1 / arc.period())).coefficients();
 }
 
 // The norm of theta_N - theta where theta_N is in powers of t.
-mpfr norm_of(const way_down& way, const appendix_form& form) {
-    const truncated_series<mpfr> scaled(rescale(power_series<mpfr>(form.coefficients), way.period()), mpfr(1));
-    return way.error_norm(scaled);
+mpfr norm_of(const sampled_arc& arc, const appendix_form& form) {
+    const truncated_series<mpfr> scaled(rescale(power_series<mpfr>(form.coefficients), arc.period()), mpfr(1));
+    return arc.error_norm(scaled);
 }
 
 claim appendix_sigma() {
@@ -60,13 +62,13 @@ claim appendix_sigma() {
             .command = "./run claims appendix_sigma",
             .measure = [] {
                 const int order = 10;
-                const way_down way(of_energy("1.71"));
-                const auto a = unscaled(way, order);
-                const mpfr& t = way.period();
-                const mpfr speed = -way.fastest();
-                const mpfr printed = norm_of(way, {a, t, speed, sigma_as_printed(a, t)});
-                const mpfr corrected = norm_of(way, {a, t, speed, sigma_of(a, t)});
-                const mpfr bound = way.bound(order);
+                const sampled_arc arc(of_energy("1.71"));
+                const auto a = unscaled(arc, order);
+                const mpfr& t = arc.period();
+                const mpfr speed = -arc.fastest();
+                const mpfr printed = norm_of(arc, {a, t, speed, sigma_as_printed(a, t)});
+                const mpfr corrected = norm_of(arc, {a, t, speed, sigma_of(a, t)});
+                const mpfr bound = arc.bound(order);
                 return by_tests(printed < bound, corrected < bound, printed);
             }};
 }
@@ -84,14 +86,14 @@ claim appendix_alpha_beta() {
         .command = "./run claims appendix_alpha_beta",
         .measure = [] {
             const int order = 11;
-            const way_down way(of_energy("2.02"));
-            const auto a = unscaled(way, order);
-            const mpfr& t = way.period();
+            const sampled_arc arc(of_energy("2.02"));
+            const auto a = unscaled(arc, order);
+            const mpfr& t = arc.period();
             jet<mpfr> sigma = sigma_of(a, t);
-            const mpfr printed = norm_of(way, {a, t, way.fastest(), sigma});
+            const mpfr printed = norm_of(arc, {a, t, arc.fastest(), sigma});
             sigma.value -= pi<mpfr>() * 2;
-            const mpfr corrected = norm_of(way, {a, t, way.fastest(), sigma});
-            const mpfr bound = way.bound(order);
+            const mpfr corrected = norm_of(arc, {a, t, arc.fastest(), sigma});
+            const mpfr bound = arc.bound(order);
             return by_tests(printed < bound, corrected < bound, printed);
         }};
 }
@@ -108,10 +110,10 @@ claim appendix_conditions() {
             .command = "./run claims appendix_conditions",
             .measure = [] {
                 const int order = 10;
-                const way_down way(of_energy("1.71"));
-                const auto a = way.series(order);
+                const sampled_arc arc(of_energy("1.71"));
+                const auto a = arc.series(order);
                 // In x = t/T*: A and B with (N+1) A + (N+2) B = slope, (N+1) N A + (N+2)(N+1) B = curvature.
-                mpfr slope = -way.fastest() * way.period();
+                mpfr slope = -arc.fastest() * arc.period();
                 mpfr curvature(0);
                 mpfr value(0);
                 for (int n = 0; n <= order; ++n) {
@@ -122,7 +124,7 @@ claim appendix_conditions() {
                 const mpfr second = (curvature - slope * order) / (order + 2);
                 const mpfr first = (slope - second * (order + 2)) / (order + 1);
                 const mpfr end = value + first + second;
-                const mpfr printed = way.resummed(order)(mpfr(1)).value;
+                const mpfr printed = arc.resummed(order)(mpfr(1)).value;
                 return by_tests(abs(end) < epsilon<mpfr>() * 10000, abs(printed) < epsilon<mpfr>() * 10000, end);
             }};
 }
@@ -136,12 +138,12 @@ claim appendix_same_polynomial() {
             .command = "./run claims appendix_same_polynomial",
             .measure = [] {
                 const int order = 20;
-                const way_down way(of_energy("1.71"));
-                const auto a = unscaled(way, order);
-                const mpfr& t = way.period();
-                const appendix_form form(a, t, mpfr(-way.fastest()), sigma_of(a, t));
+                const sampled_arc arc(of_energy("1.71"));
+                const auto a = unscaled(arc, order);
+                const mpfr& t = arc.period();
+                const appendix_form form(a, t, mpfr(-arc.fastest()), sigma_of(a, t));
                 const truncated_series<mpfr> corrected(rescale(power_series<mpfr>(form.coefficients), t), mpfr(1));
-                const auto factored = way.resummed(order);
+                const auto factored = arc.resummed(order);
                 mpfr largest = epsilon<mpfr>();
                 for (int i = 0; i <= 20; ++i) {
                     const mpfr x = mpfr(i) / 20;
@@ -165,9 +167,9 @@ claim appendix_second_product() {
         .command = "./run claims appendix_second_product",
         .measure = [] {
             const int order = 100;
-            const way_down way(of_energy("1.71"));
-            const std::vector<mpfr> end{mpfr(0), mpfr(-way.fastest() * way.period())};
-            const auto series = way.series(order);
+            const sampled_arc arc(of_energy("1.71"));
+            const std::vector<mpfr> end{mpfr(0), mpfr(-arc.fastest() * arc.period())};
+            const auto series = arc.series(order);
             const auto sums = inner_series(series, end);
             const auto product = inner_series_by_convolution(series, end);
             mpfr largest = epsilon<mpfr>();
@@ -213,14 +215,14 @@ claim appendix_range() {
             .command = "./run study error_norm --gaps 1e-10 --orders 273,274 --scalar mpfr:20",
             .measure = [] {
                 const precision_scope enough(30);
-                const way_down way(of_gap("1e-10"));
+                const sampled_arc arc(of_gap("1e-10"));
                 const mpfr largest = mpfr(std::numeric_limits<double>::max());
                 int order = 0;
-                for (mpfr power = way.period(); power <= largest; power *= way.period()) {
+                for (mpfr power = arc.period(); power <= largest; power *= arc.period()) {
                     ++order;
                 }
-                const mpfr error = way.error_at(way.resummed(order), mpfr(mpfr(99) / 100));
-                const auto scaled = way.series(400);
+                const mpfr error = arc.error_at(arc.resummed(order), mpfr(mpfr(99) / 100));
+                const auto scaled = arc.series(400);
                 mpfr widest(0);
                 for (int n = 0; n <= 400; ++n) {
                     widest = std::max(widest, mpfr(abs(scaled[n])));

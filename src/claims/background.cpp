@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 
 namespace libration {
+
+using namespace pendulum;
 
 namespace {
 
@@ -23,8 +25,8 @@ claim dimensionless_equation() {
             "",
             "./run trajectory --theta0 1 --omega0 1/2 --length 1/4 --gravity 9.81 --times 0:2:5",
             [] {
-                const mpfr stiffness = number("9.81") * 4;
-                const mpfr rate = sqrt(stiffness);
+                const mpfr squared_frequency = number("9.81") * 4;
+                const mpfr rate = sqrt(squared_frequency);
                 const mpfr step = pow(mpfr(10), -12);
                 mpfr largest(0);
                 for (int i = 1; i <= 10; ++i) {
@@ -32,7 +34,7 @@ claim dimensionless_equation() {
                         return by_flow(mpfr(1), 1 / (rate * 2), (mpfr(i) / 5 + step * j) * rate).value;
                     };
                     const mpfr acceleration = (theta(1) - theta(0) * 2 + theta(-1)) / (step * step);
-                    largest = std::max(largest, mpfr(abs(acceleration + stiffness * sin(theta(0)))));
+                    largest = std::max(largest, mpfr(abs(acceleration + squared_frequency * sin(theta(0)))));
                 }
                 return by_test(largest < pow(mpfr(10), -18), largest);  // the differences leave theta'''' step^2/12
             }};
@@ -184,12 +186,12 @@ claim all_motions_pass_the_bottom() {
                 {{"1", "1/2"}, {"2.5", "-0.3"}, {"-3", "0.1"}, {"3", "1"}, {"-1", "-4"}, {"120deg", "-1"}}};
             for (const auto& [theta0, omega0] : states) {
                 const motion m = of_state(theta0, omega0);
-                const auto p = timeline<mpfr>(m).at(exact{});
+                const auto p = phase_map<mpfr>(m).at(exact{});
                 const auto pair = energies<mpfr>(m);
                 const bool free = at_critical_energy(m.regime());
                 const mpfr since = free ? p.offset
                                         : mpfr(p.offset + from_rational<mpfr>(rational(p.quarter)) *
-                                                              effective_period(orbit_of<mpfr>(m)));
+                                                              effective_period(energy_level_of<mpfr>(m)));
                 const int d = m.regime() == regime::libration ? 1 : m.direction();
                 const auto there = by_flow(mpfr(0), sqrt(pair.energy * 2) * d, since);
                 largest = std::max({largest, mpfr(abs(there.value - from_exact<mpfr>(read_exact(theta0)))),
@@ -229,8 +231,8 @@ claim one_series_for_all_time() {
         "E = 1 the terms at t = 3T/8 grow without end.",
         "./run coefficients --energy 1 --order 20",
         [] {
-            const auto way = descent_of<mpfr>(of_energy("1"));
-            const auto a = descent_series(way, 203);  // a_n T*^n
+            const auto arc = arc_of<mpfr>(of_energy("1"));
+            const auto a = arc_series(arc, 203);  // a_n T*^n
             mpfr largest(0);
             mpfr inside(0);
             for (int n = 200; n <= 203; ++n) {
@@ -250,12 +252,12 @@ claim abstract_uniform_acceleration() {
             "t^(N+1), that of the series with t^(N+2). At E = 1.71, N = 10 and t = T*/10 it is 2.7 times as large.",
             "./run study error_norm --energies 1.71 --orders 10",
             [] {
-                const auto way = descent_of<mpfr>(of_energy("1.71"));
+                const auto arc = arc_of<mpfr>(of_energy("1.71"));
                 const auto top = top_of(number("1.71"));
                 const auto ratio_at = [&](const mpfr& x) {
-                    const mpfr theta = by_flow(top.value, top.slope, x * way.effective_period).value;
-                    return mpfr(abs(resummation_from_top(way, 10)(x).value - theta) /
-                                abs(series_from_top(way, 10)(x).value - theta));
+                    const mpfr theta = by_flow(top.value, top.slope, x * arc.effective_period).value;
+                    return mpfr(abs(resummation_from_top(arc, 10)(x).value - theta) /
+                                abs(series_from_top(arc, 10)(x).value - theta));
                 };
                 const mpfr early = ratio_at(mpfr(1) / 10);
                 return by_test(early < 1, early);

@@ -4,9 +4,12 @@
 
 #include "claims/claim.hpp"
 #include "claims/judging.hpp"
-#include "libration/pendulum/descent_approximations.hpp"
+#include "libration/pendulum/error/arc_approximations.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace pendulum;
 
 using namespace judging;
 
@@ -28,7 +31,7 @@ std::vector<motion> all_energies() {
 // The error norm of the uniform resummation to the power N, at digits enough for it.
 mpfr uniform_norm(const motion& m, int order) {
     const precision_scope enough(uniform_digits_below(m, order) + 20);
-    return descent_errors(m).norm_of(uniform_from_top<mpfr>(m, order), order).norm;
+    return arc_errors(m).norm_of(uniform_from_top<mpfr>(m, order), order).norm;
 }
 
 claim uniform_rate_below_third() {
@@ -120,11 +123,11 @@ claim resummation_keeps_the_rate() {
         .measure = [] {
             const motion m = of_energy("1.71");
             const precision_scope enough(100);
-            descent_errors errors(m);
+            arc_errors errors(m);
             const auto largest = [&](int order) {
                 mpfr all(0);
                 for (int n = order; n < order + 6; ++n) {
-                    all = std::max(all, errors.norm(descent_method::resummed, n).norm);
+                    all = std::max(all, errors.norm(arc_method::resummed, n).norm);
                 }
                 return all;
             };
@@ -147,14 +150,14 @@ claim two_point_diverges() {
             .measure = [] {
                 const precision_scope enough(120);
                 const auto growth = [](const motion& m) {
-                    descent_errors errors(m);
+                    arc_errors errors(m);
                     const auto norm = [&](int n) {
-                        return errors.norm_of(two_point_from_top(errors.way(), n), 2 * n).norm;
+                        return errors.norm_of(two_point_from_top(errors.arc(), n), 2 * n).norm;
                     };
                     return mpfr(norm(80) / norm(40));
                 };
                 const auto rate = [](const motion& m) {
-                    return two_point_rate(top_bounds<mpfr>::of(orbit_of<mpfr>(m)));
+                    return two_point_rate(top_bounds<mpfr>::of(energy_level_of<mpfr>(m)));
                 };
                 const bool edge = rate(of_gap("7.75e-5")) < 1 && rate(of_gap("7.74e-5")) > 1;
                 const mpfr grown = growth(of_gap("1e-6"));

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/scalar/decimal.hpp"
-#include "sweep/parallel.hpp"
+#include "run/parallel.hpp"
+#include "text/table.hpp"
 
 namespace libration {
 
@@ -51,20 +51,19 @@ std::vector<judged_claim> judge(const std::vector<claim>& claims, int jobs) {
 }
 
 table claims_table(const std::vector<judged_claim>& judged) {
-    table result{{{"claim", "name, also of the test"},
+    table result({{"claim", "name, also of the test"},
                   {"label", "where it stands in the paper's source"},
                   {"statement", "in our words"},
                   {"verdict", "holds | holds with correction | fails"},
                   {"number", "the measured number, to 3 digits"},
                   {"measured", "what the number is"},
                   {"correction", "what is true instead"},
-                  {"command", "shows it"}},
-                 {}};
+                  {"command", "shows it"}});
     constexpr long shown_digits = 3;
     for (const judged_claim& each : judged) {
         const claim& c = *each.of;
-        result.rows.push_back({c.name, c.label, c.statement, name_of(each.found.verdict),
-                               to_decimal(each.found.number, shown_digits), c.number, c.correction, c.command});
+        result.add_row({c.name, c.label, c.statement, name_of(each.found.verdict),
+                        decimal_cell(each.found.number, shown_digits), c.number, c.correction, c.command});
     }
     return result;
 }

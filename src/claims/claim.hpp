@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "libration/scalar/mpfr.hpp"
-#include "sweep/table.hpp"
 
 namespace libration {
+
+class table;
 
 /// What the measurement says of a statement.
 enum class verdict {

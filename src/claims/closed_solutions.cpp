@@ -2,9 +2,13 @@
 #include <algorithm>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/critical_formula.hpp"
+#include "libration/pendulum/solution/critical_formula.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
 
 namespace {
 

@@ -4,12 +4,16 @@
 #include <string_view>
 
 #include "claims/claim.hpp"
-#include "claims/way_down.hpp"
+#include "claims/sampled_arc.hpp"
 #include "libration/convergence/radius_report.hpp"
-#include "libration/pendulum/expansion.hpp"
-#include "libration/pendulum/periodic_extension.hpp"
+#include "libration/pendulum/arc/periodic_extension.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
 
 using namespace judging;
 
@@ -28,14 +32,14 @@ claim converges_beyond_bottom() {
                 const precision_scope enough(150);
                 mpfr smallest(1000);
                 for (const std::string_view energy : {"0.1", "1", "1.71", "4", "100", "2.0000000001"}) {
-                    smallest = std::min(smallest, mpfr(1 / way_down(of_energy(energy)).rho()));
+                    smallest = std::min(smallest, mpfr(1 / sampled_arc(of_energy(energy)).rho()));
                 }
                 for (const std::string_view gap : {"1e-10", "1e-100"}) {
-                    smallest = std::min(smallest, mpfr(1 / way_down(of_gap(gap)).rho()));
+                    smallest = std::min(smallest, mpfr(1 / sampled_arc(of_gap(gap)).rho()));
                 }
                 // R is the distance of the singularities; that the series does converge there is in the coefficients.
-                const way_down way(of_energy("1.71"));
-                const bool terms_fall = abs(way.series(200)[200]) < abs(way.series(100)[100]) / 1000;
+                const sampled_arc arc(of_energy("1.71"));
+                const bool terms_fall = abs(arc.series(200)[200]) < abs(arc.series(100)[100]) / 1000;
                 const mpfr beyond = smallest - 1;
                 return by_tests(beyond > 0 && terms_fall, false, beyond);
             }};
@@ -55,11 +59,11 @@ claim optimal_at_top() {
                 bool largest_at_top = true;
                 mpfr ratio;
                 for (const std::string_view energy : {"0.5", "4", "1.71"}) {
-                    const way_down way(of_energy(energy));
-                    const mpfr half = way.period() / 2;
-                    const mpfr radius = sqrt(half * half + way.height() * way.height());
-                    largest_at_top = largest_at_top && radius < way.radius();
-                    ratio = half / radius / way.rho();
+                    const sampled_arc arc(of_energy(energy));
+                    const mpfr half = arc.period() / 2;
+                    const mpfr radius = sqrt(half * half + arc.height() * arc.height());
+                    largest_at_top = largest_at_top && radius < arc.radius();
+                    ratio = half / radius / arc.rho();
                 }
                 return by_tests(ratio > 1, largest_at_top, ratio);
             }};
@@ -77,7 +81,7 @@ claim better_at_every_truncation() {
                 "the norm (the factor is 1.46 at least, at E = 1.34, N = 2).",
             .command = "./run study error_norm --gaps 1e-8,1e-15 --orders 0,1 --scalar mpfr:20",
             .measure = [] {
-                const way_down near(of_gap("1e-8"));
+                const sampled_arc near(of_gap("1e-8"));
                 const mpfr ratio = near.error_norm(near.cut(0)) / near.error_norm(near.resummed(0));
                 return by_tests(ratio > 1, false, ratio);
             }};
@@ -94,10 +98,10 @@ claim better_at_every_time() {
                 "at E = 1.71 and t = T*/100 the errors are 2.7e-3 and 2.0e-4.",
             .command = "./run trajectory --energy 1.71 --method resummed --order 4 --times T/400",
             .measure = [] {
-                const way_down way(of_energy("1.71"));
+                const sampled_arc arc(of_energy("1.71"));
                 const mpfr x = mpfr(1) / 100;
-                const mpfr ratio = way.error_at(way.resummed(4), x) / way.error_at(way.cut(4), x);
-                const bool in_the_norm = way.error_norm(way.resummed(4)) < way.error_norm(way.cut(4));
+                const mpfr ratio = arc.error_at(arc.resummed(4), x) / arc.error_at(arc.cut(4), x);
+                const bool in_the_norm = arc.error_norm(arc.resummed(4)) < arc.error_norm(arc.cut(4));
                 return by_tests(ratio < 1, in_the_norm, ratio);
             }};
 }
@@ -111,11 +115,11 @@ claim all_times() {
             .command = "./run trajectory --energy 1.71 --method resummed --order 20 --times 1002",
             .measure = [] {
                 const motion m = of_energy("1.71");
-                const way_down way(m);
-                const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m, way.resummed(20));
+                const sampled_arc arc(m);
+                const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m, arc.resummed(20));
                 const exact late = read_exact("1002");
                 const mpfr error = abs(extended(late).value - exact_solution<mpfr>(m)(late).theta);
-                return by_tests(error < way.error_norm(way.resummed(20)) * 2, false, error);
+                return by_tests(error < arc.error_norm(arc.resummed(20)) * 2, false, error);
             }};
 }
 
@@ -231,7 +235,7 @@ mpfr deduced_radius(const motion& m, const rational& x) {
     const expansion_point point{expansion_point::place::time,
                                 {rational(x / quarters_per_period(m.regime())), unit::period, ""}};
     const phase<mpfr> at = phase_of(point, solution);
-    const mpfr tstar = effective_period(orbit_of<mpfr>(m));
+    const mpfr tstar = effective_period(energy_level_of<mpfr>(m));
     const auto a = taylor_coefficients(start_at(solution, at), 60, tstar);
     const auto report = report_on_radius(a, mpfr(pow(mpfr(10), -40)));
     return *report.verdict.radius * tstar;
@@ -249,11 +253,11 @@ claim expansion_point_deduced() {
                 mpfr worst(0);
                 bool largest_at_top = true;
                 for (const std::string_view energy : {"0.5", "1.71", "4"}) {
-                    const way_down way(of_energy(energy));
+                    const sampled_arc arc(of_energy(energy));
                     mpfr before(1000);
                     for (int quarter = 0; quarter <= 4; ++quarter) {
-                        const mpfr away = way.period() * (4 - quarter) / 4;
-                        const mpfr exact = sqrt(away * away + way.height() * way.height());
+                        const mpfr away = arc.period() * (4 - quarter) / 4;
+                        const mpfr exact = sqrt(away * away + arc.height() * arc.height());
                         const mpfr deduced = deduced_radius(of_energy(energy), rational(quarter, 4));
                         worst = std::max(worst, mpfr(abs(deduced / exact - 1)));
                         largest_at_top = largest_at_top && deduced < before;

@@ -4,9 +4,12 @@
 
 #include "claims/judging.hpp"
 #include "libration/elliptic/incomplete_integral.hpp"
-#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/solution/exact_solution.hpp"
 
 namespace libration {
+
+using namespace elliptic;
+using namespace pendulum;
 
 namespace {
 
@@ -128,7 +131,7 @@ claim infinite_period() {
                 mpfr smallest(10);
                 for (const char* gap : {"1e-10", "-1e-10", "1e-30", "-1e-30"}) {
                     const rational g = fraction(gap);
-                    const mpfr time = effective_period(orbit_of<mpfr>(motion::of_energy(rational(2 - g))));
+                    const mpfr time = effective_period(energy_level_of<mpfr>(motion::of_energy(rational(2 - g))));
                     const mpfr growth = log(32 / abs(from_rational<mpfr>(g))) / 2;
                     smallest = std::min(smallest, mpfr(time / growth));
                 }

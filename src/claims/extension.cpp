@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/error_norm.hpp"
-#include "libration/pendulum/singularities.hpp"
+#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/singularity/singularities.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace pendulum;
 
 namespace {
 
@@ -16,19 +19,19 @@ using namespace judging;
 // are below 1e-45 at T*.
 class top_series {
 public:
-    explicit top_series(const char* energy, int direction = 1) : way_(descent_of<mpfr>(of_energy(energy))) {
-        const mpfr height = singularity_height(way_.o) / way_.effective_period;
+    explicit top_series(const char* energy, int direction = 1) : arc_(arc_of<mpfr>(of_energy(energy))) {
+        const mpfr height = singularity_height(arc_.level) / arc_.effective_period;
         const mpfr rate = log(1 + height * height) / 2;  // log(R/T*)
         const int order = nearest_integer(45 * log(mpfr(10)) / rate).convert_to<int>() + 2;
-        way_.top.omega *= direction;
-        a_ = descent_series(way_, order, recurrence::symmetric_squares);
+        arc_.top.omega *= direction;
+        a_ = arc_series(arc_, order, recurrence::symmetric_squares);
     }
 
-    const mpfr& duration() const { return way_.effective_period; }
+    const mpfr& duration() const { return arc_.effective_period; }
     mpfr operator()(const mpfr& t) const { return evaluate(a_, mpfr(t / duration())).value; }
 
 private:
-    descent<mpfr> way_;
+    fundamental_arc<mpfr> arc_;
     power_series<mpfr> a_;
 };
 
@@ -66,12 +69,12 @@ claim series_passes_the_bottom() {
             [] {
                 mpfr largest(0);
                 for (const char* energy : {"0.5", "1.71", "2.02", "8"}) {
-                    const auto way = descent_of<mpfr>(of_energy(energy));
-                    const mpfr height = singularity_height(way.o) / way.effective_period;
+                    const auto arc = arc_of<mpfr>(of_energy(energy));
+                    const mpfr height = singularity_height(arc.level) / arc.effective_period;
                     const mpfr x = (1 + sqrt(1 + height * height)) / 2;
-                    const mpfr sum = evaluate(descent_series(way, 1000), x).value;
+                    const mpfr sum = evaluate(arc_series(arc, 1000), x).value;
                     const auto top = top_of(number(energy));
-                    const mpfr theta = by_flow(top.value, top.slope, x * way.effective_period).value;
+                    const mpfr theta = by_flow(top.value, top.slope, x * arc.effective_period).value;
                     largest = std::max(largest, mpfr(abs(sum - theta)));
                 }
                 return by_test(largest < pow(mpfr(10), -15), largest);  // 0.96^1000 at E = 2.02
@@ -203,7 +206,7 @@ claim negative_times() {
             const mpfr corrected = std::max(
                 {extension_error("1.71", 1, -2), extension_error("2.02", 1, -2), extension_error("2.02", -1, -2)});
             const motion m = of_energy("1.71");
-            const mpfr radius = singularities<mpfr>(m)->radius(timeline<mpfr>::at_quarter(1));
+            const mpfr radius = singularities<mpfr>(m)->radius(phase_map<mpfr>::at_quarter(1));
             const mpfr asked = effective_period_of("1.71") * 3 / 2 / radius;
             return by_tests(asked < 1, corrected < negligible(), asked);
         }};
@@ -226,8 +229,8 @@ claim origin_shift() {
                 const mpfr printed = start - acos(1 - energy);
                 // The extended solution shifted by the time since the top, with the whole turn added.
                 const motion m = of_state("1/2", "1");
-                const auto since = timeline<mpfr>(m).at(exact{}).offset;
-                const auto o = orbit_of<mpfr>(m);
+                const auto since = phase_map<mpfr>(m).at(exact{}).offset;
+                const auto o = energy_level_of<mpfr>(m);
                 const auto top = top_of(energy);
                 const mpfr duration = effective_period(o);
                 mpfr corrected(0);
@@ -240,7 +243,7 @@ claim origin_shift() {
 }
 
 mpfr series_norm(const char* energy, int order) {
-    return descent_errors(of_energy(energy)).norm(descent_method::series, order).norm;
+    return arc_errors(of_energy(energy)).norm(arc_method::series, order).norm;
 }
 
 claim figure_libration_orders() {
@@ -313,13 +316,13 @@ claim error_grows_towards_separatrix() {
 
 // The first N from which on |theta(T*) - sum to N| stays below a bound, up to N = order.
 int terms_for(const char* energy, const mpfr& bound, int order) {
-    const auto way = descent_of<mpfr>(of_energy(energy));
-    const auto a = descent_series(way, order);
+    const auto arc = arc_of<mpfr>(of_energy(energy));
+    const auto a = arc_series(arc, order);
     mpfr sum(0);
     int needed = 0;
     for (int n = 0; n <= order; ++n) {
         sum += a[n];
-        if (abs(sum - way.bottom.value) > bound) {
+        if (abs(sum - arc.bottom.value) > bound) {
             needed = n + 1;
         }
     }

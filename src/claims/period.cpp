@@ -4,9 +4,13 @@
 #include <string_view>
 
 #include "claims/claim.hpp"
-#include "claims/way_down.hpp"
+#include "claims/sampled_arc.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace elliptic;
+using namespace pendulum;
 
 using namespace judging;
 
@@ -70,7 +74,7 @@ claim kold_domain() {
             .measure = [] {
                 bool periodic = true;
                 for (const std::string_view energy : {"0", "1e-6", "1", "1.71", "1.999999", "2.000001", "4", "1e6"}) {
-                    const mpfr k = orbit_of<mpfr>(of_energy(energy)).shape.k;
+                    const mpfr k = energy_level_of<mpfr>(of_energy(energy)).modulus.k;
                     periodic = periodic && k * k < 1;
                 }
                 const mpfr largest = energies<mpfr>(of_energy("2")).energy / 2;
@@ -93,7 +97,7 @@ claim kold_towards_separatrix() {
                         mpfr before(0);
                         for (const std::string_view gap : gaps) {
                             const rational away = read_exact(gap).coefficient * side;
-                            const auto o = orbit_of<mpfr>(motion::of_energy(rational(2 - away)));
+                            const auto o = energy_level_of<mpfr>(motion::of_energy(rational(2 - away)));
                             const mpfr now = abs(effective_period_series(o, order) - effective_period(o));
                             smallest = before == 0 ? smallest : std::min(smallest, mpfr(now / before));
                             before = now;
@@ -112,11 +116,11 @@ claim kold_hundred_terms() {
             .correction = "",
             .command = "./run period --theta0 0 --omega0 1.9999 --method series --order 65148",
             .measure = [] {
-                const auto o = orbit_of<mpfr>(motion::of_state(exact{}, read_exact("1.9999")));
-                const mpfr parameter = o.shape.k * o.shape.k;
+                const auto o = energy_level_of<mpfr>(motion::of_state(exact{}, read_exact("1.9999")));
+                const mpfr parameter = o.modulus.k * o.modulus.k;
                 const mpfr wanted = mpfr(1) / 10000;
                 mpfr term = pi<mpfr>() / 2;
-                mpfr rest = complete_integral(o.shape) - term;
+                mpfr rest = complete_integral(o.modulus) - term;
                 int order = 0;
                 while (rest > wanted) {
                     ++order;
@@ -243,8 +247,8 @@ claim knew_rapid() {
                 "digits after 10 steps.",
             .command = "./run period --gap 1e-12 --method resummed --order 100",
             .measure = [] {
-                const auto o = orbit_of<mpfr>(of_gap("1e-12"));
-                const mpfr ratio = new_error(o.shape, 800) / new_error(o.shape, 400);
+                const auto o = energy_level_of<mpfr>(of_gap("1e-12"));
+                const mpfr ratio = new_error(o.modulus, 800) / new_error(o.modulus, 400);
                 // Rapid would be a fixed factor for so many terms more; 1/(8N) only halves.
                 return by_tests(ratio < mpfr(1) / 1000, abs(ratio * 2 - 1) < mpfr(1) / 100, ratio);
             }};
@@ -309,8 +313,8 @@ claim figure_period() {
             .measure = [] {
                 mpfr smallest(1000);
                 for (const std::string_view speed : {"1.9999", "2.0001"}) {
-                    const auto o = orbit_of<mpfr>(motion::of_state(exact{}, read_exact(speed)));
-                    smallest = std::min(smallest, mpfr(old_error(o.shape, 100) / new_error(o.shape, 10)));
+                    const auto o = energy_level_of<mpfr>(motion::of_state(exact{}, read_exact(speed)));
+                    smallest = std::min(smallest, mpfr(old_error(o.modulus, 100) / new_error(o.modulus, 10)));
                 }
                 return by_tests(smallest > 1, false, smallest);
             }};
@@ -328,12 +332,12 @@ claim figure_period_drift() {
             .command = "./run period --theta0 0 --omega0 1.9999 --method resummed --order 10",
             .measure = [] {
                 const motion m = motion::of_state(exact{}, read_exact("1.9999"));
-                const way_down way(m);
-                const mpfr shift = new_error(way.of().shape, 10) * 4;
+                const sampled_arc arc(m);
+                const mpfr shift = new_error(arc.of().modulus, 10) * 4;
                 const auto error_after = [&](int periods) {
-                    const mpfr away = shift * periods / way.period();
+                    const mpfr away = shift * periods / arc.period();
                     const mpfr fast = mpfr(9) / 10;
-                    return mpfr(abs(way.exact(mpfr(fast - away)).value - way.exact(fast).value));
+                    return mpfr(abs(arc.exact(mpfr(fast - away)).value - arc.exact(fast).value));
                 };
                 const mpfr once = error_after(1);
                 return by_tests(error_after(100) < mpfr(1) / 10, once < mpfr(1) / 10, once);
@@ -351,11 +355,11 @@ claim period_analyticity() {
                 "a jump 2 |theta_N''(T*)| at each passage of the bottom, at E = 1.71 and N = 0 1.44.",
             .command = "./run claims period_analyticity",
             .measure = [] {
-                const way_down way(of_energy("1.71"));
+                const sampled_arc arc(of_energy("1.71"));
                 // After the bottom the extension is -theta(2T* - t): its second derivative there is the opposite one.
-                const mpfr inner = evaluate(way.resummed(10).inner(), mpfr(1)).value;
-                const mpfr jump = abs(inner) * 4 / (way.period() * way.period());
-                const mpfr later = abs(evaluate(way.resummed(80).inner(), mpfr(1)).value);
+                const mpfr inner = evaluate(arc.resummed(10).inner(), mpfr(1)).value;
+                const mpfr jump = abs(inner) * 4 / (arc.period() * arc.period());
+                const mpfr later = abs(evaluate(arc.resummed(80).inner(), mpfr(1)).value);
                 return by_tests(jump < epsilon<mpfr>() * 1000, later < abs(inner) / 100, jump);
             }};
 }
@@ -369,8 +373,8 @@ claim period_grows() {
             .command = "./run period --gap 1e-20",
             .measure = [] {
                 const mpfr gap = pow(mpfr(10), -20);
-                const mpfr rest = effective_period(orbit_of<mpfr>(of_gap("1e-20"))) - log(32 / gap) / 2;
-                const mpfr further = effective_period(orbit_of<mpfr>(of_gap("1e-40")));
+                const mpfr rest = effective_period(energy_level_of<mpfr>(of_gap("1e-20"))) - log(32 / gap) / 2;
+                const mpfr further = effective_period(energy_level_of<mpfr>(of_gap("1e-40")));
                 return by_tests(abs(rest) < mpfr(1) / 1000 && further > 45, false, rest);
             }};
 }

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "claims/claim.hpp"
-#include "claims/way_down.hpp"
+#include "claims/sampled_arc.hpp"
 
 namespace libration {
+
+using namespace series;
 
 using namespace judging;
 
@@ -23,9 +25,9 @@ claim omegab_libration() {
                 "omega(T*) = -1.4142.",
             .command = "./run trajectory --energy 1.71 --times 0,T/4",
             .measure = [] {
-                const way_down way(of_energy("1.71"));
-                const mpfr speed = way.exact(mpfr(1)).slope / way.period();
-                const mpfr ratio = speed / way.fastest();
+                const sampled_arc arc(of_energy("1.71"));
+                const mpfr speed = arc.exact(mpfr(1)).slope / arc.period();
+                const mpfr ratio = speed / arc.fastest();
                 const mpfr resolution = epsilon<mpfr>() * 100;
                 return by_tests(abs(ratio - 1) < resolution, abs(ratio + 1) < resolution, ratio);
             }};
@@ -42,8 +44,8 @@ claim omegab_rotation() {
                 mpfr ratio;
                 bool both = true;
                 for (const int direction : {1, -1}) {
-                    const way_down way(of_energy("2.02", direction));
-                    ratio = way.exact(mpfr(1)).slope / way.period() / way.fastest();
+                    const sampled_arc arc(of_energy("2.02", direction));
+                    ratio = arc.exact(mpfr(1)).slope / arc.period() / arc.fastest();
                     both = both && abs(ratio - direction) < epsilon<mpfr>() * 100;
                 }
                 return by_tests(both, false, ratio);
@@ -62,11 +64,11 @@ claim omegab_rate() {
         .command = "./run claims omegab_rate",
         .measure = [] {
             const int order = 100;
-            const way_down way(of_energy("1.71"));
-            const mpfr bound = way.bound(order);
-            const mpfr printed = way.error_norm(way.resummed(order, mpfr(0), way.fastest()));
-            const mpfr corrected = way.error_norm(way.resummed(order, mpfr(0), mpfr(-way.fastest())));
-            const mpfr slow = way.fastest() * way.period() * 2 / (exp(mpfr(1)) * order);
+            const sampled_arc arc(of_energy("1.71"));
+            const mpfr bound = arc.bound(order);
+            const mpfr printed = arc.error_norm(arc.resummed(order, mpfr(0), arc.fastest()));
+            const mpfr corrected = arc.error_norm(arc.resummed(order, mpfr(0), mpfr(-arc.fastest())));
+            const mpfr slow = arc.fastest() * arc.period() * 2 / (exp(mpfr(1)) * order);
             return by_tests(printed < bound, corrected < bound, printed / slow);
         }};
 }
@@ -82,10 +84,10 @@ claim resummation_counterclockwise() {
             .command = "./run trajectory --energy 2.02 --times 0,T/2",
             .measure = [] {
                 const int order = 20;
-                const way_down way(of_energy("2.02"));
-                const mpfr bound = way.bound(order);
-                const mpfr printed = way.error_norm(way.resummed(order, mpfr(0), way.fastest()));
-                const mpfr corrected = way.error_norm(way.resummed(order, mpfr(pi<mpfr>() * 2), way.fastest()));
+                const sampled_arc arc(of_energy("2.02"));
+                const mpfr bound = arc.bound(order);
+                const mpfr printed = arc.error_norm(arc.resummed(order, mpfr(0), arc.fastest()));
+                const mpfr corrected = arc.error_norm(arc.resummed(order, mpfr(pi<mpfr>() * 2), arc.fastest()));
                 return by_tests(printed < bound, corrected < bound, printed);
             }};
 }
@@ -99,9 +101,9 @@ claim resummation_clockwise() {
             .command = "./run trajectory --energy 2.02 --direction - --method resummed --order 40 --times T/4,T/2",
             .measure = [] {
                 const int order = 40;
-                const way_down way(of_energy("2.02", -1));
+                const sampled_arc arc(of_energy("2.02", -1));
                 const mpfr ratio =
-                    way.error_norm(way.resummed(order, mpfr(0), mpfr(-way.fastest()))) / way.bound(order);
+                    arc.error_norm(arc.resummed(order, mpfr(0), mpfr(-arc.fastest()))) / arc.bound(order);
                 return by_tests(ratio < 1, false, ratio);
             }};
 }
@@ -118,10 +120,10 @@ claim b_constants() {
                 "omega* = -sqrt(2E) below 2. As printed sum b_n T*^n = 2 pi at every E > 2.",
             .command = "./run claims b_constants",
             .measure = [] {
-                const way_down way(of_energy("2.02"));
+                const sampled_arc arc(of_energy("2.02"));
                 // The sum of all b_n T*^n is theta(T*) less the line there; of n b_n T*^n, its slope.
-                const jet<mpfr> bottom = way.exact(mpfr(1));
-                const mpfr slope = bottom.slope - way.fastest() * way.period();
+                const jet<mpfr> bottom = arc.exact(mpfr(1));
+                const mpfr slope = bottom.slope - arc.fastest() * arc.period();
                 const bool flat = abs(slope) < epsilon<mpfr>() * 100;
                 const mpfr rest = bottom.value - pi<mpfr>() * 2;
                 return by_tests(flat && abs(bottom.value) < epsilon<mpfr>() * 100,
@@ -154,7 +156,7 @@ claim square_expansion() {
             .correction = "",
             .command = "./run claims square_expansion",
             .measure = [] {
-                const mpfr period = way_down(of_energy("1.71")).period();
+                const mpfr period = sampled_arc(of_energy("1.71")).period();
                 const mpfr t = period / 2;
                 mpfr sum(0);
                 for (int n = 200; n >= 0; --n) {
@@ -174,15 +176,15 @@ claim approxcoeffs() {
             .command = "./run trajectory --energy 1.71 --method resummed --order 40 --times T/8,9T/40",
             .measure = [] {
                 const int order = 40;
-                const way_down way(of_energy("1.71"));
-                const mpfr speed = -way.fastest();
-                auto b = rescale(way.series(order), mpfr(1 / way.period())).coefficients();
-                b[0] += way.period() * speed;
+                const sampled_arc arc(of_energy("1.71"));
+                const mpfr speed = -arc.fastest();
+                auto b = rescale(arc.series(order), mpfr(1 / arc.period())).coefficients();
+                b[0] += arc.period() * speed;
                 b[1] -= speed;
-                auto ahat = ahat_by_the_formula(b, way.period());
+                auto ahat = ahat_by_the_formula(b, arc.period());
                 const mpfr place = mpfr(9) / 10;
-                const mpfr value = printed_sum(std::move(ahat), mpfr(way.period() * place), way.period(), speed);
-                const mpfr ratio = abs(value - way.exact(place).value) / way.bound(order);
+                const mpfr value = printed_sum(std::move(ahat), mpfr(arc.period() * place), arc.period(), speed);
+                const mpfr ratio = abs(value - arc.exact(place).value) / arc.bound(order);
                 return by_tests(ratio < 1, false, ratio);
             }};
 }
@@ -199,12 +201,12 @@ claim exact_resummation() {
             .command = "./run claims exact_resummation",
             .measure = [] {
                 const int order = 150;
-                const way_down way(of_energy("1.71"));
-                const auto printed = way.resummed(order, mpfr(0), way.fastest()).inner();
-                const auto corrected = way.resummed(order).inner();
-                const mpfr scale = way.fastest() * way.period() * 2;
+                const sampled_arc arc(of_energy("1.71"));
+                const auto printed = arc.resummed(order, mpfr(0), arc.fastest()).inner();
+                const auto corrected = arc.resummed(order).inner();
+                const mpfr scale = arc.fastest() * arc.period() * 2;
                 // |ahat_n T*^(n+2)| falls like (T*/R)^n where the radius is R; 100 leaves room for the constant.
-                const mpfr allowed = pow(way.rho(), order) * 100;
+                const mpfr allowed = pow(arc.rho(), order) * 100;
                 return by_tests(abs(printed[order]) < allowed, abs(corrected[order]) < allowed, printed[order] / scale);
             }};
 }
@@ -217,12 +219,12 @@ claim resummation_range() {
             .correction = "",
             .command = "./run claims resummation_range",
             .measure = [] {
-                const way_down way(of_energy("1.71"));
+                const sampled_arc arc(of_energy("1.71"));
                 // At -T* the monomial t^(N+1+j) leaves 2j - 1 + (-1)^j times itself: the rate stays, nothing is gained.
                 const mpfr there(-1);
-                const mpfr at_eighty = way.error_at(way.resummed(80), there);
-                const mpfr at_forty = way.error_at(way.resummed(40), there);
-                const mpfr rate = pow(way.rho(), 40);
+                const mpfr at_eighty = arc.error_at(arc.resummed(80), there);
+                const mpfr at_forty = arc.error_at(arc.resummed(40), there);
+                const mpfr rate = pow(arc.rho(), 40);
                 return by_tests(at_eighty < at_forty * rate * 10, false, at_eighty);
             }};
 }
@@ -239,11 +241,11 @@ claim enforced_at_top() {
             .command = "./run claims enforced_at_top",
             .measure = [] {
                 const int order = 10;
-                const way_down way(of_energy("1.71"));
-                const auto approximant = way.resummed(order);
+                const sampled_arc arc(of_energy("1.71"));
+                const auto approximant = arc.resummed(order);
                 const mpfr tiny = mpfr(1) / 1000;
                 const mpfr power =
-                    order_of_contact(way.error_at(approximant, mpfr(tiny / 10)), way.error_at(approximant, tiny));
+                    order_of_contact(arc.error_at(approximant, mpfr(tiny / 10)), arc.error_at(approximant, tiny));
                 return by_tests(abs(power - (order + 1)) < mpfr(1) / 100, false, power);
             }};
 }
@@ -257,19 +259,19 @@ claim enforced_at_bottom() {
             .command = "./run claims enforced_at_bottom",
             .measure = [] {
                 const int order = 10;
-                const way_down way(of_energy("1.71"));
-                const auto approximant = way.resummed(order);
+                const sampled_arc arc(of_energy("1.71"));
+                const auto approximant = arc.resummed(order);
                 const mpfr tiny = mpfr(1) / 10000;
-                const mpfr power = order_of_contact(way.error_at(approximant, mpfr(1 - tiny / 10)),
-                                                    way.error_at(approximant, mpfr(1 - tiny)));
-                const bool series_misses = way.error_at(way.cut(order), mpfr(1)) > mpfr(1) / 1000;
+                const mpfr power = order_of_contact(arc.error_at(approximant, mpfr(1 - tiny / 10)),
+                                                    arc.error_at(approximant, mpfr(1 - tiny)));
+                const bool series_misses = arc.error_at(arc.cut(order), mpfr(1)) > mpfr(1) / 1000;
                 return by_tests(abs(power - 2) < mpfr(1) / 100 && series_misses, false, power);
             }};
 }
 
 // theta_N''(T*) = 2 sum ahat_n T*^n.
-mpfr curvature_at_bottom(const way_down& way, int order) {
-    return evaluate(way.resummed(order).inner(), mpfr(1)).value * 2 / (way.period() * way.period());
+mpfr curvature_at_bottom(const sampled_arc& arc, int order) {
+    return evaluate(arc.resummed(order).inner(), mpfr(1)).value * 2 / (arc.period() * arc.period());
 }
 
 claim second_derivative() {
@@ -282,14 +284,14 @@ claim second_derivative() {
                 "equation, but theta_N''(T*) = 2 sum ahat_n T*^n is not; at E = 1.71 and N = 0 it is -0.722.",
             .command = "./run claims second_derivative",
             .measure = [] {
-                const way_down way(of_energy("1.71"));
+                const sampled_arc arc(of_energy("1.71"));
                 const int order = 10;
-                const jet<mpfr> end = way.resummed(order)(mpfr(1));
-                const jet<mpfr> bottom = way.exact(mpfr(1));
+                const jet<mpfr> end = arc.resummed(order)(mpfr(1));
+                const jet<mpfr> bottom = arc.exact(mpfr(1));
                 const mpfr resolution = epsilon<mpfr>() * 10000;  // sums of 10 terms of size 1
                 const bool tangent =
                     abs(end.value - bottom.value) < resolution && abs(end.slope - bottom.slope) < resolution;
-                const mpfr curvature = curvature_at_bottom(way, order);
+                const mpfr curvature = curvature_at_bottom(arc, order);
                 return by_tests(tangent && abs(curvature) < resolution, tangent, curvature);
             }};
 }

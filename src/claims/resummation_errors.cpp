@@ -4,10 +4,13 @@
 #include <vector>
 
 #include "claims/claim.hpp"
-#include "claims/way_down.hpp"
-#include "libration/pendulum/runge_kutta.hpp"
+#include "claims/sampled_arc.hpp"
+#include "libration/ode/runge_kutta.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace pendulum;
 
 using namespace judging;
 
@@ -23,15 +26,15 @@ claim acceleration_rate() {
                 "about (e^2/4)(K~'/T*)^2 N^2 (0.5 to 4.9 times that), which is algebraic.",
             .command = "./run study error_norm --energies 1.71 --orders 40,80 --scalar mpfr:20",
             .measure = [] {
-                const way_down way(of_energy("1.71"));
+                const sampled_arc arc(of_energy("1.71"));
                 // The larger one of two orders: one alone may be near a zero of sin(n phi).
                 const auto rate = [](const auto& norm) {
                     const mpfr early = std::max(norm(40), norm(42));
                     const mpfr late = std::max(norm(80), norm(82));
                     return pow(mpfr(late / early), mpfr(mpfr(1) / 40));
                 };
-                const auto series_norm = [&](int n) { return way.error_norm(way.cut(n)); };
-                const auto resummed_norm = [&](int n) { return way.error_norm(way.resummed(n)); };
+                const auto series_norm = [&](int n) { return arc.error_norm(arc.cut(n)); };
+                const auto resummed_norm = [&](int n) { return arc.error_norm(arc.resummed(n)); };
                 const mpfr ratio = rate(resummed_norm) / rate(series_norm);
                 const mpfr gain = series_norm(80) / resummed_norm(80);
                 const bool faster = ratio < mpfr(95) / 100;
@@ -54,9 +57,9 @@ claim every_energy() {
             for (const std::string_view energy : {"1e-3", "1", "4", "100", "1.9999", "2.0001"}) {
                 // The digits that the error falls below theta, where the rate is fastest: (T*/R)^160 at E = 1e-3.
                 const precision_scope deeper(200);
-                const way_down way(of_energy(energy));
-                slowest = std::max(slowest, mpfr(way.error_at(way.resummed(160), mpfr(3) / 4) /
-                                                 way.error_at(way.resummed(80), mpfr(3) / 4)));
+                const sampled_arc arc(of_energy(energy));
+                slowest = std::max(slowest, mpfr(arc.error_at(arc.resummed(160), mpfr(3) / 4) /
+                                                 arc.error_at(arc.resummed(80), mpfr(3) / 4)));
             }
             return by_tests(slowest < mpfr(1) / 100, false, slowest);
         }};
@@ -76,10 +79,10 @@ claim error_gain() {
         .measure = [] {
             mpfr smallest(1000);
             for (const std::string_view energy : {"0.5", "1", "1.34", "1.71", "1.9", "1.99", "2.01", "2.1", "3", "4"}) {
-                const way_down way(of_energy(energy));
+                const sampled_arc arc(of_energy(energy));
                 for (const int order : {2, 5, 10, 20}) {
                     smallest =
-                        std::min(smallest, mpfr(way.error_norm(way.cut(order)) / way.error_norm(way.resummed(order))));
+                        std::min(smallest, mpfr(arc.error_norm(arc.cut(order)) / arc.error_norm(arc.resummed(order))));
                 }
             }
             return by_tests(smallest > 1, false, smallest);
@@ -98,8 +101,8 @@ claim error_monotone() {
             .command = "./run study error_norm --energies 1.75,1.8,1.85,1.9 --orders 5 --scalar mpfr:20",
             .measure = [] {
                 const auto norm = [](std::string_view energy) {
-                    const way_down way(of_energy(energy));
-                    return way.error_norm(way.resummed(5));
+                    const sampled_arc arc(of_energy(energy));
+                    return arc.error_norm(arc.resummed(5));
                 };
                 const mpfr ratio = norm("1.90") / norm("1.85");
                 return by_tests(ratio >= 1, norm("1.99") > norm("1.5"), ratio);
@@ -172,10 +175,10 @@ claim fewer_orders() {
             .correction = "",
             .command = "./run study error_norm --gaps 2e-4 --orders 10,20,30,40,50,60 --scalar mpfr:20",
             .measure = [] {
-                const way_down way(of_energy("1.9998"));
+                const sampled_arc arc(of_energy("1.9998"));
                 const mpfr below = mpfr(1) / 100;
-                const int series = order_needed([&](int n) { return way.error_norm(way.cut(n)); }, below);
-                const int resummed = order_needed([&](int n) { return way.error_norm(way.resummed(n)); }, below);
+                const int series = order_needed([&](int n) { return arc.error_norm(arc.cut(n)); }, below);
+                const int resummed = order_needed([&](int n) { return arc.error_norm(arc.resummed(n)); }, below);
                 return by_tests(series > resummed, false, mpfr(series) / resummed);
             }};
 }
@@ -189,11 +192,11 @@ claim figure_orders() {
         .correction = "",
         .command = "./run study error_norm --gaps 2e-4 --orders 5,10,20 --scalar mpfr:20",
         .measure = [] {
-            const way_down way(of_energy("1.9998"));
+            const sampled_arc arc(of_energy("1.9998"));
             mpfr smallest(1000);
             for (const int order : {5, 10, 20}) {
                 smallest =
-                    std::min(smallest, mpfr(way.error_norm(way.cut(order)) / way.error_norm(way.resummed(order))));
+                    std::min(smallest, mpfr(arc.error_norm(arc.cut(order)) / arc.error_norm(arc.resummed(order))));
             }
             return by_tests(smallest > 1, false, smallest);
         }};
@@ -211,9 +214,9 @@ claim degree_for_degree() {
                 "5e-5.",
             .command = "./run study error_norm --energies 1.34 --orders 0,2 --scalar mpfr:20",
             .measure = [] {
-                const way_down way(of_energy("1.34"));
-                const mpfr ratio = way.error_norm(way.cut(2)) / way.error_norm(way.resummed(0));
-                const mpfr later = way.error_norm(way.cut(12)) / way.error_norm(way.resummed(10));
+                const sampled_arc arc(of_energy("1.34"));
+                const mpfr ratio = arc.error_norm(arc.cut(2)) / arc.error_norm(arc.resummed(0));
+                const mpfr later = arc.error_norm(arc.cut(12)) / arc.error_norm(arc.resummed(10));
                 return by_tests(ratio > 1, later > 1, ratio);
             }};
 }
@@ -227,9 +230,9 @@ claim truncation_degree() {
             .command = "./run claims truncation_degree",
             .measure = [] {
                 const int order = 10;
-                const way_down way(of_energy("1.71"));
-                const jet<mpfr> bottom = way.exact(mpfr(1));
-                const auto polynomial = endpoint_corrected(way.series(order), {bottom.value, bottom.slope});
+                const sampled_arc arc(of_energy("1.71"));
+                const jet<mpfr> bottom = arc.exact(mpfr(1));
+                const auto polynomial = endpoint_corrected(arc.series(order), {bottom.value, bottom.slope});
                 int degree = polynomial.order();
                 while (abs(polynomial[degree]) < epsilon<mpfr>() * 100) {
                     --degree;

@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/runge_kutta.hpp"
+#include "libration/ode/runge_kutta.hpp"
+#include "libration/series/exponential.hpp"
 
 namespace libration {
+
+using namespace series;
 
 namespace {
 

@@ -4,10 +4,14 @@
 #include <tuple>
 
 #include "claims/judging.hpp"
-#include "libration/convergence/pole_pair.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/convergence/test/pole_pair.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 
 namespace libration {
+
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
 
 namespace {
 
@@ -48,7 +52,7 @@ struct lattice_steps {
 };
 
 lattice_steps lattice_of(const char* energy) {
-    const orbit<mpfr> o = orbit_of<mpfr>(of_energy(energy));
+    const energy_level<mpfr> o = energy_level_of<mpfr>(of_energy(energy));
     return {effective_period(o), singularity_height(o)};
 }
 
@@ -150,8 +154,8 @@ claim arcsine_makes_logarithms() {
 
 // R/T* from the top, from four coefficients alone.
 mpfr top_radius(const char* energy, int order = 600) {
-    const auto way = descent_of<mpfr>(of_energy(energy));
-    const auto a = descent_series(way, order, recurrence::sine_cosine);
+    const auto arc = arc_of<mpfr>(of_energy(energy));
+    const auto a = arc_series(arc, order, recurrence::sine_cosine);
     const int first = order - 8 + (number(energy) > 2 ? 1 : 0);
     return pole_pair_radius(a, first, 2);
 }
@@ -251,7 +255,7 @@ claim radius_exceeds_effective_period() {
 
 // The largest |a_n T*^n n/8|^(1/n), n = 600 .. 616: the rate at which terms fall on the way to the bottom.
 mpfr rate_of_fall(const char* energy) {
-    const auto a = descent_series(descent_of<mpfr>(of_energy(energy)), 616, recurrence::sine_cosine);
+    const auto a = arc_series(arc_of<mpfr>(of_energy(energy)), 616, recurrence::sine_cosine);
     mpfr largest(0);
     for (int n = 600; n <= 616; ++n) {
         if (a[n] != 0) {
@@ -438,8 +442,8 @@ claim ratio_test_estimates_radius() {
         "ones are nearest, the ratio is right to 0.3%.",
         "./run radius --energy 1.71 --order 400",
         [] {
-            const auto way = descent_of<mpfr>(of_energy("1.71"));
-            const auto a = descent_series(way, 400, recurrence::sine_cosine);
+            const auto arc = arc_of<mpfr>(of_energy("1.71"));
+            const auto a = arc_series(arc, 400, recurrence::sine_cosine);
             mpfr largest(0);
             mpfr smallest(1000);
             for (int n = 300; n <= 398; n += 2) {
@@ -447,7 +451,7 @@ claim ratio_test_estimates_radius() {
                 largest = std::max(largest, estimate);
                 smallest = std::min(smallest, estimate);
             }
-            const auto b = printed_series(bottom_of("1.71"), 399, way.effective_period);
+            const auto b = printed_series(bottom_of("1.71"), 399, arc.effective_period);
             const mpfr at_bottom = sqrt(abs(b[397] / b[399])) / lattice_distance("1.71", mpfr(0));
             const mpfr spread = largest / smallest;
             return by_tests(spread < mpfr(101) / 100, abs(at_bottom - 1) < mpfr(1) / 100, spread);

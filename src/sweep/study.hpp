@@ -4,63 +4,33 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "libration/pendulum/motion.hpp"
-#include "libration/pendulum/period.hpp"
+#include "libration/problem/problem.hpp"
 #include "libration/scalar/dispatch.hpp"
-#include "sweep/progress.hpp"
-#include "sweep/table.hpp"
+#include "run/progress.hpp"
+#include "text/table.hpp"
 
 namespace libration {
 
-/// An energy of a sweep as it was typed: E itself, or the gap 2 - E.
-struct sweep_energy {
-    std::string energy;  ///< as typed, or 2 - gap: exact as a decimal or a short fraction, else to 50 digits
-    std::string gap;     ///< likewise
-    rational value;      ///< E
-};
-
-/// The energy E, or the one that a gap means. Throws std::invalid_argument for what is not an energy (negative, with
-/// pi).
-sweep_energy energy_from(const exact& energy);
-sweep_energy energy_from_gap(const exact& gap);
-
-/// Refuses E = 0 and E = 2, before any work, where a study has no answer: throws std::domain_error "has the energy 0,
-/// where ..." with the reasons; an empty reason lets that energy pass.
-void refuse_limits(const std::vector<sweep_energy>& energies, const std::string& at_rest, const std::string& critical);
-
-/// A way to T* as it was typed: agm, series:N or resummed:N.
-struct sweep_period_rule {
-    period_rule rule;
-    std::string text;
-};
-
-/// Reads one; throws std::invalid_argument saying what is wrong.
-sweep_period_rule read_period_rule(std::string_view text);
-
-/// What a study is asked for, parsed; what the user left out holds the study's defaults, and a parameter that the study
+/// What a study is asked for, parsed; what the user left out holds the study's defaults, and an axis that the study
 /// does not have is empty.
 struct study_request {
-    std::vector<sweep_energy> energies;           ///< --energies and --gaps, by size
-    std::vector<int> orders;                      ///< --orders
-    std::vector<exact> times;                     ///< --times; multiples of T are allowed
-    std::vector<exact> points;                    ///< --points: fractions of T*, 0 the top, 1 the bottom
-    std::vector<int> digits;                      ///< --digits
-    std::vector<integer> periods;                 ///< --periods: whole numbers
-    std::vector<sweep_period_rule> period_rules;  ///< --period-by
-    exact step;                                   ///< --step
-    std::optional<scalar_spec> scalar;            ///< --scalar; nothing: the scalars that the study takes by itself
+    axis_values values;                 ///< of the problem's axes and of the study's own: order, digits, step
+    std::optional<scalar_spec> scalar;  ///< --scalar; nothing: the scalars that the study takes by itself
     int jobs = 1;
     progress_context shown;  ///< what the progress line says around the study's own part
+
+    std::vector<int> orders() const { return values.counts("order"); }
+    std::vector<int> digits() const { return values.counts("digits"); }
+    /// Of a march; 0 where the study has none.
+    exact step() const { return values.of("step").empty() ? exact{} : values.of("step").front(); }
 };
 
 /// A parameter of a study: its option, what it is where the user says nothing, and what it means.
 struct study_parameter {
-    /// --energies, --gaps, --orders, --times, --points, --digits, --periods, --period-by, --step or --scalar.
-    std::string option;
-    std::string usual;    ///< in the words of the command line; --gaps may be empty beside --energies
+    std::string option;   ///< of an axis of the problem or of study_axes(), or --scalar
+    std::string usual;    ///< in the words of the command line; one way to say a coordinate may be empty beside another
     std::string meaning;  ///< with unit
 };
 
@@ -72,16 +42,20 @@ struct study_table {
     bool timed = false;  ///< holds times of this machine: its bytes differ from run to run
 };
 
-/// A study; studies/NAME.cpp defines one and studies/NAME.gp draws it from the CSV.
+/// A study; studies/FOLDER/NAME.cpp defines one and NAME.gp beside it draws it from the CSV.
 struct study {
     std::string name;
     std::string title;     ///< of its chapter in the report
     std::string label;     ///< the figure of the paper that it regenerates (fig:surf), or empty
     std::string question;  ///< ends in a question mark
-    std::string reading;   ///< how to read the figure and what it shows: whole sentences for a reader of the report
+    /// How to read the figure and what it shows: whole sentences for a reader of the report. Numbers that were measured
+    /// stand in {{...}} and are taken from the tables (text/measured_text.hpp).
+    std::string reading;
+    const problem* of = nullptr;  ///< whose axes it has, besides those of every study
     std::vector<study_parameter> parameters;
-    std::vector<study_parameter> quick;  ///< (option, words) of a run of a second at most, for the tests
-    double seconds;                      ///< with the usual parameters, on two cores
+    std::vector<study_parameter> quick;    ///< (option, words) of a run of a second at most, for the tests
+    double seconds;                        ///< with the usual parameters, on two cores
+    std::vector<without_answer> excluded;  ///< where it has no answer
     std::function<std::vector<study_table>(const study_request&)> run;
     arithmetics offers = arithmetics::rounding;  ///< proved_too where it has proofs
 };

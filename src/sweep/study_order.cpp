@@ -1,124 +1,116 @@
 #include "sweep/study_order.hpp"
+#include "libration/scalar/error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <thread>
 
-#include "sweep/grid.hpp"
-#include "sweep/input_error.hpp"
+#include "run/grid.hpp"
+#include "run/whole_grid.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 
 namespace {
 
-constexpr int largest_order = 100'000;
-constexpr int largest_digits = 10'000;
-constexpr int most_jobs = 1024;
+constexpr long largest_order = 100'000;
+constexpr long largest_digits = 10'000;
+constexpr const char* scalar_option = "--scalar";
+constexpr std::string_view typed_ending = "_typed";
 
-void require_number(const exact& value) {
-    if (value.measure != unit::one) {
-        throw std::invalid_argument("has '" + value.text + "', which is not a decimal or a fraction");
+void require_digits(const exact& digits) {
+    if (digits.coefficient < 1) {
+        throw error(error_kind::argument, "list", "", "asks for less than one digit");
     }
 }
 
-std::vector<exact> read_times(const std::string& words) {
-    auto times = read_grid(words);
-    for (const exact& time : times) {
-        if (time.measure == unit::degree) {
-            throw std::invalid_argument("has the angle '" + time.text + "'");
-        }
+void require_step(const exact& step) {
+    if (step.measure != unit::one || step.coefficient <= 0) {
+        throw error(error_kind::argument, "list", "", "is not a positive number");
     }
-    return times;
 }
 
-std::vector<exact> read_points(const std::string& words) {
-    auto points = read_grid(words);
-    for (const exact& point : points) {
-        require_number(point);
-        if (point.coefficient < 0 || point.coefficient > 1) {
-            throw std::invalid_argument("has '" + point.text + "', which is not between 0 and 1");
-        }
+// The items of an axis; words between commas of an axis of words.
+std::vector<grid_item> items_of(const axis& along, const std::string& words) {
+    if (along.form == axis_form::one_number) {
+        return {{{read_exact(words)}, false}};
     }
-    return points;
-}
-
-std::vector<int> read_digit_counts(const std::string& words) {
-    auto digits = read_counts(words, largest_digits);
-    if (std::find(digits.begin(), digits.end(), 0) != digits.end()) {
-        throw std::invalid_argument("asks for less than one digit");
+    if (along.form != axis_form::words) {
+        return along.form == axis_form::whole ? read_whole_items(words, along.largest) : read_grid_items(words);
     }
-    return digits;
-}
-
-std::vector<integer> read_periods(const std::string& words) {
-    std::vector<integer> periods;
-    for (const exact& count : read_grid(words)) {
-        require_number(count);
-        if (denominator(count.coefficient) != 1 || count.coefficient < 0) {
-            throw std::invalid_argument("has '" + count.text + "', which is not a whole number");
-        }
-        periods.push_back(numerator(count.coefficient));
-    }
-    return periods;
-}
-
-std::vector<sweep_period_rule> read_period_rules(const std::string& words) {
-    std::vector<sweep_period_rule> rules;
+    std::vector<grid_item> items;
     for (std::size_t begin = 0; begin <= words.size();) {
         const std::size_t end = std::min(words.find(',', begin), words.size());
-        rules.push_back(read_period_rule(std::string_view(words).substr(begin, end - begin)));
+        items.push_back({{exact{0, unit::one, words.substr(begin, end - begin)}}, false});
         begin = end + 1;
     }
-    return rules;
+    return items;
 }
 
-exact read_step(const std::string& words) {
-    exact step = read_exact(words);
-    if (step.measure != unit::one || step.coefficient <= 0) {
-        throw std::invalid_argument("is not a positive number");
+// What the words of one axis come to.
+struct axis_reading {
+    std::vector<exact> kept;
+    std::map<std::string, std::string> left_out;  // the values by reason
+};
+
+// A value without an answer is left out of a range; by itself it is refused.
+axis_reading without_excluded(const study& what, const axis& along, const std::vector<grid_item>& items) {
+    axis_reading result;
+    for (const grid_item& item : items) {
+        for (const exact& value : item.values) {
+            const bool numeric = along.form != axis_form::words;
+            const std::string reason =
+                numeric ? reason_against(what.excluded, along.coordinate, along.coordinate_of(value)) : "";
+            if (reason.empty()) {
+                result.kept.push_back(value);
+            } else if (item.is_range) {
+                std::string& values = result.left_out[reason];
+                values += (values.empty() ? "" : ", ") + value.text;
+            } else {
+                const std::string text = along.to_coordinate ? decimal_of(along.coordinate_of(value), 50) : value.text;
+                throw error(error_kind::argument, along.option, "",
+                            "has the " + along.coordinate + " " + text + ", where " + reason);
+            }
+        }
     }
-    return step;
+    return result;
 }
 
-std::vector<sweep_energy> read_energies(const std::string& words, sweep_energy (*of)(const exact&)) {
-    std::vector<sweep_energy> energies;
-    for (const exact& value : read_grid(words)) {
-        energies.push_back(of(value));
+axis_reading read_axis(const study& what, const axis& along, const std::string& words) {
+    const auto items = reading(along.option, words, along.remedy, [&] {
+        auto read = items_of(along, words);
+        for (const grid_item& item : read) {
+            if (along.check) {
+                std::for_each(item.values.begin(), item.values.end(), along.check);
+            }
+        }
+        return read;
+    });
+    axis_reading result = without_excluded(what, along, items);
+    if (result.kept.empty()) {
+        throw input_error(along.option, words, "has no value where " + what.name + " has an answer", along.remedy);
     }
-    return energies;
+    return result;
 }
 
-// Puts one parameter into the request.
-void fill(study_request& request, const std::string& option, const std::string& words, arithmetics offered) {
-    const auto add_energies = [&](sweep_energy (*of)(const exact&)) {
-        const auto energies = read_energies(words, of);
-        request.energies.insert(request.energies.end(), energies.begin(), energies.end());
+const axis* axis_with(const study& what, const std::string& option) {
+    const auto in = [&](const std::vector<axis>& axes) {
+        const auto found = std::find_if(axes.begin(), axes.end(), [&](const axis& a) { return a.option == option; });
+        return found == axes.end() ? nullptr : &*found;
     };
-    if (option == "--energies") {
-        add_energies(energy_from);
-    } else if (option == "--gaps") {
-        add_energies(energy_from_gap);
-    } else if (option == "--orders") {
-        request.orders = read_counts(words, largest_order);
-    } else if (option == "--times") {
-        request.times = read_times(words);
-    } else if (option == "--points") {
-        request.points = read_points(words);
-    } else if (option == "--digits") {
-        request.digits = read_digit_counts(words);
-    } else if (option == "--periods") {
-        request.periods = read_periods(words);
-    } else if (option == "--period-by") {
-        request.period_rules = read_period_rules(words);
-    } else if (option == "--step") {
-        request.step = read_step(words);
-    } else if (option == "--scalar") {
-        request.scalar = read_scalar(words, offered);
-    } else {
-        throw std::logic_error("no study has an option " + option);
-    }
+    const axis* const of_problem = what.of != nullptr ? in(what.of->axes) : nullptr;
+    return of_problem != nullptr ? of_problem : in(study_axes());
 }
 
-bool is_energy(const std::string& option) { return option == "--energies" || option == "--gaps"; }
+const axis& axis_of(const study& what, const std::string& option) {
+    const axis* const found = axis_with(what, option);
+    if (found == nullptr) {
+        throw std::logic_error("the study " + what.name + " has no axis for " + option);
+    }
+    return *found;
+}
 
 void require_own(const study& what, const study_words& words) {
     for (const auto& [option, value] : words) {
@@ -130,29 +122,140 @@ void require_own(const study& what, const study_words& words) {
     }
 }
 
+std::string scalars_offered(arithmetics offered) {
+    return offered == arithmetics::rounding ? "double, long-double, quad or mpfr:DIGITS"
+                                            : "double, long-double, quad, mpfr:DIGITS or ball:DIGITS (proved)";
+}
+
+// Whether something was said for the coordinate of this axis.
+bool coordinate_chosen(const study& what, const axis& along, const study_words& words) {
+    return std::any_of(words.begin(), words.end(), [&](const auto& said) {
+        return said.first != scalar_option && axis_of(what, said.first).coordinate == along.coordinate;
+    });
+}
+
+void add_left_out(study_order& order, const std::string& option, const axis_reading& read) {
+    for (const auto& [reason, values] : read.left_out) {
+        order.left_out +=
+            fmt::format("{}{} of {}, where {}", order.left_out.empty() ? "" : "; ", values, option, reason);
+    }
+}
+
+void fill(study_order& order, const study_parameter& own, const study_words& words) {
+    const study& what = *order.what;
+    const auto said = words.find(own.option);
+    if (own.option == scalar_option) {
+        // What a study does where no scalar is said is its own affair.
+        if (said != words.end()) {
+            order.request.scalar = reading(own.option, said->second, "write " + scalars_offered(what.offers),
+                                           [&] { return read_scalar(said->second, what.offers); });
+        }
+        return;
+    }
+    const axis& along = axis_of(what, own.option);
+    if (said != words.end()) {
+        axis_reading read = read_axis(what, along, said->second);
+        add_left_out(order, own.option, read);
+        order.request.values.set(along.name, std::move(read.kept));
+    } else if (!own.usual.empty() && !coordinate_chosen(what, along, words)) {
+        order.request.values.set(along.name, read_axis(what, along, own.usual).kept);
+    }
+}
+
+// The column that is called as this one is without _typed; none where there is none.
+std::optional<std::size_t> plain_of(const table& data, std::size_t typed) {
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        if (data.columns()[i].name + std::string(typed_ending) == data.columns()[typed].name) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+// Whether a column says nothing but what others say: its cells are empty, those of the other column, or, where there
+// is none, decimals, which were kept exactly.
+bool repeats(const table& data, std::size_t typed) {
+    const auto plain = plain_of(data, typed);
+    return std::all_of(data.rows().begin(), data.rows().end(), [&](const table_row_cells& row) {
+        const cell& said = row[typed];
+        return said.is_empty() || (plain ? said == row[*plain] : read_cell(said.text()).is_number());
+    });
+}
+
+table without_repeated_columns(const table& data) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        if (!data.columns()[i].name.ends_with(typed_ending) || !repeats(data, i)) {
+            kept.push_back(i);
+        }
+    }
+    return data.with_columns(kept);
+}
+
 }  // namespace
 
-const std::vector<study_option>& study_order_options() {
-    static const std::vector<study_option> all{
-        {"--energies", "LIST", "energies: LIST, a:b:count or a:b:COUNTlog",
-         "write energies such as 0.5,1.71,2.02 or 0.1:1.9:19"},
-        {"--gaps", "LIST", "energies as gaps 2 - E: the same forms",
-         "write gaps 2 - E such as 1e-3,-1e-3 or 1e-1:1e-12:12log"},
-        {"--orders", "LIST", "orders N", "write orders such as 5,10,20"},
-        {"--times", "LIST", "times, multiples of T allowed", "write times such as 0,1.5,T/4 or a range 0:2T:401"},
-        {"--points", "LIST", "expansion points as fractions of T*, 0 the top, 1 the bottom",
-         "write fractions of T* such as 0,1/4,1/2,1 or 0:1:21"},
-        {"--digits", "LIST", "numbers of correct digits", "write numbers such as 10,20,50"},
-        {"--periods", "LIST", "whole numbers of periods", "write whole numbers such as 1,1e3,1e6"},
-        {"--period-by", "LIST", "ways to T*: agm, series:N (Kold) or resummed:N (Knew)",
-         "write ways to T* such as agm,series:100,resummed:10"},
-        {"--step", "DT", "step of the Runge-Kutta method", "write a step such as 1e-5"},
-        {"--scalar", "S", "double, long-double, quad or mpfr:DIGITS; error_norm also ball:DIGITS (proved)",
-         "write double, long-double, quad or mpfr:DIGITS"}};
+const std::vector<axis>& study_axes() {
+    static const std::vector<axis> all{{.name = "order",
+                                        .option = "--orders",
+                                        .help = "orders N: LIST or a:b:count, whole numbers",
+                                        .unit = "",
+                                        .form = axis_form::whole,
+                                        .remedy = "write orders such as 5,10,20 or 5:40:8",
+                                        .check = {},
+                                        .coordinate = "order",
+                                        .to_coordinate = {},
+                                        .largest = largest_order},
+                                       {.name = "digits",
+                                        .option = "--digits",
+                                        .help = "numbers of correct digits: LIST or a:b:count",
+                                        .unit = "",
+                                        .form = axis_form::whole,
+                                        .remedy = "write numbers such as 10,20,50",
+                                        .check = require_digits,
+                                        .coordinate = "digits",
+                                        .to_coordinate = {},
+                                        .largest = largest_digits},
+                                       {.name = "step",
+                                        .option = "--step",
+                                        .help = "step of the Runge-Kutta method",
+                                        .unit = "",
+                                        .form = axis_form::one_number,
+                                        .remedy = "write a step such as 1e-5",
+                                        .check = require_step,
+                                        .coordinate = "step",
+                                        .to_coordinate = {}}};
+    return all;
+}
+
+std::vector<study_option> options_of(const std::vector<const study*>& studies) {
+    std::vector<study_option> all;
+    const auto add = [&](const std::vector<axis>& axes) {
+        for (const axis& each : axes) {
+            const bool known = std::any_of(all.begin(), all.end(),
+                                           [&](const study_option& other) { return other.option == each.option; });
+            if (!known) {
+                all.push_back({each.option, each.form == axis_form::one_number ? "X" : "LIST", each.help});
+            }
+        }
+    };
+    std::string provers;
+    for (const study* each : studies) {
+        if (each->of != nullptr) {
+            add(each->of->axes);
+        }
+        if (each->offers == arithmetics::proved_too) {
+            provers += (provers.empty() ? "" : ", ") + each->name;
+        }
+    }
+    add(study_axes());
+    all.push_back(
+        {scalar_option, "S",
+         scalars_offered(arithmetics::rounding) + (provers.empty() ? "" : "; ball:DIGITS (proved) in " + provers)});
     return all;
 }
 
 int jobs_of(const std::optional<std::string>& words) {
+    constexpr int most_jobs = 1024;
     if (!words) {
         return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     }
@@ -166,30 +269,23 @@ int jobs_of(const std::optional<std::string>& words) {
 
 study_order order_of(const study& what, const study_words& words, int jobs) {
     require_own(what, words);
-    study_order order{&what, {}, "libration study " + what.name};
+    study_order order{&what, {}, "libration study " + what.name, ""};
     order.request.jobs = jobs;
-    const bool energies_chosen = words.contains("--energies") || words.contains("--gaps");
-    for (const study_option& each : study_order_options()) {
-        const auto said = words.find(each.option);
-        if (said != words.end()) {
-            order.command += " " + each.option + (said->second.starts_with("-") ? "=" : " ") + said->second;
-            reading(each.option, said->second, each.remedy, [&] {
-                fill(order.request, each.option, said->second, what.offers);
-                return 0;
-            });
-            continue;
+    for (const study_parameter& own : what.parameters) {
+        if (const auto said = words.find(own.option); said != words.end()) {
+            order.command += " " + own.option + (said->second.starts_with("-") ? "=" : " ") + said->second;
         }
-        for (const study_parameter& own : what.parameters) {
-            const bool put_aside = energies_chosen && is_energy(own.option);
-            // What a study does where no scalar is said is its own affair.
-            if (own.option == each.option && !own.usual.empty() && !put_aside && own.option != "--scalar") {
-                fill(order.request, own.option, own.usual, what.offers);
-            }
-        }
+        fill(order, own, words);
     }
-    std::stable_sort(order.request.energies.begin(), order.request.energies.end(),
-                     [](const sweep_energy& a, const sweep_energy& b) { return a.value < b.value; });
     return order;
+}
+
+std::vector<study_table> tables_of(const study_order& order) {
+    std::vector<study_table> tables = order.what->run(order.request);
+    for (study_table& part : tables) {
+        part.data = without_repeated_columns(part.data);
+    }
+    return tables;
 }
 
 }  // namespace libration

@@ -13,27 +13,36 @@ namespace libration {
 /// What a user says to a study: words by option. What is missing is the study's usual value.
 using study_words = std::map<std::string, std::string>;
 
+/// The axes that studies of any problem may have: order, digits, step.
+const std::vector<axis>& study_axes();
+
 /// An option that studies may have.
 struct study_option {
     std::string option;     ///< --orders
     std::string type_name;  ///< LIST
     std::string help;
-    std::string remedy;  ///< what to write instead of what was wrong
 };
 
-/// All of them, in the order in which commands are written.
-const std::vector<study_option>& study_order_options();
+/// The options of these studies: the axes of their problems, study_axes() and --scalar.
+std::vector<study_option> options_of(const std::vector<const study*>& studies);
 
 /// A study with its parameters and the words of its canonical command, without --out and --jobs.
 struct study_order {
     const study* what;
     study_request request;
     std::string command;
+    /// The values of ranges that were left out because the study has no answer there, with the reasons: "2 of
+    /// --energies, where the period is infinite"; empty where all were kept.
+    std::string left_out;
 };
 
-/// The parsed order. With --energies or --gaps given, the usual values of both are put aside. Throws input_error, also
-/// for an option that the study does not have.
+/// The parsed order. Values of an axis put the usual ones of all axes of its coordinate aside. A value of a range
+/// without an answer is left out; one that was typed by itself is refused: error "has the energy 2, where
+/// ...". Throws input_error, also for an option that the study does not have.
 study_order order_of(const study& what, const study_words& words, int jobs);
+
+/// The study's tables. A column NAME_typed that says nothing but what NAME says is left out.
+std::vector<study_table> tables_of(const study_order& order);
 
 /// The number of threads: the words of --jobs, or all cores. Throws input_error.
 int jobs_of(const std::optional<std::string>& words);

@@ -9,6 +9,7 @@
 namespace approximant_difference_norm_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::near;
 
 namespace {
@@ -155,8 +156,8 @@ TEST_CASE("Chebyshev points run from 0 to 1, crowd at both ends, and nest", "[ap
 
 TEST_CASE("what is not a number has no norm, and two ends are the fewest points", "[approximant][difference_norm]") {
     const auto nowhere = [](const double& x) { return jet<double>{(x - x) / (x - x), x}; };
-    CHECK_THROWS_AS(difference_norm<double>(nowhere, chebyshev_points(5)), std::domain_error);
-    CHECK_THROWS_AS(chebyshev_points(1), std::invalid_argument);
+    CHECK_THROWS_AS(difference_norm<double>(nowhere, chebyshev_points(5)), libration::error);
+    CHECK_THROWS_AS(chebyshev_points(1), libration::error);
 }
 
 TEST_CASE("a turn far below the largest value is not sought, one that may exceed it is", "[difference_norm]") {

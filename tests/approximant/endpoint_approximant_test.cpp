@@ -8,6 +8,7 @@
 namespace approximant_endpoint_approximant_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 using libration::tests::near;
 

@@ -7,6 +7,7 @@
 namespace approximant_truncated_series_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 TEMPLATE_LIST_TEST_CASE("a truncated series is its polynomial in the scaled time", "[approximant][truncated_series]",

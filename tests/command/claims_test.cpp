@@ -66,8 +66,8 @@ TEST_CASE("the command beside each claim runs", "[command][claims]") {
 TEST_CASE("claims are chosen by name, and printed in any format", "[command][claims]") {
     const std::string name = all_claims().front().name;
     const auto rows = from_csv(output_of({"claims", name, "--format", "csv"}));
-    REQUIRE(rows.rows.size() == 1);
-    CHECK(rows.rows.front().front() == name);
+    REQUIRE(rows.rows().size() == 1);
+    CHECK(rows.rows().front().front().text() == name);
     CHECK(output_of({"claims", name}).starts_with(name + "  "));
     CHECK(output_of({"claims", name, "--format", "latex"}).starts_with("\\begin{tabular}"));
 }

@@ -131,24 +131,40 @@ TEST_CASE("text is the default and holds every cell of the CSV", "[command][outp
     }
 }
 
-TEST_CASE("energies, gaps and times are echoed as typed", "[command][output]") {
+TEST_CASE("energies, gaps and times are decimals, and stand as typed behind", "[command][output]") {
     for (const std::string energy : {"1.71", "1.7100", "171/100", "1e-30", "+3", "2.000", "0", ".5", "17E-1"}) {
-        CHECK(only_row({"period", "--energy", energy}).at("energy") == energy);
+        const table_row row = only_row({"period", "--energy", energy});
+        CHECK(row.at("energy_typed") == energy);
+        CHECK(row.at("gap_typed").empty());
+        CHECK(read_exact(row.at("energy")).coefficient == read_exact(energy).coefficient);
+        CHECK(row.at("energy").find('/') == std::string::npos);
     }
     for (const std::string gap : {"0.29", "29/100", "1e-30", "-1e-12", "0.0"}) {
-        CHECK(only_row({"period", "--gap=" + gap}).at("gap") == gap);
+        const table_row row = only_row({"period", "--gap=" + gap});
+        CHECK(row.at("gap_typed") == gap);
+        CHECK(read_exact(row.at("gap")).coefficient == read_exact(gap).coefficient);
     }
+    CHECK(only_row({"period", "--energy", "171/100"}).at("energy") == "1.71");
+    CHECK(only_row({"period", "--theta0", "60deg", "--omega0", "1/2"}).at("theta0_typed") == "60deg");
     const words times{"-3T/4", "-1e6", "0", "+0.5", "1/3", "2.50", "pi", "T/4", "1e12"};
-    CHECK(column_of(fall + words{"--times=-3T/4,-1e6,0,+0.5,1/3,2.50,pi,T/4,1e12"}, "time") == times);
+    const words line = fall + words{"--times=-3T/4,-1e6,0,+0.5,1/3,2.50,pi,T/4,1e12", "--digits", "20"};
+    CHECK(column_of(line, "time_typed") == times);
+    const words decimals = column_of(line, "time");
+    const mpfr period = number_of(only_row({"period", "--energy", "1.71", "--digits", "30"}).at("period"));
+    CHECK_THAT(decimals[0], right_to_the_last_digit_of(mpfr(period * -3 / 4)));
+    CHECK(decimals[3] == "0.5");
+    CHECK(decimals[4] == "0.33333333333333333333");
+    CHECK(decimals[5] == "2.50");
+    CHECK(decimals[6] == "3.1415926535897932385");
     CHECK(column_of(fall + words{"--times", "0:20:5"}, "time") == words{"0", "5", "10", "15", "20"});
-    CHECK(column_of(fall + words{"--times", "0:1:4"}, "time") == words{"0", "1/3", "2/3", "1"});
+    CHECK(column_of(fall + words{"--times", "0:1:4"}, "time_typed") == words{"0", "1/3", "2/3", "1"});
 }
 
 TEST_CASE("the energy that was not typed is exact where it can be", "[command][output]") {
     CHECK(only_row({"period", "--gap", "1e-30"}).at("energy") == "1.999999999999999999999999999999");
     CHECK(only_row({"period", "--gap", "-1e-30"}).at("energy") == "2.000000000000000000000000000001");
     CHECK(only_row({"period", "--energy", "1.71"}).at("gap") == "0.29");
-    CHECK(only_row({"period", "--energy", "1/3"}).at("gap") == "5/3");
+    CHECK(only_row({"period", "--energy", "1/3", "--digits", "5"}).at("gap") == "1.6667");
     const table_row state = only_row({"period", "--theta0", "60deg", "--omega0", "1/2"});
     CHECK(state.at("energy") == "0.625");  // 1/2 + 1/8
     CHECK(state.at("gap") == "1.375");

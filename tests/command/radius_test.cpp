@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "command/printed.hpp"
-#include "libration/pendulum/singularities.hpp"
+#include "libration/pendulum/singularity/singularities.hpp"
 
 namespace command_radius_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

@@ -62,7 +62,8 @@ TEST_CASE("every state of the reference table is proved to 50 digits and confirm
 TEST_CASE("the columns of a reference keep their order", "[command][reference]") {
     const std::string csv = output_of({"reference", "--energy", "1.71", "--time", "1", "--format", "csv"});
     CHECK(lines_of(csv).front() ==
-          "energy,gap,regime,theta0,omega0,time,theta,omega,period,tstar,radius,digits,rigour,direction");
+          "energy,gap,regime,theta0,omega0,time,theta,omega,period,tstar,radius,digits,rigour,direction,"
+          "time_typed,energy_typed,gap_typed,theta0_typed,omega0_typed");
 }
 
 TEST_CASE("half way down theta is 2 asin of k over the root of 1 + k'", "[command][reference]") {

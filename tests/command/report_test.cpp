@@ -6,7 +6,7 @@
 #include <string>
 
 #include "command/printed.hpp"
-#include "sweep/table.hpp"
+#include "text/table.hpp"
 
 namespace command_report_test {
 
@@ -59,10 +59,10 @@ TEST_CASE("reproduce makes the chosen studies, the claims, and pages of both", "
     }
 
     const auto claims = libration::from_csv(text_of_file(out / "claims.csv"));
-    CHECK(count_of(page, "<article ") == claims.rows.size());
+    CHECK(count_of(page, "<article ") == claims.rows().size());
     const std::string index = text_of_file(out / "README.md");
-    for (const auto& row : claims.rows) {
-        CHECK(index.find("\n| " + row.front() + " | ") != std::string::npos);
+    for (const auto& row : claims.rows()) {
+        CHECK(index.find("\n| " + row.front().text() + " | ") != std::string::npos);
     }
     CHECK(text_of_file(out / "errata.md").find("{{") == std::string::npos);
 }

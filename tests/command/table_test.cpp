@@ -104,7 +104,7 @@ TEST_CASE("a grid is every motion at every time, in the order in which they were
     words seen;
     for (const table_row& row :
          table_of({"pendulum", "--energies", "3,1.71", "--gaps", "1e-1:1e-3:3log", "--times", "0:T/4:2,1/3"})) {
-        seen.push_back(row.at("energy") + " " + row.at("gap") + " " + row.at("time"));
+        seen.push_back(row.at("energy") + " " + row.at("gap") + " " + row.at("time_typed"));
     }
     CHECK(seen == words{"3 -1 0", "3 -1 0.25T", "3 -1 1/3", "1.71 0.29 0", "1.71 0.29 0.25T", "1.71 0.29 1/3",
                         "1.9 1e-1 0", "1.9 1e-1 0.25T", "1.9 1e-1 1/3", "1.99 0.01 0", "1.99 0.01 0.25T",
@@ -113,13 +113,15 @@ TEST_CASE("a grid is every motion at every time, in the order in which they were
 
 TEST_CASE("columns of a table are there where they were asked for", "[command][table]") {
     const auto header = [](const words& line) { return lines_of(output_of(words{"table"} + line)).front(); };
-    const std::string rest = "time,theta,omega,period,tstar,radius,condition,digits,rigour";
+    const std::string rest =
+        "time,theta,omega,period,tstar,radius,condition,digits,rigour,time_typed,energy_typed,gap_typed";
     CHECK(header({"pendulum", "--energies", "1", "--times", "0"}) == "energy,gap," + rest);
     CHECK(header({"pendulum", "--energies", "3", "--direction", "-", "--times", "0"}) ==
           "energy,gap,direction," + rest);
-    CHECK(header({"pendulum", "--gaps", "0.5", "--theta0", "1", "--times", "0"}) == "energy,gap,theta0," + rest);
+    CHECK(header({"pendulum", "--gaps", "0.5", "--theta0", "1", "--times", "0"}) ==
+          "energy,gap,theta0," + rest + ",theta0_typed");
     CHECK(header({"pendulum", "--theta0", "60deg", "--omega0", "0", "--times", "0"}) ==
-          "energy,gap,theta0,omega0," + rest);
+          "energy,gap,theta0,omega0," + rest + ",theta0_typed,omega0_typed");
     CHECK(header({"sn", "--u", "1", "--m1", "0.5"}) == "function,argument,m1,value,condition,digits,rigour");
 }
 

@@ -5,13 +5,14 @@
 
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
-#include "libration/pendulum/bounds.hpp"
-#include "libration/pendulum/separatrix_sum.hpp"
-#include "libration/pendulum/uniform_resummation.hpp"
+#include "libration/pendulum/arc/bounds.hpp"
+#include "libration/pendulum/arc/uniform_resummation.hpp"
+#include "libration/pendulum/solution/separatrix_sum.hpp"
 
 namespace command_trajectory_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -20,7 +21,7 @@ std::vector<table_row> trajectory_of(const words& options) { return rows_of(word
 
 void check_state(const table_row& printed, const table_row& expected) {
     INFO("t = " << expected.at("time"));
-    CHECK(printed.at("time") == expected.at("time"));
+    CHECK(printed.at("time_typed") == expected.at("time"));
     CHECK_THAT(printed.at("theta"), right_to_the_last_digit(expected.at("theta")));
     CHECK_THAT(printed.at("omega"), right_to_the_last_digit(expected.at("omega")));
 }
@@ -33,7 +34,7 @@ mpfr check_errors(const std::vector<table_row>& rows, const motion& m) {
     mpfr largest(0);
     for (const table_row& row : rows) {
         INFO("t = " << row.at("time") << ", theta " << row.at("theta") << ", error " << row.at("error"));
-        const mpfr error = abs(number_of(row.at("theta")) - truth(read_exact(row.at("time"))).value);
+        const mpfr error = abs(number_of(row.at("theta")) - truth(read_exact(row.at("time_typed"))).value);
         CHECK(abs(error - number_of(row.at("error"))) <= last_place(row.at("error")) + last_place(row.at("theta")));
         largest = error > largest ? error : largest;
     }
@@ -78,7 +79,7 @@ TEST_CASE("from (2.5, -0.3) 60 digits are right after a million units of time ba
     const auto rows = trajectory_of(state + words{"--times=-1e6,0,1e12,T/4,T,-3T/4", "--scalar", "mpfr:60"});
     REQUIRE(rows.size() == expected.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        CHECK(rows[i].at("time") == expected[i].at("time"));
+        CHECK(rows[i].at("time_typed") == expected[i].at("time"));
         for (const std::string name : {"theta", "omega"}) {
             const std::string& printed = rows[i].at(name);
             INFO(name << " at " << rows[i].at("time"));
@@ -132,7 +133,7 @@ TEST_CASE("the resummation at 401 times is as far from the motion as it says, an
         const motion m = motion::of_energy(read_exact(s.energy).coefficient, s.sign);
         const precision_scope scope(50);
         const mpfr largest = check_errors(rows, m);
-        const mpfr bound = top_bounds<mpfr>::of(orbit_of<mpfr>(m)).resummation_norm(20);
+        const mpfr bound = top_bounds<mpfr>::of(energy_level_of<mpfr>(m)).resummation_norm(20);
         CHECK(largest <= bound);
         CHECK(largest > bound / 10'000);  // an error of that order is there to be seen
     }
@@ -145,7 +146,7 @@ TEST_CASE("the series and the Runge-Kutta solution are as far from the motion as
         const motion m = motion::of_energy(read_exact(energy).coefficient);
         const words motion_words{"--energy", energy};
         const precision_scope scope(50);
-        const mpfr bound = top_bounds<mpfr>::of(orbit_of<mpfr>(m)).series_norm(10);
+        const mpfr bound = top_bounds<mpfr>::of(energy_level_of<mpfr>(m)).series_norm(10);
         const mpfr series =
             check_errors(trajectory_of(motion_words + times + words{"--method", "series", "--order", "10"}), m);
         CHECK(series <= bound);

@@ -139,7 +139,7 @@ TEST_CASE("verify names malformed rows, marks them and goes on", "[command][veri
     CHECK(says(done, "f.csv:3: theta 'two' is not a number"));
     CHECK(says(done, "f.csv:4: has 2 cells, the header has 3"));
     CHECK(says(done, "f.csv:6: time 'T/0' divides by zero"));
-    CHECK(says(done, "f.csv:7: is a negative energy"));
+    CHECK(says(done, "f.csv:7: energy '-1' is a negative energy"));
     CHECK(says(done, "f.csv:8: has no motion"));
     CHECK(says(done, "f.csv:9: a quote is not closed"));
     CHECK(says(done, "f.csv:10: theta misses by 0.997"));

@@ -8,6 +8,8 @@
 namespace convergence_radius_report_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::convergence;
 using namespace libration::tests;
 
 namespace {

@@ -5,10 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "libration/convergence/radius_estimate.hpp"
-#include "libration/convergence/strided_series.hpp"
+#include "libration/convergence/estimate/radius_estimate.hpp"
+#include "libration/convergence/estimate/strided_series.hpp"
+#include "libration/scalar/exact.hpp"
 
 namespace libration::tests {
+
+using namespace series;
+using namespace convergence;
 
 /// (1 - x/x0)^nu.
 template <class T>

@@ -10,6 +10,7 @@
 namespace elliptic_complete_integral_series_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 
 namespace {
@@ -168,13 +169,13 @@ TEMPLATE_LIST_TEST_CASE("the bounds have the digits of the scalar", "[elliptic][
     const auto round = modulus<T>::from_modulus(T(0));
     CHECK(complete_integral_series_bound(round, 3) == 0);
     CHECK(complete_integral_resummed_bound(round, 3) == 0);
-    CHECK_THROWS_AS(complete_integral_resummed_bound(round, -1), std::invalid_argument);
-    CHECK_THROWS_AS(complete_integral_series_bound(round, -1), std::invalid_argument);
+    CHECK_THROWS_AS(complete_integral_resummed_bound(round, -1), libration::error);
+    CHECK_THROWS_AS(complete_integral_series_bound(round, -1), libration::error);
 }
 
 TEST_CASE("a partial sum of negative order is refused with its value", "[elliptic][complete_series]") {
     const auto m = modulus<double>::from_modulus(0.5);
-    CHECK_THROWS_AS(complete_integral_series(m, -1), std::invalid_argument);
+    CHECK_THROWS_AS(complete_integral_series(m, -1), libration::error);
     CHECK_THROWS_WITH(complete_integral_resummed(m, -7), Catch::Matchers::Contains("-7"));
 }
 

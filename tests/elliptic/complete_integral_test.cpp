@@ -9,6 +9,7 @@
 namespace elliptic_complete_integral_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 
 namespace {
@@ -117,8 +118,8 @@ TEST_CASE("Boost.Math agrees at benign moduli", "[elliptic][complete_integral]")
 TEMPLATE_LIST_TEST_CASE("K is infinite at k = 1, and K' at k = 0", "[elliptic][complete_integral]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    CHECK_THROWS_AS(complete_at(T(0)), std::domain_error);
-    CHECK_THROWS_AS(complete_integral(modulus<T>::from_modulus(T(0)).swapped()), std::domain_error);
+    CHECK_THROWS_AS(complete_at(T(0)), libration::error);
+    CHECK_THROWS_AS(complete_integral(modulus<T>::from_modulus(T(0)).swapped()), libration::error);
 }
 
 }  // namespace elliptic_complete_integral_test

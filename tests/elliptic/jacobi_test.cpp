@@ -11,6 +11,7 @@
 namespace elliptic_jacobi_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 using libration::tests::near;
 using libration::tests::typed;
@@ -235,8 +236,8 @@ TEST_CASE("Boost.Math agrees at benign moduli and arguments", "[elliptic][jacobi
 TEMPLATE_LIST_TEST_CASE("there is no reduction by an infinite period", "[elliptic][jacobi]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    CHECK_THROWS_AS(jacobi(T(1), modulus<T>::from_complement(T(0))), std::domain_error);
-    CHECK_THROWS_AS(amplitude(T(1), modulus<T>::from_modulus(T(1))), std::domain_error);
+    CHECK_THROWS_AS(jacobi(T(1), modulus<T>::from_complement(T(0))), libration::error);
+    CHECK_THROWS_AS(amplitude(T(1), modulus<T>::from_modulus(T(1))), libration::error);
 }
 
 }  // namespace elliptic_jacobi_test

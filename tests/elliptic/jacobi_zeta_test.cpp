@@ -10,6 +10,7 @@
 namespace elliptic_jacobi_zeta_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using namespace libration::tests;
 
 namespace {

@@ -7,6 +7,7 @@
 namespace elliptic_modulus_test {
 
 using namespace libration;
+using namespace libration::elliptic;
 using libration::tests::all_scalars;
 
 namespace {
@@ -72,11 +73,11 @@ TEMPLATE_LIST_TEST_CASE("more digits come from the given one of the pair", "[ell
     const precision_scope scope(200);
     // k = sqrt(1 - k'^2) = 1 - 5e-61 - ..., next term (k'^2)^2 / 8.
     const tests::expected_value defect = tests::exactly(mpfr(widen(tiny) * widen(tiny) / 2));
-    CHECK_THAT(convert<double>(mpfr(1 - widen(near_one).k)), tests::near<double>(defect, 1));
-    CHECK_THAT(convert<double>(mpfr(1 - widen(near_zero).complement)), tests::near<double>(defect, 1));
-    CHECK_THAT(convert<double>(mpfr(1 - widen(swapped).complement)), tests::near<double>(defect, 1));
-    CHECK(widen(near_one).complement == widen(tiny));
-    CHECK(widen(near_zero).k == widen(tiny));
+    CHECK_THAT(convert<double>(mpfr(1 - wide_modulus(near_one).k)), tests::near<double>(defect, 1));
+    CHECK_THAT(convert<double>(mpfr(1 - wide_modulus(near_zero).complement)), tests::near<double>(defect, 1));
+    CHECK_THAT(convert<double>(mpfr(1 - wide_modulus(swapped).complement)), tests::near<double>(defect, 1));
+    CHECK(wide_modulus(near_one).complement == widen(tiny));
+    CHECK(wide_modulus(near_zero).k == widen(tiny));
 }
 
 TEMPLATE_LIST_TEST_CASE("both moduli may be given where both are known", "[elliptic][modulus]", all_scalars) {
@@ -87,9 +88,9 @@ TEMPLATE_LIST_TEST_CASE("both moduli may be given where both are known", "[ellip
     CHECK(m.k == tiny);
     CHECK(m.complement == 1);
     const precision_scope scope(200);
-    CHECK(widen(m).k == widen(tiny));  // the smaller one tells, at either end
-    CHECK(widen(m.swapped()).complement == widen(tiny));
-    CHECK(widen(modulus<T>::from_both(T(1), tiny)).complement == widen(tiny));
+    CHECK(wide_modulus(m).k == widen(tiny));  // the smaller one tells, at either end
+    CHECK(wide_modulus(m.swapped()).complement == widen(tiny));
+    CHECK(wide_modulus(modulus<T>::from_both(T(1), tiny)).complement == widen(tiny));
 }
 
 }  // namespace elliptic_modulus_test

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "claims/claim.hpp"
+#include "text/table.hpp"
 
 namespace paper_all_claims_test {
 

@@ -4,17 +4,19 @@
 #include <string>
 
 #include "libration/elliptic/incomplete_integral.hpp"
-#include "libration/pendulum/critical_formula.hpp"
-#include "libration/pendulum/exact_solution.hpp"
-#include "libration/pendulum/resummation.hpp"
-#include "libration/pendulum/separatrix_sum.hpp"
-#include "libration/pendulum/singularities.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/singularity/singularities.hpp"
+#include "libration/pendulum/solution/critical_formula.hpp"
+#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/solution/separatrix_sum.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
 namespace paper_background_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -29,23 +31,23 @@ TEST_CASE("claim one_series_for_all_time: corrected, the series stops at R < T a
     check_number("one_series_for_all_time", verdict::corrected, "5809.56");
     const precision_scope precision(50);
     const motion m = with_energy("1");
-    const mpfr radius = singularities<mpfr>(m)->radius(timeline<mpfr>::at_quarter(1));
-    CHECK(radius < effective_period(orbit_of<mpfr>(m)) * 3 / 2);  // 3T/8 is beyond it
+    const mpfr radius = singularities<mpfr>(m)->radius(phase_map<mpfr>::at_quarter(1));
+    CHECK(radius < effective_period(energy_level_of<mpfr>(m)) * 3 / 2);  // 3T/8 is beyond it
 }
 
 TEST_CASE("claim abstract_uniform_acceleration: fails, next to the top the resummation is worse than the series",
           "[paper][claims]") {
     check_claim("abstract_uniform_acceleration", verdict::fails, "2.6", "2.8");
     const precision_scope precision(50);
-    const auto way = descent_of<mpfr>(with_energy("1.71"));
+    const auto arc = arc_of<mpfr>(with_energy("1.71"));
     const exact_solution<mpfr> truth(with_energy("1.71"));
     const mpfr x = mpfr(1) / 10;
     const mpfr theta = truth.from_top(x).theta;
-    CHECK(abs(resummation_from_top(way, 10)(x).value - theta) > abs(series_from_top(way, 10)(x).value - theta) * 2);
+    CHECK(abs(resummation_from_top(arc, 10)(x).value - theta) > abs(series_from_top(arc, 10)(x).value - theta) * 2);
     // It pays where the series is worst.
     const mpfr late = truth.from_top(mpfr(9) / 10).theta;
-    CHECK(abs(resummation_from_top(way, 10)(mpfr(9) / 10).value - late) * 10 <
-          abs(series_from_top(way, 10)(mpfr(9) / 10).value - late));
+    CHECK(abs(resummation_from_top(arc, 10)(mpfr(9) / 10).value - late) * 10 <
+          abs(series_from_top(arc, 10)(mpfr(9) / 10).value - late));
 }
 
 // Differences of step h leave theta'''' h^2/12: with |theta''''| below (g/l)^2 = 1540 that is 1.3e-22.
@@ -117,8 +119,10 @@ TEST_CASE("claim infinite_period: holds, T* grows like log(32/|2-E|)/2 from both
 TEST_CASE("claim period_formula: holds, the equation takes the time that (T) says", "[paper][claims]") {
     check_identity("period_formula");
     const precision_scope precision(50);
-    CHECK_THAT(effective_period(orbit_of<mpfr>(with_energy("1.71"))), near<mpfr>(decimal("2.404685550102052437"), 0));
-    CHECK_THAT(effective_period(orbit_of<mpfr>(with_energy("2.02"))), near<mpfr>(decimal("3.6821924860914103292"), 0));
+    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("1.71"))),
+               near<mpfr>(decimal("2.404685550102052437"), 0));
+    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("2.02"))),
+               near<mpfr>(decimal("3.6821924860914103292"), 0));
 }
 
 TEST_CASE("claim period_substitutions: holds, four ways to the quarter agree", "[paper][claims]") {

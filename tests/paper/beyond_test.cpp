@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/error_norm.hpp"
-#include "libration/pendulum/singularities.hpp"
-#include "libration/pendulum/uniform_resummation.hpp"
+#include "libration/pendulum/arc/uniform_resummation.hpp"
+#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/singularity/singularities.hpp"
 #include "paper/judged.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
@@ -14,6 +14,7 @@
 namespace paper_beyond_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("claim uniform_rate_below_third: holds, the nearest singularities left are three T* away",
@@ -54,7 +55,7 @@ TEST_CASE("claim two_columns_are_the_motion: holds, what is left is |2-E|/8", "[
     // At the bottom of libration, where theta = 0, the two columns are 2 gd(2y) - pi = -2 atan(1/sinh 2y), and |2-E| is
     // 32 exp(-2y) there.
     const precision_scope precision(60);
-    const auto o = orbit_of<mpfr>(with_gap("1e-20"));
+    const auto o = energy_level_of<mpfr>(with_gap("1e-20"));
     const mpfr y = half_column_distance(o);
     CHECK(abs(atan(1 / sinh(y * 2)) * 2 / mpfr("1.25e-21") - 1) < mpfr("1e-3"));
 }

@@ -3,13 +3,15 @@
 #include <cmath>
 #include <string>
 
-#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/solution/exact_solution.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
 namespace paper_closed_solutions_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

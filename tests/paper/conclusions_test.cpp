@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/convergence/pole_pair.hpp"
-#include "libration/pendulum/error_norm.hpp"
-#include "libration/pendulum/expansion.hpp"
+#include "libration/convergence/test/pole_pair.hpp"
+#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 #include "paper/judged.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
@@ -12,6 +12,8 @@
 namespace paper_conclusions_test {
 
 using namespace libration;
+using namespace libration::convergence;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -26,7 +28,7 @@ TEST_CASE("claim converges_beyond_bottom: holds, R^2 = T*^2 + K~'^2", "[paper][c
     CHECK(three_digits(f) == "0.0000903");
     // The terms at 1.1 T* fall where R = 1.21 T*.
     const precision_scope precision(50);
-    const auto series = descent_series(descent_of<mpfr>(with_energy("1.71")), 400);
+    const auto series = arc_series(arc_of<mpfr>(with_energy("1.71")), 400);
     CHECK(abs(series[400]) * pow(mpfr("1.1"), 400) < abs(series[200]) * pow(mpfr("1.1"), 200) / 1000);
 }
 
@@ -38,8 +40,8 @@ TEST_CASE("claim optimal_at_top: holds with correction, because the way to the b
     const precision_scope precision(50);
     const motion m = with_energy("1.71");
     const auto lattice = singularities<mpfr>(m);
-    const mpfr middle = lattice->radius(timeline<mpfr>(m).at(read_exact("T/8")));
-    const mpfr top = lattice->radius(timeline<mpfr>(m).at(read_exact("0")));
+    const mpfr middle = lattice->radius(phase_map<mpfr>(m).at(read_exact("T/8")));
+    const mpfr top = lattice->radius(phase_map<mpfr>(m).at(read_exact("0")));
     CHECK(middle < top);
     CHECK(to_decimal(mpfr(lattice->effective_period / 2 / middle), 3) == "0.593");
     CHECK(to_decimal(mpfr(lattice->effective_period / top), 3) == "0.827");
@@ -52,8 +54,8 @@ TEST_CASE("claim better_at_every_truncation: fails, because at a fixed N the res
     CHECK(three_digits(f) == "0.965");
     const precision_scope precision(50);
     const auto loses = [](const std::string& gap, int order) {
-        descent_errors errors(with_gap(gap));
-        return errors.norm(descent_method::resummed, order).norm > errors.norm(descent_method::series, order).norm;
+        arc_errors errors(with_gap(gap));
+        return errors.norm(arc_method::resummed, order).norm > errors.norm(arc_method::series, order).norm;
     };
     CHECK(loses("1.59e-8", 0));
     CHECK(loses("-1.59e-8", 0));
@@ -69,7 +71,7 @@ TEST_CASE("claim better_at_every_time: holds with correction, because the resumm
     CHECK(three_digits(f) == "93.4");
     // N = 0 at T*/100: 2.7405e-3 against 2.0361e-4.
     const precision_scope precision(50);
-    const auto d = descent_of<mpfr>(with_energy("1.71"));
+    const auto d = arc_of<mpfr>(with_energy("1.71"));
     const mpfr x = mpfr(1) / 100;
     const mpfr theta = exact_solution<mpfr>(with_energy("1.71")).from_top(x).theta;
     CHECK(to_decimal(mpfr(abs(resummation_from_top(d, 0)(x).value - theta)), 3) == "0.00274");

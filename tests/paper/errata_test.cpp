@@ -7,13 +7,14 @@
 #include <string>
 
 #include "claims/claim.hpp"
-#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/error/error_norm.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
 namespace paper_errata_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -61,10 +62,9 @@ TEST_CASE("errata: the table of bounds over errors is right to its last digit", 
         INFO("E = " << energy << ", N = " << order);
         const motion m = with_energy(energy);
         const precision_scope precision(20 + digits_below(m, order));
-        descent_errors errors(m);
-        const mpfr series = errors.bounds().series_norm(order) / errors.norm(descent_method::series, order).norm;
-        const mpfr resummed =
-            errors.bounds().resummation_norm(order) / errors.norm(descent_method::resummed, order).norm;
+        arc_errors errors(m);
+        const mpfr series = errors.bounds().series_norm(order) / errors.norm(arc_method::series, order).norm;
+        const mpfr resummed = errors.bounds().resummation_norm(order) / errors.norm(arc_method::resummed, order).norm;
         CHECK(to_decimal(series, 3) == (*at)[3]);
         CHECK(to_decimal(resummed, 3) == (*at)[4]);
         ++rows;

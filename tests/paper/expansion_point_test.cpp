@@ -3,13 +3,14 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
 namespace paper_expansion_point_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -18,7 +19,7 @@ namespace {
 mpfr far_term(const std::string& energy, const std::string& at) {
     const motion m = with_energy(energy);
     const auto e = expand(exact_solution<mpfr>(m), read_expansion_point(at), 203);
-    const mpfr ratio = effective_period(orbit_of<mpfr>(m)) / e.scale;
+    const mpfr ratio = effective_period(energy_level_of<mpfr>(m)) / e.scale;
     mpfr largest(0);
     for (int n = 200; n <= 203; ++n) {
         largest = std::max(largest, mpfr(abs(e.scaled[n]) * pow(ratio, n)));
@@ -28,7 +29,7 @@ mpfr far_term(const std::string& energy, const std::string& at) {
 
 mpfr radius_at(const std::string& energy, const std::string& time) {
     const motion m = with_energy(energy);
-    return singularities<mpfr>(m)->radius(timeline<mpfr>(m).at(read_exact(time)));
+    return singularities<mpfr>(m)->radius(phase_map<mpfr>(m).at(read_exact(time)));
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ TEST_CASE("the radius falls all the way from the top to the bottom", "[paper]") 
         mpfr before;
         for (int i = 0; i <= 10; ++i) {
             const exact time{rational(i, 10 * quarters), unit::period, ""};
-            const mpfr radius = singularities<mpfr>(m)->radius(timeline<mpfr>(m).at(time));
+            const mpfr radius = singularities<mpfr>(m)->radius(phase_map<mpfr>(m).at(time));
             INFO("E = " << energy << ", " << i << "/10 of the way");
             CHECK((i == 0 || radius < before));
             before = radius;
@@ -73,7 +74,7 @@ TEST_CASE("an expansion half way covers the descent at a better rate a power tha
     const precision_scope precision(40);
     for (const std::string energy : {"0.1", "0.5", "1", "1.71", "1.9998", "2.02", "4", "10"}) {
         const motion m = with_energy(energy);
-        const mpfr period = effective_period(orbit_of<mpfr>(m));
+        const mpfr period = effective_period(energy_level_of<mpfr>(m));
         const mpfr top_rate = period / radius_at(energy, "0");
         const mpfr half_rate = period / 2 / radius_at(energy, m.regime() == regime::rotation ? "T/4" : "T/8");
         INFO(energy);

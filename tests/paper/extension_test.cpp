@@ -2,26 +2,27 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/error_norm.hpp"
-#include "libration/pendulum/expansion.hpp"
-#include "libration/pendulum/periodic_extension.hpp"
+#include "libration/pendulum/arc/periodic_extension.hpp"
+#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
 namespace paper_extension_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
 
 mpfr series_norm(const std::string& energy, int order) {
-    return descent_errors(with_energy(energy)).norm(descent_method::series, order).norm;
+    return arc_errors(with_energy(energy)).norm(arc_method::series, order).norm;
 }
 
 // theta by the extended series of the library against the exact solution.
 mpfr extension_error(const motion& m, const std::string& time) {
-    const periodic_extension<mpfr, truncated_series<mpfr>> extended(m, series_from_top(descent_of<mpfr>(m), 1400));
+    const periodic_extension<mpfr, truncated_series<mpfr>> extended(m, series_from_top(arc_of<mpfr>(m), 1400));
     return abs(extended(read_exact(time)).value - exact_solution<mpfr>(m)(read_exact(time)).theta);
 }
 
@@ -30,8 +31,8 @@ mpfr extension_error(const motion& m, const std::string& time) {
 TEST_CASE("claim series_is_exact_to_the_bottom: holds on both sides of the top", "[paper][claims]") {
     check_identity("series_is_exact_to_the_bottom");
     const precision_scope precision(50);
-    const auto way = descent_of<mpfr>(with_energy("1.71"));
-    CHECK(abs(series_from_top(way, 600)(mpfr(1)).value) < mpfr("1e-40"));  // the bottom: 0
+    const auto arc = arc_of<mpfr>(with_energy("1.71"));
+    CHECK(abs(series_from_top(arc, 600)(mpfr(1)).value) < mpfr("1e-40"));  // the bottom: 0
 }
 
 // (T* + R)/(2 R) = 0.960 at E = 2.02: 8/mpf(1001)*mpf('0.96007')**1001/(1-mpf('0.96007')**2) is 2e-19 at most.
@@ -72,8 +73,8 @@ TEST_CASE("claim negative_times: corrected, with a remainder that is never negat
     check_number("negative_times", verdict::corrected, "1.24093603922760");
     const precision_scope precision(50);
     CHECK(extension_error(with_energy("1.71"), "-3T/8") < mpfr("1e-40"));
-    const auto way = descent_of<mpfr>(with_energy("1.71"));
-    CHECK(abs(series_from_top(way, 600)(mpfr(-3) / 2).value) > mpfr("1e50"));
+    const auto arc = arc_of<mpfr>(with_energy("1.71"));
+    CHECK(abs(series_from_top(arc, 600)(mpfr(-3) / 2).value) > mpfr("1e50"));
 }
 
 // E = 1-cos(mpf(1)/2)+mpf(1)/2; 2*pi+mpf(1)/2-acos(1-E)
@@ -120,7 +121,7 @@ TEST_CASE("claim figure_libration_orders: corrected, N = 4 is farther from the m
 TEST_CASE("claim figure_rotation_orders: corrected, rotation from the top has odd powers only", "[paper][claims]") {
     check_claim("figure_rotation_orders", verdict::corrected, "0", "1e-45");
     const precision_scope precision(50);
-    CHECK(descent_series(descent_of<mpfr>(with_energy("2.02")), 36)[36] == 0);
+    CHECK(arc_series(arc_of<mpfr>(with_energy("2.02")), 36)[36] == 0);
     CHECK(series_norm("2.02", 36) == series_norm("2.02", 35));
 }
 

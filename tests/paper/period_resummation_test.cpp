@@ -2,13 +2,14 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/period.hpp"
+#include "libration/pendulum/energy/period.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
 namespace paper_period_resummation_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 TEST_CASE("the brackets of (Knew) sum to ln 2 with a tail of 1/(8N)", "[paper]") {
@@ -28,7 +29,7 @@ TEST_CASE("the brackets of (Knew) sum to ln 2 with a tail of 1/(8N)", "[paper]")
 
 TEST_CASE("next to E = 2 (Knew) converges like 1/(8N) and (Kold) not at all", "[paper]") {
     const precision_scope precision(80);
-    const auto o = orbit_of<mpfr>(with_gap("1e-30"));
+    const auto o = energy_level_of<mpfr>(with_gap("1e-30"));
     const mpfr exact_period = effective_period(o);
     for (const int order : {10, 100, 1000}) {
         INFO(order);
@@ -41,7 +42,7 @@ TEST_CASE("next to E = 2 (Knew) converges like 1/(8N) and (Kold) not at all", "[
 TEST_CASE("(Knew) is better than (Kold) at every order and energy", "[paper]") {
     const precision_scope precision(80);
     for (const std::string energy : {"0.1", "0.5", "1.71", "1.9998", "2.02", "4", "10"}) {
-        const auto o = orbit_of<mpfr>(with_energy(energy));
+        const auto o = energy_level_of<mpfr>(with_energy(energy));
         const mpfr exact_period = effective_period(o);
         for (const int order : {0, 1, 5, 20}) {
             INFO("E = " << energy << ", N = " << order);

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/periodic_extension.hpp"
+#include "libration/pendulum/arc/periodic_extension.hpp"
 #include "paper/judged.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
@@ -10,13 +10,15 @@
 namespace paper_period_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
 
 std::string three_digits(const finding& f) { return to_decimal(f.number, 3); }
 
-mpfr error_of(const orbit<mpfr>& o, const period_rule& rule) {
+mpfr error_of(const energy_level<mpfr>& o, const period_rule& rule) {
     return abs(effective_period_by(rule, o) - effective_period(o));
 }
 
@@ -29,7 +31,7 @@ TEST_CASE("claim Kold_converges: holds, within the bound of its remainder", "[pa
     // k^2 = 1/2: K = Gamma(1/4)^2/(4 sqrt pi).
     const precision_scope precision(50);
     const mpfr quarter = tgamma(mpfr(mpfr(1) / 4));
-    CHECK_THAT(effective_period_series(orbit_of<mpfr>(with_energy("1")), 200),
+    CHECK_THAT(effective_period_series(energy_level_of<mpfr>(with_energy("1")), 200),
                near<mpfr>(mpfr(quarter * quarter / (4 * sqrt(pi<mpfr>()))), 200));
 }
 
@@ -38,7 +40,7 @@ TEST_CASE("claim Kold_domain: holds with correction, because k = 1 on the separa
     CHECK(f.verdict == verdict::corrected);
     CHECK(f.number == 1);
     const precision_scope precision(50);
-    CHECK_THROWS_AS(orbit_of<mpfr>(with_energy("2")), std::domain_error);
+    CHECK_THROWS_AS(energy_level_of<mpfr>(with_energy("2")), libration::error);
 }
 
 TEST_CASE("claim Kold_towards_separatrix: holds, every term left out grows with k", "[paper][claims]") {
@@ -58,7 +60,7 @@ TEST_CASE("claim Kold_hundred_terms: holds, 65148 of them for four decimals", "[
     CHECK(f.verdict == verdict::holds);
     CHECK(f.number == 65148);
     const precision_scope precision(50);
-    const auto o = orbit_of<mpfr>(with_state("0", "1.9999"));
+    const auto o = energy_level_of<mpfr>(with_state("0", "1.9999"));
     CHECK(to_decimal(error_of(o, {period_method::series, 100}), 3) == "2.02");
 }
 
@@ -93,7 +95,7 @@ TEST_CASE("claim Knew_converges: holds, with brackets near 1/(8 n^2)", "[paper][
     CHECK(f.verdict == verdict::holds);
     CHECK(three_digits(f) == "0.894");
     const precision_scope precision(50);
-    const auto o = orbit_of<mpfr>(with_energy("1"));
+    const auto o = energy_level_of<mpfr>(with_energy("1"));
     CHECK_THAT(effective_period_resummed(o, 200), near<mpfr>(effective_period(o), 200));
 }
 
@@ -109,7 +111,7 @@ TEST_CASE("claim Knew_rapid: holds with correction, because next to E = 2 its er
     CHECK(f.verdict == verdict::corrected);
     CHECK(three_digits(f) == "0.501");
     const precision_scope precision(50);
-    const auto o = orbit_of<mpfr>(with_gap("1e-12"));
+    const auto o = energy_level_of<mpfr>(with_gap("1e-12"));
     // 0.0114193 and 0.00123838.
     CHECK(to_decimal(error_of(o, {period_method::resummed, 10}), 3) == "0.0114");
     CHECK(to_decimal(error_of(o, {period_method::resummed, 100}), 3) == "0.00124");
@@ -121,7 +123,7 @@ TEST_CASE("claim Knew_limit: holds with correction, because k'^2 ln k' is left",
     // K = ln(4/k') + (k'^2/4)(ln(4/k') - 1) + ..., artanh(k)/k = ln(2/k')(1 + k'^2/2) + ...: -1/4 + 1/2.
     CHECK(three_digits(f) == "0.250");
     const precision_scope precision(50);
-    const auto o = orbit_of<mpfr>(with_gap("1e-30"));
+    const auto o = energy_level_of<mpfr>(with_gap("1e-30"));
     CHECK(to_decimal(error_of(o, {period_method::resummed, 0}), 3) == "0.122");
 }
 
@@ -142,7 +144,7 @@ TEST_CASE("claim figure_period_drift: holds with correction, because a wrong per
     CHECK(f.verdict == verdict::corrected);
     CHECK(three_digits(f) == "0.0755");
     const precision_scope precision(50);
-    const auto o = orbit_of<mpfr>(with_state("0", "1.9999"));
+    const auto o = energy_level_of<mpfr>(with_state("0", "1.9999"));
     // 400 times 0.0113293 is three quarters of 5.99160.
     const mpfr shift = error_of(o, {period_method::resummed, 10}) * 400 / effective_period(o);
     CHECK(to_decimal(shift, 3) == "0.756");
@@ -156,8 +158,7 @@ TEST_CASE("claim period_analyticity: holds with correction, because a truncation
     // The extension itself, omega on both sides of the bottom: its slope jumps by the same amount.
     const precision_scope precision(50);
     const motion m = with_energy("1.71");
-    const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m,
-                                                                        resummation_from_top(descent_of<mpfr>(m), 10));
+    const periodic_extension<mpfr, endpoint_approximant<mpfr>> extended(m, resummation_from_top(arc_of<mpfr>(m), 10));
     const mpfr step("1e-12");
     const auto speed = [&](int side) { return extended.at({integer(2), step * side, side}).slope; };
     const mpfr middle = extended.at({integer(2), mpfr(0), 0}).slope;

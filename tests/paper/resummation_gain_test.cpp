@@ -5,20 +5,22 @@
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/pendulum/bounds.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/arc/bounds.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
 namespace paper_resummation_gain_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
 
 struct comparison {
-    explicit comparison(const motion& m) : d(descent_of<mpfr>(m)), solution(m) {}
+    explicit comparison(const motion& m) : d(arc_of<mpfr>(m)), solution(m) {}
 
     jet<mpfr> truth(const mpfr& x) const {
         const auto s = solution.from_top(x);
@@ -32,7 +34,7 @@ struct comparison {
     mpfr series_norm(int order) const { return norm(series_from_top(d, order)); }
     mpfr resummed_norm(int order) const { return norm(resummation_from_top(d, order)); }
 
-    descent<mpfr> d;
+    fundamental_arc<mpfr> d;
     exact_solution<mpfr> solution;
 };
 
@@ -42,7 +44,7 @@ TEST_CASE("the norm gains about (e^2/4)(K~'/T*)^2 N^2, with the same geometric r
     const precision_scope precision(60);
     for (const std::string energy : {"0.5", "1.71", "1.9998", "2.02", "4"}) {
         const comparison c(with_energy(energy));
-        const mpfr ratio = singularity_height(c.d.o) / c.d.effective_period;
+        const mpfr ratio = singularity_height(c.d.level) / c.d.effective_period;
         for (const int order : {40, 80}) {
             // The envelope over neighbouring orders: one error alone may be near a zero of sin(n phi).
             mpfr series(0);

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
 namespace paper_resummation_sign_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -20,9 +22,9 @@ namespace {
 // The norm on [0, T*] of theta less the resummation that ends in (theta*, omega* T*).
 mpfr norm_with(const std::string& energy, int order, const std::vector<mpfr>& endpoint) {
     const motion m = with_energy(energy);
-    const auto d = descent_of<mpfr>(m);
+    const auto d = arc_of<mpfr>(m);
     const exact_solution<mpfr> solution(m);
-    const endpoint_approximant<mpfr> resummed(descent_series(d, order), endpoint);
+    const endpoint_approximant<mpfr> resummed(arc_series(d, order), endpoint);
     const auto truth = [&](const mpfr& x) {
         const auto s = solution.from_top(x);
         return jet<mpfr>{s.theta, s.omega * d.effective_period};
@@ -35,8 +37,8 @@ mpfr norm_with(const std::string& energy, int order, const std::vector<mpfr>& en
 TEST_CASE("with the sign of (omegab) as printed the error of libration is 2 sqrt(2E) T*/(e N)", "[paper]") {
     const precision_scope precision(40);
     for (const std::string energy : {"0.5", "1.71"}) {
-        const auto d = descent_of<mpfr>(with_energy(energy));
-        const mpfr speed = sqrt(d.o.pair.energy * 2) * d.effective_period;
+        const auto d = arc_of<mpfr>(with_energy(energy));
+        const mpfr speed = sqrt(d.level.pair.energy * 2) * d.effective_period;
         for (const int order : {100, 200, 400}) {
             INFO("E = " << energy << ", N = " << order);
             const mpfr printed = norm_with(energy, order, {mpfr(0), speed});
@@ -49,7 +51,7 @@ TEST_CASE("with the sign of (omegab) as printed the error of libration is 2 sqrt
 
 TEST_CASE("without theta* the resummation of a rotation ends 2 pi away", "[paper]") {
     const precision_scope precision(40);
-    const auto d = descent_of<mpfr>(with_energy("2.02"));
+    const auto d = arc_of<mpfr>(with_energy("2.02"));
     const mpfr slope = d.bottom.slope * d.effective_period;
     const mpfr printed = norm_with("2.02", 40, {mpfr(0), slope});
     CHECK_THAT(printed, near<mpfr>(mpfr(pi<mpfr>() * 2), 4));
@@ -61,9 +63,9 @@ TEST_CASE("the printed alpha and beta are those of theta* = 0", "[paper]") {
     for (const std::string energy : {"1.71", "2.02"}) {
         INFO(energy);
         const int order = 12;
-        const auto d = descent_of<mpfr>(with_energy(energy));
+        const auto d = arc_of<mpfr>(with_energy(energy));
         const mpfr period = d.effective_period;
-        auto polynomial = rescale(descent_series(d, order), mpfr(1 / period));
+        auto polynomial = rescale(arc_series(d, order), mpfr(1 / period));
         const jet<mpfr> sigma = evaluate(polynomial, period);
         const mpfr slope_off = d.bottom.slope - sigma.slope;
         // (efficient) as printed.
@@ -77,7 +79,7 @@ TEST_CASE("the printed alpha and beta are those of theta* = 0", "[paper]") {
 }
 
 TEST_CASE("T*^(-N-1) and a_n leave the range of double before N = 1000, the scaled resummation does not", "[paper]") {
-    const auto d = descent_of<double>(with_energy("1.9998"));
+    const auto d = arc_of<double>(with_energy("1.9998"));
     CHECK(std::pow(d.effective_period, 1001) == HUGE_VAL);
     const auto resummed = resummation_from_top(d, 1000);
     const exact_solution<double> solution(with_energy("1.9998"));

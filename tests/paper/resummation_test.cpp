@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/pendulum/bounds.hpp"
-#include "libration/pendulum/resummation.hpp"
-#include "libration/pendulum/runge_kutta.hpp"
+#include "libration/ode/runge_kutta.hpp"
+#include "libration/pendulum/arc/bounds.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
 #include "paper/judged.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
@@ -17,19 +17,21 @@
 namespace paper_resummation_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
 
 std::string three_digits(const finding& f) { return to_decimal(f.number, 3); }
 
-// The descent of an energy through the library's own resummation, with the endpoint of the caller's choice.
+// The fundamental arc of an energy through the library's own resummation, with the endpoint of the caller's choice.
 struct judge_of {
-    explicit judge_of(const std::string& energy) : m(with_energy(energy)), d(descent_of<mpfr>(m)), solution(m) {}
+    explicit judge_of(const std::string& energy) : m(with_energy(energy)), d(arc_of<mpfr>(m)), solution(m) {}
 
     mpfr theta(const mpfr& x) const { return solution.from_top(x).theta; }
     endpoint_approximant<mpfr> ending(int order, const mpfr& angle, const mpfr& speed) const {
-        return {descent_series(d, order), {angle, speed * d.effective_period}};
+        return {arc_series(d, order), {angle, speed * d.effective_period}};
     }
     template <class F>
     mpfr norm(const F& f) const {
@@ -39,14 +41,14 @@ struct judge_of {
         };
         return difference_norm<mpfr>(difference(f, truth), chebyshev_points(101)).norm;
     }
-    mpfr fastest() const { return sqrt(d.o.pair.energy * 2); }
+    mpfr fastest() const { return sqrt(d.level.pair.energy * 2); }
 
     motion m;
-    descent<mpfr> d;
+    fundamental_arc<mpfr> d;
     exact_solution<mpfr> solution;
 };
 
-// Two approximants of the same descent at a small x: the power of x that their errors go with.
+// Two approximants of the same fundamental arc at a small x: the power of x that their errors go with.
 template <class F>
 mpfr power_near(const judge_of& j, const F& f, bool at_bottom) {
     const auto error = [&](const mpfr& distance) {
@@ -119,9 +121,9 @@ TEST_CASE("claim b_constants: holds with correction, because b_0 lacks -theta*",
     // The sums of the coefficients themselves, at another energy; b_0 and b_1 add +-T* omega*, which cancel.
     const precision_scope precision(50);
     const judge_of j("4");
-    const auto series = descent_series(j.d, 200);
+    const auto series = arc_series(j.d, 200);
     const mpfr sum = evaluate(series, mpfr(1)).value;
-    CHECK(abs(sum - pi<mpfr>() * 2) < top_bounds<mpfr>::of(j.d.o).series_norm(200));
+    CHECK(abs(sum - pi<mpfr>() * 2) < top_bounds<mpfr>::of(j.d.level).series_norm(200));
 }
 
 TEST_CASE("claim square_expansion: holds for |t| < T*", "[paper][claims]") {
@@ -137,8 +139,8 @@ TEST_CASE("claim approxcoeffs: holds, the Cauchy product divides by (t-T*)^2", "
     // Multiplied back: (1-x)^2 h = b, that is h_n - 2 h_(n-1) + h_(n-2) = b_n.
     const precision_scope precision(50);
     const judge_of j("1.71");
-    const auto series = descent_series(j.d, 30);
-    const auto h = inner_series_by_convolution(series, descent_endpoint(j.d));
+    const auto series = arc_series(j.d, 30);
+    const auto h = inner_series_by_convolution(series, arc_endpoint(j.d));
     for (int n = 2; n <= 30; ++n) {
         CHECK_THAT(mpfr(h[n] - h[n - 1] * 2 + h[n - 2]), near<mpfr>(series[n], 200, mpfr(4)));
     }
@@ -222,7 +224,7 @@ TEST_CASE("claim every_energy: holds, T* < R at all of them", "[paper][claims]")
     CHECK(three_digits(f) == "4.81e-12");
     const precision_scope precision(50);
     for (const std::string energy : {"1e-6", "1", "1.9999", "2.0001", "100"}) {
-        CHECK(top_bounds<mpfr>::of(orbit_of<mpfr>(with_energy(energy))).rho < 1);
+        CHECK(top_bounds<mpfr>::of(energy_level_of<mpfr>(with_energy(energy))).rho < 1);
     }
 }
 
@@ -331,7 +333,7 @@ TEST_CASE("claim appendix_alpha_beta: holds with correction, because sigma_N lac
     const precision_scope precision(50);
     const judge_of j("2.02");
     const mpfr slope = j.fastest() * j.d.effective_period;
-    const auto series = descent_series(j.d, 1);
+    const auto series = arc_series(j.d, 1);
     const auto with = endpoint_corrected(series, {mpfr(pi<mpfr>() * 2), slope});
     const auto without = endpoint_corrected(series, {mpfr(0), slope});
     CHECK_THAT(evaluate(with, mpfr(1)).value, near<mpfr>(mpfr(pi<mpfr>() * 2), 100));
@@ -356,7 +358,7 @@ TEST_CASE("claim appendix_same_polynomial: holds, there is one polynomial with t
     CHECK(f.number > 45);
     const precision_scope precision(50);
     const judge_of j("2.02");
-    const auto corrected = endpoint_corrected(descent_series(j.d, 9), descent_endpoint(j.d));
+    const auto corrected = endpoint_corrected(arc_series(j.d, 9), arc_endpoint(j.d));
     const auto factored = resummation_from_top(j.d, 9);
     for (const std::string place : {"0.1", "0.5", "0.9"}) {
         CHECK_THAT(evaluate(corrected, mpfr(place)).value, near<mpfr>(factored(mpfr(place)).value, 1000));
@@ -386,11 +388,11 @@ TEST_CASE("claim appendix_range: holds with correction, because T*^(N+1) leaves 
     const finding f = measured("appendix_range");
     CHECK(f.verdict == verdict::corrected);
     CHECK(three_digits(f) == "5.81e-6");
-    const double period = effective_period(orbit_of<double>(with_gap("1e-10")));
+    const double period = effective_period(energy_level_of<double>(with_gap("1e-10")));
     CHECK(std::isfinite(std::pow(period, 274)));
     CHECK(std::isinf(std::pow(period, 275)));
     // In the scaled variable double is enough: the norm falls on with N.
-    const auto d = descent_of<double>(with_gap("1e-10"));
+    const auto d = arc_of<double>(with_gap("1e-10"));
     CHECK(std::abs(resummation_from_top(d, 1000)(0.5).value - state_of<double>(with_gap("1e-10"), "T/8").theta) <
           1e-12);
 }

@@ -3,14 +3,18 @@
 #include <cmath>
 #include <string>
 
-#include "libration/pendulum/expansion.hpp"
-#include "libration/pendulum/runge_kutta.hpp"
+#include "libration/ode/runge_kutta.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/series/exponential.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
 namespace paper_series_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -57,7 +61,7 @@ TEST_CASE("claim arcsine_is_required: fails, omega is a Jacobi function and inte
           "[paper][claims]") {
     check_claim("arcsine_is_required", verdict::fails, "0", "1e-40");
     const precision_scope precision(50);
-    const auto shape = orbit_of<mpfr>(with_energy("1.71")).shape;
+    const auto shape = energy_level_of<mpfr>(with_energy("1.71")).modulus;
     for (const int time : {1, 3}) {
         const auto v = jacobi(mpfr(time), shape);
         const mpfr omega = state_of<mpfr>(with_energy("1.71"), std::to_string(time)).omega;
@@ -83,7 +87,7 @@ TEST_CASE("claim figure_series_diverges: holds, the terms at T* grow", "[paper][
     check_claim("figure_series_diverges", verdict::holds, "3.39e165", "3.40e165");
     const precision_scope precision(50);
     for (const std::string energy : {"1.71", "2.02"}) {
-        CHECK(about(energy, "bottom", 1).scale < effective_period(orbit_of<mpfr>(with_energy(energy))));
+        CHECK(about(energy, "bottom", 1).scale < effective_period(energy_level_of<mpfr>(with_energy(energy))));
     }
 }
 

@@ -3,13 +3,15 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 
 namespace paper_singularities_test {
 
 using namespace libration;
+using namespace libration::elliptic;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -18,13 +20,13 @@ namespace {
 mpfr radius_at(const std::string& energy, const std::string& point) {
     const motion m = with_energy(energy);
     return *expand(exact_solution<mpfr>(m), read_expansion_point(point), 1).radius /
-           effective_period(orbit_of<mpfr>(m));
+           effective_period(energy_level_of<mpfr>(m));
 }
 
 // The terms |a_n| T*^n, n = 198 .. 201: the largest.
 mpfr far_term(const std::string& energy, const std::string& point) {
     const auto e = expand(exact_solution<mpfr>(with_energy(energy)), read_expansion_point(point), 201);
-    const mpfr ratio = effective_period(orbit_of<mpfr>(with_energy(energy))) / e.scale;
+    const mpfr ratio = effective_period(energy_level_of<mpfr>(with_energy(energy))) / e.scale;
     mpfr largest(0);
     for (int n = 198; n <= 201; ++n) {
         largest = std::max(largest, mpfr(abs(e.scaled[n]) * pow(ratio, n)));
@@ -58,14 +60,14 @@ TEST_CASE("claim libration_singularities: holds, logarithms at odd and odd multi
     check_identity("libration_singularities");
     const precision_scope precision(50);
     // 1/cd vanishes there: cd(K + iK' + z) has a pole, sn(z) = 0 at z = 0, for cd(u + K + iK') = -1/(k sn u).
-    CHECK(jacobi(mpfr(0), orbit_of<mpfr>(with_energy("1.71")).shape).sn == 0);
+    CHECK(jacobi(mpfr(0), energy_level_of<mpfr>(with_energy("1.71")).modulus).sn == 0);
 }
 
 // ellipk(mpf(1)/2)
 TEST_CASE("claim one_figure_for_libration: corrected, the circles change sides at E = 1", "[paper][claims]") {
     check_number("one_figure_for_libration", verdict::corrected, "1.0000000000000000");
     const precision_scope precision(50);
-    const orbit<mpfr> o = orbit_of<mpfr>(with_energy("1"));
+    const energy_level<mpfr> o = energy_level_of<mpfr>(with_energy("1"));
     CHECK(abs(effective_period(o) - singularity_height(o)) < mpfr("1e-48"));
     CHECK_THAT(effective_period(o), near<mpfr>(decimal("1.8540746773013719184"), 0));
     CHECK(far_term("0.5", "bottom") < mpfr("1e-15"));
@@ -89,7 +91,7 @@ TEST_CASE("claim radius_exceeds_effective_period: holds, K' is never 0", "[paper
     check_number("radius_exceeds_effective_period", verdict::holds, "0.03379580496");
     const precision_scope precision(50);
     // Next to E = 2 the excess is K'^2/(2 T*^2), small but there; K' >= pi/2 for libration.
-    const orbit<mpfr> o = orbit_of<mpfr>(with_gap("1e-30"));
+    const energy_level<mpfr> o = energy_level_of<mpfr>(with_gap("1e-30"));
     CHECK(singularity_height(o) >= pi<mpfr>() / 2);
 }
 
@@ -121,8 +123,10 @@ TEST_CASE("claim bottom_radius_of_libration: fails, at E = 1/2 the series from t
     check_number("bottom_radius_of_libration", verdict::fails, "1.27926157117");
     const precision_scope precision(50);
     CHECK(far_term("0.5", "bottom") < mpfr("1e-15"));
-    CHECK_THAT(singularity_height(orbit_of<mpfr>(with_energy("0.5"))), near<mpfr>(decimal("2.1565156474996432"), 0));
-    CHECK_THAT(effective_period(orbit_of<mpfr>(with_energy("0.5"))), near<mpfr>(decimal("1.6857503548125960"), 0));
+    CHECK_THAT(singularity_height(energy_level_of<mpfr>(with_energy("0.5"))),
+               near<mpfr>(decimal("2.1565156474996432"), 0));
+    CHECK_THAT(effective_period(energy_level_of<mpfr>(with_energy("0.5"))),
+               near<mpfr>(decimal("1.6857503548125960"), 0));
 }
 
 // q = ellipk(mpf(3)/4)/ellipk(mpf(1)/4); sqrt(mpf('0.16')+q*q)... the smallest fall is the last one at E = 1/2:

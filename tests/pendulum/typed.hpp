@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/solution/exact_solution.hpp"
 #include "reference_table.hpp"
 
 namespace libration::tests {
+
+using namespace pendulum;
 
 inline rational fraction(const std::string& text) { return read_exact(text).coefficient; }
 

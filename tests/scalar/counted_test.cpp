@@ -1,13 +1,15 @@
-#include "libration/scalar/counted.hpp"  // before the concept that it models
+#include "libration/scalar/counted.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "libration/pendulum/other_recurrences.hpp"
-#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/taylor/other_recurrences.hpp"
 
 namespace scalar_counted_test {
 
 using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
 
 namespace {
 

@@ -65,14 +65,14 @@ TEST_CASE("a ball is read where proofs are offered, and is no scalar that rounds
 TEST_CASE("a bad scalar is refused with what is wrong", "[scalar][dispatch]") {
     for (const auto* name : {"", "float", "Double", "double ", "mpfr", "mpfr50", "MPFR:50"}) {
         INFO(name);
-        CHECK_THROWS_WITH(read_scalar(name), "is not a scalar");
+        CHECK_THROWS_WITH(read_scalar(name), Contains("is not a scalar"));
     }
     CHECK_THROWS_WITH(read_scalar("mpfr:0"), Contains("less than one digit"));
     CHECK_THROWS_WITH(read_scalar("mpfr:"), Contains("whole number"));
     CHECK_THROWS_WITH(read_scalar("ball:50"), Contains("not offered here"));
-    CHECK_THROWS_WITH(read_scalar("ball", arithmetics::proved_too), "is not a scalar");
+    CHECK_THROWS_WITH(read_scalar("ball", arithmetics::proved_too), Contains("is not a scalar"));
     CHECK_THROWS_WITH(read_scalar("ball:0", arithmetics::proved_too), Contains("less than one digit"));
-    CHECK_THROWS_AS(read_scalar("float"), std::invalid_argument);
+    CHECK_THROWS_AS(read_scalar("float"), libration::error);
 }
 
 TEST_CASE("digits are a whole number from 1 to the most that a run may ask for", "[scalar][dispatch]") {

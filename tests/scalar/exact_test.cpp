@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "libration/scalar/error.hpp"
 #include "scalars.hpp"
 
 namespace scalar_exact_test {
@@ -65,16 +66,17 @@ TEST_CASE("a typed number means exactly what was typed", "[scalar][exact]") {
 }
 
 TEST_CASE("what is not a number is refused with what is wrong", "[scalar][exact]") {
-    for (const auto* text : {"abc",  "nan", "inf", "-inf", "1..2", "1e",    "1e+",  "--1",   "+-1",   "1 2",
-                             " 1",   "1 ",  ".",   "-",    "/2",   "1/",    "1/-2", "1/2/3", "1/2pi", "deg",
-                             "pipi", "pi2", "e5",  "0x10", "1,5",  "1e1.5", "2t",   "3Pi",   "3 pi"}) {
+    for (const auto* text :
+         {"abc", "nan", "inf",  "-inf", "1..2", "1e",  "1e+",  "--1", "+-1", "1 2",  " 1",  "1 ",    ".", "-",
+          "/2",  "1/",  "1/-2", "deg",  "3 pi", "3Pi", "pipi", "pi2", "e5",  "0x10", "1,5", "1e1.5", "2t"}) {
         INFO(text);
-        CHECK_THROWS_WITH(read_exact(text), "is not a number");
+        CHECK_THROWS_WITH(read_exact(text), "number '" + std::string(text) + "' is not a number");
     }
-    CHECK_THROWS_WITH(read_exact(""), "is empty");
+    CHECK_THROWS_WITH(read_exact(""), "number is empty");
+    CHECK_THROWS_WITH(read_exact("1/2pi"), Contains("is ambiguous"));
     for (const auto* text : {"1/0", "pi/0", "T/0.0", "0/0e5"}) {
         INFO(text);
-        CHECK_THROWS_WITH(read_exact(text), "divides by zero");
+        CHECK_THROWS_WITH(read_exact(text), Contains("divides by zero"));
     }
     for (const auto* text :
          {"1e999999999999", "1e-999999999999", "1e99999999999999999999999", "1e100001", "1e-100001", "2/1e200001"}) {
@@ -82,7 +84,7 @@ TEST_CASE("what is not a number is refused with what is wrong", "[scalar][exact]
         CHECK_THROWS_WITH(read_exact(text), Contains("beyond the range"));
     }
     CHECK_THROWS_WITH(read_exact(std::string(200'001, '1')), Contains("beyond the range"));
-    CHECK_THROWS_AS(read_exact("abc"), std::invalid_argument);
+    CHECK_THROWS_AS(read_exact("abc"), libration::error);
 }
 
 TEMPLATE_LIST_TEST_CASE("an exact number is rounded once when it meets a precision", "[scalar][exact]", all_scalars) {
@@ -136,7 +138,7 @@ TEMPLATE_LIST_TEST_CASE("small dyadic numbers are exact in every scalar", "[scal
 }
 
 TEST_CASE("a multiple of the period is no number without a motion", "[scalar][exact]") {
-    CHECK_THROWS_AS(from_exact<double>(read_exact("T/4")), std::domain_error);
+    CHECK_THROWS_AS(from_exact<double>(read_exact("T/4")), libration::error);
     CHECK_THROWS_WITH(from_exact<mpfr>(read_exact("-3T/4")), Contains("-3T/4"));
 }
 

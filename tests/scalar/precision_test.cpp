@@ -46,7 +46,7 @@ TEST_CASE("a scope holds the digits it was asked for, and few bits more", "[scal
 TEST_CASE("a precision that cannot be is refused with its value", "[scalar][precision]") {
     const int before = digits<mpfr>();
     for (const long asked : {0L, -5L, 100'000'001L}) {
-        CHECK_THROWS_AS(precision_scope(asked), std::invalid_argument);
+        CHECK_THROWS_AS(precision_scope(asked), libration::error);
         CHECK_THROWS_WITH(precision_scope(asked), Catch::Matchers::Contains(std::to_string(asked)));
     }
     CHECK(digits<mpfr>() == before);

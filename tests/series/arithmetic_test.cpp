@@ -8,6 +8,7 @@
 namespace series_arithmetic_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 namespace {

@@ -5,12 +5,14 @@
 #include <string>
 #include <utility>
 
+#include "libration/scalar/exact.hpp"
 #include "libration/series/arithmetic.hpp"
 #include "scalars.hpp"
 
 namespace series_blasius_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 namespace {

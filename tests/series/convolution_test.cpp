@@ -1,11 +1,9 @@
 #include "libration/series/convolution.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
+#include "libration/scalar/complex_number.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
 #include "series/random_series.hpp"
@@ -13,6 +11,7 @@
 namespace series_convolution_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 
 TEMPLATE_LIST_TEST_CASE("a convolution is the double sum over index pairs", "[series][convolution]", all_scalars) {
@@ -128,59 +127,43 @@ TEST_CASE("mpfr adds a product with one rounding", "[series][convolution]") {
     CHECK(sum == -e * e);
 }
 
-TEST_CASE("FLINT's quotients of mpfr numbers are those of one coefficient at a time", "[series][convolution][ball]") {
-    const precision_scope scope(40);
-    REQUIRE(supplied_quotient != nullptr);
-    CHECK(has_whole_quotients<mpfr>());
-    CHECK(has_whole_quotients<ball>());
-    CHECK_FALSE(has_whole_quotients<double>());
-    tests::random_series random;
-    // Poles far outside of the unit circle: |b_k| <= 3/(k + 1)^2 beside b_0 = 64.
-    for (const int order : {0, 3, 150}) {
-        const auto a = random.of_order<mpfr>(order, 2);
-        auto b = random.of_order<mpfr>(order + 5, 64);
-        for (int n = 1; n <= b.order(); ++n) {
-            b[n] /= (n + 1) * (n + 1);
-        }
-        const auto q = supplied_quotient(a.coefficients(), b.coefficients());
-        REQUIRE(q);
-        REQUIRE(q->size() == a.coefficients().size());
-        const auto checked = quotient(a, b);
-        // The contract's 2^48 epsilon of the largest coefficient, which is below 1/16 and holds the other side's too.
-        const mpfr allowed = ldexp(epsilon<mpfr>(), 48 - 4);
-        for (int n = 0; n <= order; ++n) {
-            INFO(n << " of " << order);
-            CHECK(abs(mpfr((*q)[static_cast<std::size_t>(n)] - checked[n])) <= allowed);
-            CHECK(scaled_quotient(a, b)[n] == (*q)[static_cast<std::size_t>(n)]);
+TEMPLATE_LIST_TEST_CASE("an inner product of complex numbers is four of their parts", "[series][convolution]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    constexpr int most = 13;
+    std::vector<complex_number<T>> x;
+    std::vector<complex_number<T>> y;
+    for (int i = 0; i <= 2 * most; ++i) {
+        x.emplace_back(T(i + 1), T(3 - i * i));
+        y.emplace_back(T(i * i - 50), T(2 * i));
+    }
+    for (int count = 1; count <= most; ++count) {
+        for (const int x_step : {1, 2}) {
+            for (const int y_step : {1, -1, 2, -2}) {
+                INFO(count << " terms, steps " << x_step << " and " << y_step);
+                const int from = y_step < 0 ? 2 * most : 0;
+                complex_number<T> whole(0);
+                for (int i = 0; i < count; ++i) {
+                    whole += x[static_cast<std::size_t>(i * x_step)] * y[static_cast<std::size_t>(from + i * y_step)];
+                }
+                const auto sum = inner_product(x.data(), x_step, &y[static_cast<std::size_t>(from)], y_step, count);
+                CHECK(sum == whole);  // whole numbers, exact in every scalar
+            }
         }
     }
 }
 
-TEST_CASE("a quotient whose radii prove too little is left to the recurrence", "[series][convolution][ball]") {
-    const precision_scope scope(20);
-    constexpr int order = 60;
-    auto one = power_series<mpfr>::zero(order);
-    auto b = one;  // 1 + x - x^2 + x^3 - .. = (1 + 2x)/(1 + x)
-    one[0] = 1;
-    b[0] = 1;
-    for (int n = 1; n <= order; ++n) {
-        b[n] = n % 2 == 0 ? -1 : 1;
-    }
-    std::vector<mpfr> without_first(b.coefficients());
-    without_first[0] = 0;
-    CHECK_FALSE(supplied_quotient(one.coefficients(), without_first));
-    const std::vector<mpfr> nothing(order + 1, mpfr(0));
-    CHECK(scaled_quotient(power_series<mpfr>(nothing), b).coefficients() == nothing);
-    const auto never = [](const std::vector<mpfr>&, const std::vector<mpfr>&) {
-        return std::optional<std::vector<mpfr>>();
-    };
-    const auto flints = std::exchange(supplied_quotient, +never);
-    const auto q = scaled_quotient(one, b);
-    supplied_quotient = flints;
-    CHECK(q[0] == 1);
-    for (int n = 1; n <= order; ++n) {
-        CHECK(q[n] == ldexp(mpfr(n % 2 == 0 ? 1 : -1), n - 1));
-    }
+TEST_CASE("products and quotients run over fractions exactly", "[series][convolution]") {
+    tests::random_series random;
+    const auto a = random.of_order<rational>(20, 2);
+    const auto b = random.of_order<rational>(20, 3);
+    CHECK(quotient(product(a, b), b).coefficients() == a.coefficients());
+    CHECK(product(quotient(a, b), b).coefficients() == a.coefficients());
+    // 3/(3 - x) = sum (x/3)^n
+    const power_series<rational> three(std::vector<rational>{3, 0, 0, 0});
+    const power_series<rational> pole(std::vector<rational>{3, -1, 0, 0});
+    CHECK(quotient(three, pole)[3] == rational(1) / 27);
 }
 
 }  // namespace series_convolution_test

@@ -7,6 +7,8 @@
 
 namespace libration::tests {
 
+using namespace series;
+
 class random_series {
 public:
     /// Coefficients in -size .. size, of the given parity; the constant one as given.

@@ -8,6 +8,7 @@
 namespace series_square_root_test {
 
 using namespace libration;
+using namespace libration::series;
 using libration::tests::all_scalars;
 using libration::tests::near;
 

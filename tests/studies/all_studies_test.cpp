@@ -36,7 +36,7 @@ std::string promised_columns(const std::string& name) {
 
 std::set<std::string> stems_in_studies(const std::string& extension) {
     std::set<std::string> stems;
-    for (const auto& entry : std::filesystem::directory_iterator(LIBRATION_SOURCE_DIR "/studies")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(LIBRATION_SOURCE_DIR "/studies")) {
         if (entry.path().extension() == extension) {
             stems.insert(entry.path().stem().string());
         }
@@ -46,7 +46,7 @@ std::set<std::string> stems_in_studies(const std::string& extension) {
 
 }  // namespace
 
-TEST_CASE("each studies/NAME.cpp is the study NAME, and no other is known", "[studies]") {
+TEST_CASE("each NAME.cpp in a folder of studies/ is the study NAME, and no other is known", "[studies]") {
     std::set<std::string> names;
     for (const study* each : all_studies()) {
         names.insert(each->name);
@@ -91,19 +91,19 @@ TEST_CASE("each study makes rectangular tables under the columns that it promise
         std::set<std::string> suffixes;
         for (const study_table& part : tables) {
             suffixes.insert(part.suffix);
-            const std::string header = to_csv({part.data.columns, {}});
+            const std::string header = to_csv(table(part.data.columns()));
             if (part.suffix.empty()) {
                 CHECK(header.starts_with(promised_columns(each->name)));
             }
             std::set<std::string> names;
-            for (const column& c : part.data.columns) {
+            for (const column& c : part.data.columns()) {
                 names.insert(c.name);
                 CHECK_FALSE(c.meaning.empty());
             }
-            CHECK(names.size() == part.data.columns.size());
-            CHECK_FALSE(part.data.rows.empty());
-            CHECK(std::all_of(part.data.rows.begin(), part.data.rows.end(),
-                              [&](const auto& row) { return row.size() == part.data.columns.size(); }));
+            CHECK(names.size() == part.data.columns().size());
+            CHECK_FALSE(part.data.rows().empty());
+            CHECK(std::all_of(part.data.rows().begin(), part.data.rows().end(),
+                              [&](const auto& row) { return row.size() == part.data.columns().size(); }));
         }
         CHECK(suffixes.size() == tables.size());  // each table has a file of its own
         CHECK(suffixes.contains(""));             // and one of them is NAME.csv, which the figure reads

@@ -87,9 +87,9 @@ TEST_CASE("both libraries are right far from the separatrix and not next to it",
 }
 
 TEST_CASE("an audit refuses energies that have no modulus below 1", "[studies][audit]") {
-    CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--gaps", "-1e-3"}}), std::domain_error);
-    CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--energies", "2"}}), std::domain_error);
-    CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--energies", "0"}}), std::domain_error);
+    CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--gaps", "-1e-3"}}), libration::error);
+    CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--energies", "2"}}), libration::error);
+    CHECK_THROWS_AS(rows_of_study("audit_boost", {{"--energies", "0"}}), libration::error);
 }
 
 }  // namespace studies_audit_test

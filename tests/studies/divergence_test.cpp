@@ -21,7 +21,7 @@ struct found_tables {
 };
 
 found_tables tables_for(const study_words& words) {
-    const auto tables = divergence().run(order_of(divergence(), words, 2).request);
+    const auto tables = tables_of(order_of(divergence(), words, 2));
     REQUIRE(tables.size() == 2);
     CHECK(tables.at(0).suffix.empty());
     CHECK(tables.at(1).suffix == "radius");

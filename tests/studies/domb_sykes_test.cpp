@@ -1,17 +1,17 @@
 // The study domb_sykes against closed forms of the first coefficients, parity, and the lattice of singularities.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/descent_cover.hpp"
+#include "libration/pendulum/error/expansion_coverage.hpp"
 #include "studies/study_rows.hpp"
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace studies_domb_sykes_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
@@ -92,8 +92,8 @@ TEST_CASE("the answers about a point of every kind are judged by the exact radiu
     std::size_t verdicts = 0;
     for (const table_row& row :
          rows_under("intercepts", {{"--energies", "1,1.71"}, {"--orders", "12,50"}, {"--points", "0,1/2,1"}})) {
-        const auto cover = cover_from<mpfr>(motion::of_energy(read_exact(row.at("energy")).coefficient),
-                                            read_exact(row.at("point")).coefficient);
+        const auto cover = coverage_from<mpfr>(motion::of_energy(read_exact(row.at("energy")).coefficient),
+                                               read_exact(row.at("point")).coefficient);
         CHECK_THAT(row.at("exact"), right_to_the_last_digit_of(cover.radius));
         CHECK(row.at("radius").empty() == row.at("relative_error").empty());
         CHECK((!row.at("radius").empty() || !row.at("note").empty()));
@@ -108,8 +108,8 @@ TEST_CASE("the answers about a point of every kind are judged by the exact radiu
 }
 
 TEST_CASE("what has no ratios is refused", "[studies][domb_sykes]") {
-    CHECK_THROWS_AS(rows_under("", {{"--energies", "0"}}), std::domain_error);
-    CHECK_THROWS_AS(rows_under("", {{"--energies", "1,2"}}), std::domain_error);
+    CHECK_THROWS_AS(rows_under("", {{"--energies", "0"}}), libration::error);
+    CHECK_THROWS_AS(rows_under("", {{"--energies", "1,2"}}), libration::error);
     CHECK_THROWS_AS(rows_under("", {{"--orders", "3"}}), input_error);
 }
 

@@ -1,7 +1,6 @@
 // The study expansion_point against mpmath, the error norms from the top, and what can be proved about the best point.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -162,8 +161,8 @@ TEST_CASE("double measures the same norms above its floor", "[studies][expansion
 }
 
 TEST_CASE("energies without a way from the top to the bottom are refused", "[studies][expansion_point]") {
-    CHECK_THROWS_AS(expansion_point({{"--energies", "0"}}), std::domain_error);
-    CHECK_THROWS_AS(expansion_point({{"--energies", "1,2"}}), std::domain_error);
+    CHECK_THROWS_AS(expansion_point({{"--energies", "0"}}), libration::error);
+    CHECK_THROWS_AS(expansion_point({{"--energies", "1,2"}}), libration::error);
 }
 
 }  // namespace studies_expansion_point_test

@@ -18,7 +18,7 @@ namespace {
 // The rows of one table of a run; the march is short, for the tests are.
 std::vector<table_row> rows_of_table(const std::string& name, const std::string& suffix, study_words words) {
     words.emplace("--step", "1e-2");
-    for (const study_table& part : study_of(name).run(order_of(study_of(name), words, 2).request)) {
+    for (const study_table& part : tables_of(order_of(study_of(name), words, 2))) {
         if (part.suffix == suffix) {
             return csv_rows(to_csv(part.data));
         }
@@ -132,9 +132,9 @@ TEST_CASE("E = 0 and E = 2 are refused before any work", "[studies][extension]")
     for (const std::string name :
          {"libration_series", "rotation_series", "near_separatrix_series", "near_separatrix_resummed"}) {
         for (const std::string energy : {"0", "2"}) {
-            const auto order = order_of(study_of(name), {{"--energies", "1.5," + energy}}, 1);
-            CHECK_THROWS_AS(study_of(name).run(order.request), std::domain_error);
-            CHECK_THROWS_WITH(study_of(name).run(order.request), Catch::Contains("has the energy " + energy + ","));
+            const auto run = [&] { order_of(study_of(name), {{"--energies", "1.5," + energy}}, 1); };
+            CHECK_THROWS_AS(run(), libration::error);
+            CHECK_THROWS_WITH(run(), Catch::Contains("has the energy " + energy + ","));
         }
     }
 }

@@ -30,7 +30,7 @@ TEST_CASE("the published tables of the quick studies are computed again byte for
         if (each->seconds > quick_seconds) {
             continue;
         }
-        for (const study_table& part : each->run(order_of(*each, {}, 2).request)) {
+        for (const study_table& part : tables_of(order_of(*each, {}, 2))) {
             if (part.timed || part.scalar.kind != scalar_kind::arbitrary) {
                 continue;
             }

@@ -1,12 +1,11 @@
 // The study radius_map against the exact lattice by mpmath, and against what can be proved about the best point.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "studies/study_rows.hpp"
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace studies_radius_map_test {
 
@@ -75,8 +74,8 @@ TEST_CASE("lists too short for a verdict leave their cells empty and say why", "
 }
 
 TEST_CASE("energies without a way from the top to the bottom have no map", "[studies][radius_map]") {
-    CHECK_THROWS_AS(radius_map({{"--energies", "0"}}), std::domain_error);
-    CHECK_THROWS_AS(radius_map({{"--energies", "1,2"}}), std::domain_error);
+    CHECK_THROWS_AS(radius_map({{"--energies", "0"}}), libration::error);
+    CHECK_THROWS_AS(radius_map({{"--energies", "1,2"}}), libration::error);
     CHECK_THROWS_AS(radius_map({{"--orders", "3"}}), input_error);
 }
 

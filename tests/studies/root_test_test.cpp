@@ -1,12 +1,11 @@
 // The study root_test against closed forms of the first coefficients and the asymptotic form of the later ones.
 #include <catch2/catch.hpp>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "studies/study_rows.hpp"
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace studies_root_test_test {
 
@@ -88,8 +87,8 @@ TEST_CASE("the table of estimates holds the tests by size and the verdict", "[st
 }
 
 TEST_CASE("what has no root test is refused", "[studies][root_test]") {
-    CHECK_THROWS_AS(roots({{"--energies", "0"}}), std::domain_error);
-    CHECK_THROWS_AS(roots({{"--energies", "1,2"}}), std::domain_error);
+    CHECK_THROWS_AS(roots({{"--energies", "0"}}), libration::error);
+    CHECK_THROWS_AS(roots({{"--energies", "1,2"}}), libration::error);
     CHECK_THROWS_AS(roots({{"--orders", "3"}}), input_error);
 }
 

@@ -26,18 +26,18 @@ inline const study& study_of(const std::string& name) {
 /// The tables of a study, run with these words on two threads.
 inline std::vector<study_table> tables_of_study(const std::string& name, const study_words& said) {
     const study& what = study_of(name);
-    return what.run(order_of(what, said, 2).request);
+    return tables_of(order_of(what, said, 2));
 }
 
 /// The rows of a table as its CSV holds them, quoted cells included.
 inline std::vector<table_row> rows_of_table(const study_table& part) {
     const table read = from_csv(to_csv(part.data));
     std::vector<table_row> rows;
-    rows.reserve(read.rows.size());
-    for (const auto& cells : read.rows) {
+    rows.reserve(read.rows().size());
+    for (const auto& cells : read.rows()) {
         table_row row;
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            row[read.columns[i].name] = cells[i];
+            row[read.columns()[i].name] = cells[i].text();
         }
         rows.push_back(std::move(row));
     }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/study_rows.hpp"
-#include "sweep/input_error.hpp"
+#include "text/input_error.hpp"
 
 namespace studies_surface_test {
 
@@ -17,7 +17,7 @@ namespace {
 const study& surface() { return study_of("surface"); }
 
 std::vector<table_row> rows_for(const study_words& words) {
-    return csv_rows(to_csv(surface().run(order_of(surface(), words, 2).request).front().data));
+    return csv_rows(to_csv(tables_of(order_of(surface(), words, 2)).front().data));
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ TEST_CASE("in double the closed solution at E = 2 keeps its rounding", "[studies
 
 TEST_CASE("the surface refuses rest, and multiples of an infinite period", "[studies][surface]") {
     const auto request = [](const study_words& words) { return order_of(surface(), words, 1).request; };
-    CHECK_THROWS_AS(surface().run(request({{"--energies", "1,0"}})), std::domain_error);
+    CHECK_THROWS_AS(surface().run(request({{"--energies", "1,0"}})), libration::error);
     CHECK_THROWS_AS(surface().run(request({{"--energies", "1,2"}, {"--times", "0:T:3"}})), input_error);
     CHECK_NOTHROW(surface().run(request({{"--energies", "1"}, {"--times", "0:T:3"}, {"--orders", "3"}})));
 }

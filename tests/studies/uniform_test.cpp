@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/exact_solution.hpp"
-#include "libration/pendulum/uniform_resummation.hpp"
+#include "libration/pendulum/arc/uniform_resummation.hpp"
+#include "libration/pendulum/solution/exact_solution.hpp"
 #include "pendulum/typed.hpp"
 #include "studies/study_rows.hpp"
 
 namespace studies_uniform_test {
 
 using namespace libration;
+using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {

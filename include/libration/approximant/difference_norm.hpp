@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/text/decimal.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {
@@ -32,10 +32,11 @@ concept bracketed_scalar = rounding_scalar<T> && !std::same_as<T, quad>;
 
 /// count >= 2 Chebyshev points of [0, 1], ends included: (1 - cos(j pi/(count-1)))/2 rounded to double, so that every
 /// scalar holds them exactly.
-/// Throws std::invalid_argument when count < 2.
+/// Throws error when count < 2.
 inline std::vector<double> chebyshev_points(int count) {
     if (count < 2) {
-        throw std::invalid_argument(std::to_string(count) + " points between two ends");
+        throw error(error_kind::argument, "number of points", std::to_string(count),
+                    "is too small: the two ends are among them");
     }
     std::vector<double> points;
     for (int j = 0; j < count; ++j) {
@@ -49,16 +50,17 @@ inline std::vector<double> chebyshev_points(int count) {
 template <class F, class G>
 auto difference(F f, G g) {
     return [f = std::move(f), g = std::move(g)]<class T>(const T& x) {
-        const jet<T> a = f(x);
-        const jet<T> b = g(x);
-        return jet<T>{a.value - b.value, a.slope - b.slope};
+        const series::jet<T> a = f(x);
+        const series::jet<T> b = g(x);
+        return series::jet<T>{a.value - b.value, a.slope - b.slope};
     };
 }
 
 /// The zero of the slope of `difference` between two points where the slope has opposite signs, by the bracketing
 /// method of [TOMS748] to full working precision.
 template <bracketed_scalar T, class F>
-T stationary_point(const F& difference, const T& left, const T& right, const jet<T>& at_left, const jet<T>& at_right) {
+T stationary_point(const F& difference, const T& left, const T& right, const series::jet<T>& at_left,
+                   const series::jet<T>& at_right) {
     const auto slope = [&](const T& x) { return difference(x).slope; };
     const T resolution = epsilon<T>() * 4;
     const auto close = [&](const T& a, const T& b) {
@@ -73,7 +75,7 @@ T stationary_point(const F& difference, const T& left, const T& right, const jet
 
 /// Whether the slope changes its sign between two jets.
 template <bracketed_scalar T>
-bool turns_between(const jet<T>& left, const jet<T>& right) {
+bool turns_between(const series::jet<T>& left, const series::jet<T>& right) {
     const bool at_zero = left.slope == 0 || right.slope == 0;
     return !at_zero && (left.slope < 0) != (right.slope < 0);
 }
@@ -82,7 +84,7 @@ bool turns_between(const jet<T>& left, const jet<T>& right) {
 /// points. Two stationary points between the same neighbours stay unseen: choose the points dense enough.
 template <bracketed_scalar T, class F>
 std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,
-                                 const std::vector<jet<T>>& at_points) {
+                                 const std::vector<series::jet<T>>& at_points) {
     std::vector<T> places;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         if (turns_between(at_points[i], at_points[i + 1])) {
@@ -97,23 +99,23 @@ std::vector<T> stationary_points(const F& difference, const std::vector<double>&
 /// both jets stays within 4/27 width (|slopes| together) of the larger value, and here the whole of that is granted.
 /// So it is where the difference is far below its maximum, or only rounding, that nothing is sought.
 template <bracketed_scalar T>
-bool may_exceed(const T& level, const jet<T>& left, const jet<T>& right, const T& width) {
+bool may_exceed(const T& level, const series::jet<T>& left, const series::jet<T>& right, const T& width) {
     using std::abs;
     const T rise = (abs(left.slope) + abs(right.slope)) * width;
     return abs(left.value) + rise > level || abs(right.value) + rise > level;
 }
 
 /// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
-/// them that may exceed it. Throws std::domain_error where the difference is not finite.
+/// them that may exceed it. Throws error where the difference is not finite.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
-                           const std::vector<jet<T>>& at_points) {
+                           const std::vector<series::jet<T>>& at_points) {
     using std::abs;
     using std::isfinite;
     norm_at<T> largest{T(0), T(points.front())};
     const auto consider = [&](const T& value, const T& place) {
         if (!isfinite(value)) {
-            throw std::domain_error("the difference is not finite at " + to_decimal(place, 20));
+            throw error(error_kind::argument, "difference", "", "is not finite at " + to_decimal(place, 20));
         }
         if (abs(value) > largest.norm) {
             largest = {abs(value), place};
@@ -123,8 +125,8 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
         consider(at_points[i].value, T(points[i]));
     }
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const jet<T>& left = at_points[i];
-        const jet<T>& right = at_points[i + 1];
+        const series::jet<T>& left = at_points[i];
+        const series::jet<T>& right = at_points[i + 1];
         const T from(points[i]);
         const T to(points[i + 1]);
         if (turns_between(left, right) && may_exceed(largest.norm, left, right, T(to - from))) {
@@ -138,7 +140,7 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
 /// The same with the jets computed here.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points) {
-    std::vector<jet<T>> at_points;
+    std::vector<series::jet<T>> at_points;
     at_points.reserve(points.size());
     for (const double x : points) {
         at_points.push_back(difference(T(x)));

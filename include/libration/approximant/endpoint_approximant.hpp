@@ -36,7 +36,7 @@ std::vector<T> expand_at_zero(const std::vector<T>& endpoint) {
 
 /// b = a - sum_j e_j (x-1)^j, what the inner series times (1-x)^m has to equal [paper (b)].
 template <scalar T>
-power_series<T> endpoint_remainder(power_series<T> series, const std::vector<T>& endpoint) {
+series::power_series<T> endpoint_remainder(series::power_series<T> series, const std::vector<T>& endpoint) {
     const std::vector<T> polynomial = expand_at_zero(endpoint);
     for (int n = 0; n <= series.order() && n < static_cast<int>(polynomial.size()); ++n) {
         series[n] -= polynomial[static_cast<std::size_t>(n)];
@@ -47,9 +47,10 @@ power_series<T> endpoint_remainder(power_series<T> series, const std::vector<T>&
 /// h = (1-x)^-m b by the Cauchy product with the binomial series, h_n = sum_k C(k+m-1, m-1) b_(n-k)
 /// [paper (approxcoeffs)]. O(N^2).
 template <scalar T>
-power_series<T> inner_series_by_convolution(const power_series<T>& series, const std::vector<T>& endpoint) {
+series::power_series<T> inner_series_by_convolution(const series::power_series<T>& series,
+                                                    const std::vector<T>& endpoint) {
     const int m = static_cast<int>(endpoint.size());
-    auto binomial = power_series<T>::zero(series.order());
+    auto binomial = series::power_series<T>::zero(series.order());
     binomial[0] = T(m == 0 ? 0 : 1);
     for (int k = 1; k <= series.order(); ++k) {
         binomial[k] = binomial[k - 1] * (k + m - 1) / k;
@@ -59,8 +60,8 @@ power_series<T> inner_series_by_convolution(const power_series<T>& series, const
 
 /// The same by m running sums, each a division by 1 - x. O(m N) additions and no product.
 template <scalar T>
-power_series<T> inner_series(const power_series<T>& series, const std::vector<T>& endpoint) {
-    power_series<T> inner = endpoint_remainder(series, endpoint);
+series::power_series<T> inner_series(const series::power_series<T>& series, const std::vector<T>& endpoint) {
+    series::power_series<T> inner = endpoint_remainder(series, endpoint);
     for (std::size_t pass = 0; pass < endpoint.size(); ++pass) {
         for (int n = 1; n <= inner.order(); ++n) {
             inner[n] += inner[n - 1];
@@ -73,7 +74,7 @@ power_series<T> inner_series(const power_series<T>& series, const std::vector<T>
 /// q = sum_i q_i (x-1)^i, q_i = sum_{j<=i} d_j C(-N-1, i-j): for m = 2 the alpha and beta of the paper's appendix in
 /// the scaled variable, without a power of T*. O(m N).
 template <scalar T>
-power_series<T> endpoint_corrected(const power_series<T>& series, const std::vector<T>& endpoint) {
+series::power_series<T> endpoint_corrected(const series::power_series<T>& series, const std::vector<T>& endpoint) {
     const int m = static_cast<int>(endpoint.size());
     const int order = series.order();
     // Taylor coefficients of sigma_N at 1 by repeated Horner division.
@@ -97,7 +98,7 @@ power_series<T> endpoint_corrected(const power_series<T>& series, const std::vec
             binomial = -binomial * (order + 1 + l) / (l + 1);
         }
     }
-    power_series<T> result = series;
+    series::power_series<T> result = series;
     for (const T& coefficient : expand_at_zero(correction)) {
         result.push_back(coefficient);
     }
@@ -109,24 +110,24 @@ template <scalar T>
 class endpoint_approximant {
 public:
     /// series: a_0 .. a_N about 0; endpoint: f^(j)(1)/j! for j < m, m >= 0.
-    endpoint_approximant(const power_series<T>& series, const std::vector<T>& endpoint)
+    endpoint_approximant(const series::power_series<T>& series, const std::vector<T>& endpoint)
         : conditions_(endpoint.size()),
-          endpoint_(endpoint.empty() ? power_series<T>() : power_series<T>(endpoint)),
+          endpoint_(endpoint.empty() ? series::power_series<T>() : series::power_series<T>(endpoint)),
           inner_(inner_series(series, endpoint)) {}
 
     int order() const { return inner_.order(); }
     /// h_0 .. h_N; the paper's a-hat_n is h_n / T*^(n+2).
-    const power_series<T>& inner() const { return inner_; }
+    const series::power_series<T>& inner() const { return inner_; }
 
     /// Value and derivative at x. O(N + m).
-    jet<T> operator()(const T& x) const {
-        jet<T> at = evaluate(inner_, x);
+    series::jet<T> operator()(const T& x) const {
+        series::jet<T> at = evaluate(inner_, x);
         const T to_end = 1 - x;
         for (std::size_t pass = 0; pass < conditions_; ++pass) {
             at.slope = at.slope * to_end - at.value;
             at.value *= to_end;
         }
-        const jet<T> end = evaluate(endpoint_, T(-to_end));
+        const series::jet<T> end = evaluate(endpoint_, T(-to_end));
         return {at.value + end.value, at.slope + end.slope};
     }
 
@@ -141,9 +142,9 @@ public:
     }
 
 private:
-    std::size_t conditions_;    // m
-    power_series<T> endpoint_;  // in powers of x - 1; 0 where there is no condition
-    power_series<T> inner_;
+    std::size_t conditions_;            // m
+    series::power_series<T> endpoint_;  // in powers of x - 1; 0 where there is no condition
+    series::power_series<T> inner_;
 };
 
 }  // namespace libration

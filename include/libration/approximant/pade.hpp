@@ -6,26 +6,27 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "libration/algebra/linear_system.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/series/arithmetic.hpp"
-#include "libration/series/linear_system.hpp"
 
 namespace libration {
 
 /// P/Q with Q(0) = 1.
 template <scalar T>
 struct pade_approximant {
-    power_series<T> numerator;
-    power_series<T> denominator;
+    series::power_series<T> numerator;
+    series::power_series<T> denominator;
 
     /// Value and derivative at x. O(L + M).
-    jet<T> operator()(const T& x) const {
-        const jet<T> p = evaluate(numerator, x);
-        const jet<T> q = evaluate(denominator, x);
+    series::jet<T> operator()(const T& x) const {
+        const series::jet<T> p = evaluate(numerator, x);
+        const series::jet<T> q = evaluate(denominator, x);
         const T value = p.value / q.value;
         return {value, (p.slope - value * q.slope) / q.value};
     }
@@ -33,17 +34,17 @@ struct pade_approximant {
 
 /// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M
 /// and q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses digits with every degree of Q: scale x by the
-/// radius of convergence and give the working precision guard digits. Throws std::invalid_argument when the series is
-/// too short, and std::domain_error where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
+/// radius of convergence and give the working precision guard digits. Throws error when the series is
+/// too short; std::nullopt where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
 /// exist or is one of smaller degrees.
 template <rounding_scalar T>
-pade_approximant<T> pade(const power_series<T>& series, int numerator_degree, int denominator_degree,
-                         const T& negligible) {
+std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
+                                        int denominator_degree, const T& negligible) {
     const int l = numerator_degree;
     const int m = denominator_degree;
     if (l < 0 || m < 0 || series.order() < l + m) {
-        throw std::invalid_argument("the Pade approximant [" + std::to_string(l) + "/" + std::to_string(m) +
-                                    "] of a series of order " + std::to_string(series.order()));
+        throw error(error_kind::argument, "Pade approximant", "[" + std::to_string(l) + "/" + std::to_string(m) + "]",
+                    "needs more than a series of order " + std::to_string(series.order()));
     }
     const auto c = [&](int n) { return n < 0 ? T(0) : series[n]; };
     std::vector<std::vector<T>> a(static_cast<std::size_t>(m), std::vector<T>(static_cast<std::size_t>(m), T(0)));
@@ -55,19 +56,24 @@ pade_approximant<T> pade(const power_series<T>& series, int numerator_degree, in
         }
         b[row] = -series[l + i];
     }
-    std::vector<T> q = solve_linear(std::move(a), std::move(b), negligible);
+    auto solution = solve_linear(std::move(a), std::move(b), negligible);
+    if (!solution) {
+        return std::nullopt;
+    }
+    std::vector<T> q = *std::move(solution);
     q.insert(q.begin(), T(1));
-    power_series<T> denominator(std::move(q));
-    auto numerator = power_series<T>::zero(l);
+    series::power_series<T> denominator(std::move(q));
+    auto numerator = series::power_series<T>::zero(l);
     for (int n = 0; n <= l; ++n) {
         numerator[n] = convolution(denominator, series, n, 0, n < m ? n : m);
     }
-    return {std::move(numerator), std::move(denominator)};
+    return pade_approximant<T>{std::move(numerator), std::move(denominator)};
 }
 
 /// The same with what rounding alone leaves of a pivot, 8 (M + 1) eps, as negligible.
 template <rounding_scalar T>
-pade_approximant<T> pade(const power_series<T>& series, int numerator_degree, int denominator_degree) {
+std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
+                                        int denominator_degree) {
     return pade(series, numerator_degree, denominator_degree, T(epsilon<T>() * (8 * (denominator_degree + 1))));
 }
 

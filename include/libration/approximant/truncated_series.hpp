@@ -12,15 +12,15 @@ namespace libration {
 template <scalar T>
 class truncated_series {
 public:
-    truncated_series(power_series<T> scaled, T scale) : scaled_(std::move(scaled)), scale_(std::move(scale)) {}
+    truncated_series(series::power_series<T> scaled, T scale) : scaled_(std::move(scaled)), scale_(std::move(scale)) {}
 
     int order() const { return scaled_.order(); }
-    const power_series<T>& scaled() const { return scaled_; }
+    const series::power_series<T>& scaled() const { return scaled_; }
     const T& scale() const { return scale_; }
 
     /// Value and derivative with respect to t. O(N).
-    jet<T> operator()(const T& t) const {
-        jet<T> at = evaluate(scaled_, T(t / scale_));
+    series::jet<T> operator()(const T& t) const {
+        series::jet<T> at = evaluate(scaled_, T(t / scale_));
         at.slope /= scale_;
         return at;
     }
@@ -29,7 +29,7 @@ public:
     T value(const T& t) const { return evaluate_value(scaled_, T(t / scale_)); }
 
 private:
-    power_series<T> scaled_;
+    series::power_series<T> scaled_;
     T scale_;
 };
 

@@ -5,47 +5,60 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/coefficient_growth.hpp"
-#include "libration/convergence/coefficient_pattern.hpp"
-#include "libration/convergence/differential_approximants.hpp"
-#include "libration/convergence/domb_sykes.hpp"
-#include "libration/convergence/hunter_guerrieri.hpp"
-#include "libration/convergence/mercer_roberts.hpp"
-#include "libration/convergence/pole_test.hpp"
+#include "libration/convergence/list/coefficient_growth.hpp"
+#include "libration/convergence/list/coefficient_pattern.hpp"
 #include "libration/convergence/radius_verdict.hpp"
-#include "libration/convergence/ratio_test.hpp"
-#include "libration/convergence/root_test.hpp"
-#include "libration/convergence/six_term_test.hpp"
-#include "libration/convergence/three_term_test.hpp"
-#include "libration/convergence/top_line_test.hpp"
+#include "libration/convergence/test/differential_approximants.hpp"
+#include "libration/convergence/test/domb_sykes.hpp"
+#include "libration/convergence/test/hunter_guerrieri.hpp"
+#include "libration/convergence/test/mercer_roberts.hpp"
+#include "libration/convergence/test/pole_test.hpp"
+#include "libration/convergence/test/ratio_test.hpp"
+#include "libration/convergence/test/root_test.hpp"
+#include "libration/convergence/test/six_term_test.hpp"
+#include "libration/convergence/test/three_term_test.hpp"
+#include "libration/convergence/test/top_line_test.hpp"
+#include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::convergence {
 
-/// A test by name.
+/// What a test looks at.
+enum class radius_test_kind {
+    ratios,      ///< of successive coefficients, for one singularity
+    sizes,       ///< of the coefficients alone
+    pair,        ///< a conjugate pair of singularities
+    recurrence,  ///< a recurrence fitted to the coefficients
+};
+
+/// A test: how it is called, and how far it is trusted.
 template <rounding_scalar T>
 struct radius_test {
     std::string method;
     radius_estimate<T> (*run)(const strided_series<T>&);
+    radius_test_kind kind;
+    /// Whether a verdict may rest on it: its uncertainty follows the error also where its assumption is wrong.
+    bool may_decide = false;
     bool as_given = false;  ///< on all coefficients, zeros included, and not on the class that symmetry leaves
 };
 
 /// All tests, the simplest first.
 template <rounding_scalar T>
 std::vector<radius_test<T>> all_radius_tests() {
-    return {{"ratio", ratio_test<T>, true},
-            {"ratio-in-power", ratio_test_in_power<T>},
-            {"domb-sykes", domb_sykes<T>},
-            {"root", root_test<T>},
-            {"root-corrected", corrected_root_test<T>},
-            {"top-line", top_line_test<T>},
-            {"three-term", three_term_test<T>},
-            {"six-term", six_term_test<T>},
-            {"mercer-roberts", mercer_roberts<T>},
-            {"hunter-guerrieri", hunter_guerrieri<T>},
-            {"pole", pole_test<T>},
-            {"pole-of-derivative", pole_test_of_derivative<T>},
-            {"differential-approximant", differential_approximants<T>},
-            {"differential-approximant-2", second_order_approximants<T>}};
+    using enum radius_test_kind;
+    return {{"ratio", ratio_test<T>, ratios, false, true},
+            {"ratio-in-power", ratio_test_in_power<T>, ratios},
+            {"domb-sykes", domb_sykes<T>, ratios},
+            {"root", root_test<T>, sizes},
+            {"root-corrected", corrected_root_test<T>, sizes},
+            {"top-line", top_line_test<T>, sizes},
+            {"three-term", three_term_test<T>, pair},
+            {"six-term", six_term_test<T>, pair},
+            {"mercer-roberts", mercer_roberts<T>, pair},
+            {"hunter-guerrieri", hunter_guerrieri<T>, pair},
+            {"pole", pole_test<T>, recurrence, true},
+            {"pole-of-derivative", pole_test_of_derivative<T>, recurrence, true},
+            {"differential-approximant", differential_approximants<T>, recurrence, true},
+            {"differential-approximant-2", second_order_approximants<T>, recurrence, true}};
 }
 
 /// What a list of coefficients says.
@@ -83,7 +96,7 @@ bool is_certain(const radius_estimate<T>& verdict) {
 /// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the
 /// tests.
 template <rounding_scalar T>
-radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
+radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noise) {
     radius_report<T> report;
     report.pattern = pattern_of(a, noise);
     const auto tests = all_radius_tests<T>();
@@ -97,6 +110,7 @@ radius_report<T> report_on_radius(const power_series<T>& a, const T& noise) {
         }
         for (const auto& test : tests) {
             report.tests.push_back(test.run(test.as_given ? all : part));
+            report.tests.back().may_decide = test.may_decide;
         }
         report.verdict = verdict_of(report.tests, report.pattern);
     }
@@ -124,4 +138,12 @@ radius_estimate<T> in_unit(radius_estimate<T> estimate, const T& unit) {
     return estimate;
 }
 
-}  // namespace libration
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) \
+    extern template radius_report<T> report_on_radius(const series::power_series<T>&, const T&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
+
+}  // namespace libration::convergence

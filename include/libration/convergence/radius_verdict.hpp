@@ -2,25 +2,16 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/coefficient_pattern.hpp"
-#include "libration/scalar/decimal.hpp"
+#include "libration/convergence/list/coefficient_pattern.hpp"
+#include "libration/scalar/text/decimal.hpp"
 
-namespace libration {
-
-/// Whether a test may decide: those whose uncertainty follows the error also where their assumption is wrong.
-inline bool may_decide(std::string_view method) {
-    constexpr std::array<std::string_view, 4> trusted{"pole", "pole-of-derivative", "differential-approximant",
-                                                      "differential-approximant-2"};
-    return std::find(trusted.begin(), trusted.end(), method) != trusted.end();
-}
+namespace libration::convergence {
 
 /// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with
 /// the smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
@@ -77,7 +68,7 @@ std::vector<radius_estimate<T>> answers_by_certainty(const std::vector<radius_es
     std::vector<radius_estimate<T>> answers;
     const auto take = [&](bool all) {
         std::copy_if(tests.begin(), tests.end(), std::back_inserter(answers), [&](const auto& each) {
-            return each.radius && (may_decide(each.method) || (all && each.uncertainty * 2 < *each.radius));
+            return each.radius && (each.may_decide || (all && each.uncertainty * 2 < *each.radius));
         });
     };
     take(false);
@@ -123,4 +114,4 @@ radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, cons
     return verdict;
 }
 
-}  // namespace libration
+}  // namespace libration::convergence

@@ -3,7 +3,7 @@
 
 #include "libration/elliptic/landen.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// K from a chain already made: K = pi / (2 agm(1, k')) [DLMF 19.8.5].
 template <scalar T>
@@ -12,10 +12,10 @@ T complete_integral(const landen_chain<T>& chain) {
 }
 
 /// K(k), 0 <= k < 1: a few units in the last place for every k' > 0, O(log digits + log log 1/k') square roots.
-/// K'(k) is complete_integral(m.swapped()). Throws std::domain_error at k = 1, where K is infinite.
+/// K'(k) is complete_integral(m.swapped()). Throws error at k = 1, where K is infinite.
 template <scalar T>
 T complete_integral(const modulus<T>& m) {
     return complete_integral(landen_chain<T>(m));
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

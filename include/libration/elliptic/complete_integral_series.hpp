@@ -16,18 +16,18 @@
 // The first with q = N+1 serves (Kold); the second with q = N+7/8 serves (Knew), as (4n+1)(2n+1) > 8 (n-1/8)(n+7/8).
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "libration/elliptic/modulus.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/inverse_hyperbolic.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// Refuses a negative order of a partial sum.
 inline void require_order(int order) {
     if (order < 0) {
-        throw std::invalid_argument("order " + std::to_string(order) + " of a partial sum");
+        throw error(error_kind::argument, "order", std::to_string(order), "of a partial sum is negative");
     }
 }
 
@@ -98,4 +98,4 @@ T complete_integral_resummed_bound(const modulus<T>& m, int order) {
     return pow(T(m.k * m.k), order + 1) * 8 / q / (8 + m.complement * m.complement * q);
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

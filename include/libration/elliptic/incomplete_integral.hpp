@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "libration/elliptic/complete_integral.hpp"
+#include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// The angle of the point (cosine, sine) on the branch next to `near`; on balls less than pi between them has to be
 /// certain (precision_exhausted).
@@ -84,7 +85,7 @@ T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& cha
 
 /// F(phi, k) for any real phi, unwrapped: F(phi + pi) = F(phi) + 2K. A few units in the last place, given phi and the
 /// modulus as exact: sine and cosine are taken with twice the digits, for near odd multiples of pi/2 with k near 1 the
-/// cosine carries all of them. Throws std::domain_error at k = 1.
+/// cosine carries all of them. Throws error at k = 1.
 template <scalar T>
 T incomplete_integral(const T& phi, const modulus<T>& m) {
     using std::cos;
@@ -106,4 +107,11 @@ T incomplete_integral(const T& phi, const modulus<T>& m) {
     return part + from_rational<T>(rational(halves)) * 2 * complete_integral(chain);
 }
 
-}  // namespace libration
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) extern template T incomplete_integral(const T&, const T&, const landen_chain<T>&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
+
+}  // namespace libration::elliptic

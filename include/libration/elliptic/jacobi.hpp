@@ -11,8 +11,9 @@
 #include <algorithm>
 
 #include "libration/elliptic/complete_integral.hpp"
+#include "libration/scalar/compiled.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// The three functions at one argument.
 template <scalar T>
@@ -91,7 +92,7 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
     reduced_argument<wide_t<T>> wide;
     {
         const precision_scope scope(decimal_digits(digits<T>() + 2 * before_point + 64));
-        const auto quarter_period = complete_integral(widen(m));
+        const auto quarter_period = complete_integral(wide_modulus(m));
         wide.quarter = nearest_integer(widen(u) / quarter_period);
         wide.offset = widen(u) - from_rational<wide_t<T>>(rational(wide.quarter)) * quarter_period;
     }
@@ -100,7 +101,7 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
 
 /// sn, cn, dn at any real u, given u and the modulus as exact: a few units in the last place each, times the condition
 /// |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' = 1e-100, K
-/// is 232). Throws std::domain_error at k = 1.
+/// is 232). Throws error at k = 1.
 template <scalar T>
 jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     const auto reduced = reduce_argument(u, m);
@@ -123,4 +124,11 @@ T amplitude(const T& u, const modulus<T>& m) {
     return (from_rational<T>(rational(halves)) * pi<T>() + atan2(rest.sn, rest.cn)) * sign;
 }
 
-}  // namespace libration
+// Compiled once, in libration::libration.
+#ifdef LIBRATION_COMPILED
+#define LIBRATION_DECLARE(T) extern template jacobi_values<T> jacobi_at(const T&, const landen_chain<T>&);
+LIBRATION_FOR_ROUNDING_SCALARS(LIBRATION_DECLARE)
+#undef LIBRATION_DECLARE
+#endif
+
+}  // namespace libration::elliptic

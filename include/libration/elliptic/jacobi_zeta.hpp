@@ -12,7 +12,7 @@
 
 #include "libration/elliptic/landen.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// The zeta function of one modulus. Made at once from a chain: O(levels). The sums stop with the chain, where c_n^2 is
 /// below epsilon; few epsilon of c_1 in Z, of k^2 in the mean of cn^2, each relative to its maximum.
@@ -56,4 +56,4 @@ private:
     T rest_ = T(0);  ///< sum over n >= 1 of 2^(n-1) c_n^2
 };
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -2,12 +2,12 @@
 // the complete integral, the Jacobi functions and the incomplete integral rest [DLMF 19.8(i), 19.8(ii), 22.7(i)].
 #pragma once
 
-#include <stdexcept>
 #include <vector>
 
 #include "libration/elliptic/modulus.hpp"
+#include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// a_0 = 1, b_0 = k'; a_{n+1} = (a_n + b_n)/2, b_{n+1} = sqrt(a_n b_n). The modulus of level n is
 /// k_n = sqrt(1 - (b_n/a_n)^2), k_{n+1} = (a_n - b_n)/(a_n + b_n); it is small after few levels.
@@ -17,12 +17,12 @@ namespace libration {
 template <scalar T>
 class landen_chain {
 public:
-    /// Throws std::domain_error when k' = 0: the chain has no end and K is infinite.
+    /// Throws error when k' = 0: the chain has no end and K is infinite.
     explicit landen_chain(const modulus<T>& m) : modulus_(m) {
         using std::sqrt;
         const long exponent = binary_exponent(m.complement);
         if (exponent == exponent_of_zero) {
-            throw std::domain_error("the complementary modulus k' = 0: K(1) is infinite");
+            throw error(error_kind::argument, "complementary modulus", "0", "makes K(1) infinite");
         }
         const int levels = doublings(1 - exponent) + doublings(digits<T>() / 2 + 4) + 1;
         a_.reserve(static_cast<std::size_t>(levels) + 1);
@@ -56,4 +56,4 @@ private:
     std::vector<T> b_;
 };
 
-}  // namespace libration
+}  // namespace libration::elliptic

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/scalar.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// k and k', both to full relative precision, 0 <= k, k' <= 1.
 template <scalar T>
@@ -43,7 +43,7 @@ struct modulus {
 /// The same modulus in the wide arithmetic of T at the working precision in force: the given one of the pair exactly,
 /// the other from it.
 template <scalar T>
-modulus<wide_t<T>> widen(const modulus<T>& m) {
+modulus<wide_t<T>> wide_modulus(const modulus<T>& m) {
     using W = wide_t<T>;
     if (m.given == modulus<T>::source::modulus) {
         return modulus<W>::from_modulus(widen(m.k));
@@ -51,4 +51,4 @@ modulus<wide_t<T>> widen(const modulus<T>& m) {
     return modulus<W>::from_complement(widen(m.complement));
 }
 
-}  // namespace libration
+}  // namespace libration::elliptic

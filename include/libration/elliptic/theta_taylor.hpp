@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdlib>
-#include <stdexcept>
 #include <vector>
 
 #include "libration/scalar/complex_number.hpp"
+#include "libration/scalar/error.hpp"
 
-namespace libration {
+namespace libration::elliptic {
 
 /// One of the four, as Theta(x) = sum of s_m q^((m^2 - odd)/4) e^(mx) over the integers m of one parity, s_m =
 /// (-1)^floor(m/2) where it alternates, else 1. At x = iz these are theta_3 and theta_4 of z, theta_2/q^(1/4) and
@@ -52,7 +52,7 @@ struct theta_argument {
 /// < 1/2, because P(f+2) - P(f) grows with f.
 ///
 /// About sqrt(digits log 4/log(1/nome)) pairs. Errors of a few epsilon of the largest sum of the |terms| for |t| <= 1.
-/// Not for the fixed scalars. Throws std::domain_error unless the nome is below 1.
+/// Not for the fixed scalars. Throws error unless the nome is below 1.
 template <scalar T>
 class theta_taylor {
     static_assert(!fixed_scalar<T>, "powers of the frequencies leave the range of the built-in types");
@@ -113,7 +113,7 @@ private:
         const precision_scope rough(20);
         const T nome = narrow<T>(widen(argument_.nome));
         if (binary_exponent(nome) > 0) {
-            throw std::domain_error("the nome of a theta function is not below 1");
+            throw error(error_kind::argument, "nome", "", "of a theta function is not below 1");
         }
         const T reach = exponential(argument_.real ? T(argument_.at + argument_.step) : argument_.step);
         const auto power = [&](long f) {
@@ -179,4 +179,4 @@ private:
     T rest_ = T(0);
 };
 
-}  // namespace libration
+}  // namespace libration::elliptic

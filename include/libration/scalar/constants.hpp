@@ -2,25 +2,14 @@
 // computation of more digits.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
-#include <numbers>
-
 #include "libration/scalar/precision.hpp"
 
 namespace libration {
 
-/// pi, correctly rounded.
-template <rounding_scalar T>
+/// pi, correctly rounded; a proved scalar contains it.
+template <has_scalar_traits T>
 T pi() {
-    if constexpr (std::same_as<T, mpfr>) {
-        mpfr value;
-        mpfr_const_pi(handle(value), MPFR_RNDN);
-        return value;
-    } else if constexpr (std::same_as<T, quad>) {
-        return boost::math::constants::pi<quad>();
-    } else {
-        return std::numbers::pi_v<T>;
-    }
+    return scalar_traits<T>::pi();
 }
 
 }  // namespace libration

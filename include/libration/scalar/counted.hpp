@@ -1,17 +1,10 @@
 // A scalar that counts the operations done with it: what an algorithm costs whatever the arithmetic.
-//
-// Include it before every other header of the library: a concept sees the functions digits<T>(), pi<T>() and so on of a
-// type only where they are declared before the concept.
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <utility>
 
-#include "libration/scalar/constants.hpp"
-#include "libration/scalar/convert.hpp"
-#include "libration/scalar/enclose.hpp"
-#include "libration/scalar/precision.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration {
 
@@ -66,6 +59,8 @@ public:
     counted& operator/=(const counted& b) { return *this = *this / b; }
 
     friend counted sqrt(const counted& x) { return counted(std::sqrt(x.value_)); }
+    friend counted exp(const counted& x) { return counted(std::exp(x.value_)); }
+    friend counted log(const counted& x) { return counted(std::log(x.value_)); }
     friend counted sin(const counted& x) { return counted(std::sin(x.value_)); }
     friend counted cos(const counted& x) { return counted(std::cos(x.value_)); }
 
@@ -86,49 +81,23 @@ operation_count count_operations(const Work& work) {
     return std::exchange(counted::so_far(), before);
 }
 
-/// The type counted, for the functions of its arithmetic: those of double.
-template <class T>
-concept counting_scalar = std::same_as<T, counted>;
-
-template <counting_scalar T>
-int digits() {
-    return digits<double>();
-}
-template <counting_scalar T>
-T epsilon() {
-    return T(epsilon<double>());
-}
-template <counting_scalar T>
-T pi() {
-    return T(pi<double>());
-}
-template <counting_scalar T>
-T enclose(const T& value, const T& /*bound*/) {
-    return value;
-}
-template <counting_scalar T>
-long binary_exponent(const T& x) {
-    return binary_exponent(x.value());
-}
+/// The arithmetic is that of double.
 template <>
-struct wide_scalar<counted> {
-    using type = mpfr;
+struct scalar_traits<counted> : default_scalar_traits<counted> {
+    static constexpr bool fixed = true;
+    using wide = mpfr;
+
+    static constexpr int digits() { return scalar_traits<double>::digits(); }
+    static counted epsilon() { return counted(scalar_traits<double>::epsilon()); }
+    static counted pi() { return counted(scalar_traits<double>::pi()); }
+    static counted from_rational(const rational& q) { return counted(scalar_traits<double>::from_rational(q)); }
+    static long binary_exponent(const counted& x) { return scalar_traits<double>::binary_exponent(x.value()); }
+    static bool holds_exponent(long exponent) { return scalar_traits<double>::holds_exponent(exponent); }
+    static bool certainly_less(const counted& a, const counted& b) { return a.value() < b.value(); }
+    static mpfr widen(const counted& x) { return scalar_traits<double>::widen(x.value()); }
+    static counted narrow(const mpfr& x) { return counted(scalar_traits<double>::narrow(x)); }
 };
-template <counting_scalar T>
-mpfr widen(const T& x) {
-    return widen(x.value());
-}
-template <counting_scalar T>
-T narrow(const mpfr& x) {
-    return T(narrow<double>(x));
-}
-template <counting_scalar T>
-T from_rational(const rational& q) {
-    return T(from_rational<double>(q));
-}
+
+static_assert(scalar<counted>);
 
 }  // namespace libration
-
-#include "libration/scalar/concept.hpp"
-
-static_assert(libration::scalar<libration::counted>, "include counted.hpp before the other headers of the library");

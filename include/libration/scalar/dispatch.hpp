@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/precision.hpp"
 
 namespace libration {
@@ -38,23 +39,24 @@ struct scalar_spec {
 /// The most digits that a run-time precision may ask for.
 inline constexpr long most_digits = 100'000;
 
-/// Digits as typed, 1 .. most_digits. Throws std::invalid_argument saying what is wrong.
+/// Digits as typed, 1 .. most_digits. Throws error saying what is wrong.
 inline long read_digits(std::string_view text) {
     long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::result_out_of_range || (error == std::errc() && value > most_digits)) {
-        throw std::invalid_argument("asks for more than " + std::to_string(most_digits) + " digits");
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem == std::errc::result_out_of_range || (problem == std::errc() && value > most_digits)) {
+        throw error(error_kind::argument, "number of digits", std::string(text),
+                    "asks for more than " + std::to_string(most_digits) + " digits");
     }
-    if (error != std::errc() || end != text.data() + text.size()) {
-        throw std::invalid_argument("is not a whole number of digits");
+    if (problem != std::errc() || end != text.data() + text.size()) {
+        throw error(error_kind::argument, "number of digits", std::string(text), "is not a whole number of digits");
     }
     if (value < 1) {
-        throw std::invalid_argument("asks for less than one digit");
+        throw error(error_kind::argument, "number of digits", std::string(text), "asks for less than one digit");
     }
     return value;
 }
 
-/// Reads a scalar's name. Throws std::invalid_argument saying what is wrong.
+/// Reads a scalar's name. Throws error saying what is wrong.
 inline scalar_spec read_scalar(std::string_view name, arithmetics offered = arithmetics::rounding) {
     if (name == "double") {
         return {scalar_kind::binary64, std::numeric_limits<double>::max_digits10};
@@ -70,11 +72,12 @@ inline scalar_spec read_scalar(std::string_view name, arithmetics offered = arit
     }
     if (name.starts_with("ball:")) {
         if (offered == arithmetics::rounding) {
-            throw std::invalid_argument("is proved arithmetic, which is not offered here");
+            throw error(error_kind::argument, "scalar", std::string(name),
+                        "is proved arithmetic, which is not offered here");
         }
         return {scalar_kind::proved, read_digits(name.substr(5))};
     }
-    throw std::invalid_argument("is not a scalar");
+    throw error(error_kind::argument, "scalar", std::string(name), "is not a scalar");
 }
 
 /// Calls f<T>() with the rounding type that the spec names; mpfr at spec.digits + guard digits of working precision.

@@ -5,32 +5,21 @@
 // from digits<T>() and binary_exponent(), never from a comparison of computed values, which no ball decides.
 #pragma once
 
-#include <cmath>
-
 #include "libration/scalar/precision.hpp"
 
 namespace libration {
 
 /// The value of a truncated process whose remainder is at most |bound|.
-template <rounding_scalar T>
-T enclose(const T& value, const T& /*bound*/) {
-    return value;
+template <has_scalar_traits T>
+T enclose(const T& value, const T& bound) {
+    return scalar_traits<T>::enclose(value, bound);
 }
 
-/// What binary_exponent() answers for 0: below the exponent of every other number.
-inline constexpr long exponent_of_zero = -(1L << 61);
-
-/// The e with 2^(e-1) <= |x| < 2^e. It decides costs (steps, guard digits), never a result.
-template <rounding_scalar T>
+/// The e with 2^(e-1) <= |x| < 2^e, exponent_of_zero for 0; of a ball, of the largest |x| in it, within a factor of 2.
+/// It decides costs (steps, guard digits), never a result. Throws precision_exhausted for a ball without bounds.
+template <has_scalar_traits T>
 long binary_exponent(const T& x) {
-    if constexpr (std::same_as<T, mpfr>) {
-        return mpfr_zero_p(handle(x)) != 0 ? exponent_of_zero : static_cast<long>(mpfr_get_exp(handle(x)));
-    } else {
-        using std::frexp;
-        int exponent = 0;
-        frexp(x, &exponent);
-        return x == 0 ? exponent_of_zero : exponent;
-    }
+    return scalar_traits<T>::binary_exponent(x);
 }
 
 /// ceil(log2(n)) for n >= 1, and 0 below: the number of doublings that reach n.

@@ -1,168 +1,84 @@
 // Exact numbers: what a person typed, kept as typed until it meets a precision.
 #pragma once
 
-#include <cctype>
-#include <charconv>
-#include <cstddef>
-#include <cstdlib>
-#include <stdexcept>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "libration/scalar/convert.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/expression.hpp"
 
 namespace libration {
 
-/// What an exact number counts.
-enum class unit { one, pi, degree, period };
-
-/// coefficient * unit, exactly: 1.71, 171/100, 1e-30, 3pi/4, 150deg, -3T/4.
+/// coefficient * unit, exactly: 1.71, 171/100, 1e-30, 3pi/4, 150deg, -3T/4, and what formulas fold to (2-1e-10,
+/// 3/4*pi); or the value of a formula: pi-1e-10, sqrt(2), T/4+1e-3.
 struct exact {
-    rational coefficient = 0;
+    rational coefficient = 0;  ///< of an expression, 0
     unit measure = unit::one;
     std::string text = "0";  ///< as typed
+    /// Where measure is unit::expression.
+    std::shared_ptr<const expression> formula = nullptr;
+    /// Whether it was typed as a formula, even of a plain number.
+    bool composed = false;
 
-    /// The coefficient of pi of an angle; pi = 180 degrees. Meaningful for pi and degree only.
-    rational in_pi() const { return measure == unit::degree ? rational(coefficient / 180) : coefficient; }
-    bool is_zero() const { return coefficient == 0; }
+    /// The coefficient of pi of an angle; pi = 180 degrees. For pi and degree only: throws std::logic_error otherwise.
+    rational in_pi() const;
+    /// Whether it is a fraction of pi.
+    bool is_angle() const { return measure == unit::pi || measure == unit::degree; }
+    /// Whether it is 0 by its form. An expression is not, though no more may be known of it.
+    bool is_zero() const { return measure != unit::expression && coefficient == 0; }
+    /// Whether it is a fraction without a unit.
+    bool is_fraction() const { return measure == unit::one; }
+    /// Whether it is a fraction or a formula without T, not a bare multiple of pi.
+    bool is_number() const;
+    /// The multiple of T in it.
+    rational periods() const;
+    /// Whether there is one.
+    bool has_periods() const { return measure == unit::period || periods() != 0; }
+    /// Whether nothing but a multiple of T is there (0 among them).
+    bool only_periods() const { return measure == unit::period || is_zero(); }
+    /// Without the multiple of T.
+    exact without_periods() const;
 };
 
-/// Reads numbers of the form [sign] digits[.digits][e[sign]digits] [pi|deg|T] [/ digits[.digits][e...]].
-/// The digits may be missing before pi and T. Throws std::invalid_argument saying what is wrong with the text.
-class exact_reader {
-public:
-    explicit exact_reader(std::string_view text) : text_(text), rest_(text) {}
+/// The number as a formula.
+expression as_expression(const exact& number);
+/// A formula as an exact number, plain where it is.
+exact exactly(const expression& value, std::string text);
 
-    exact read() {
-        if (rest_.empty()) {
-            throw std::invalid_argument("is empty");
-        }
-        exact result;
-        result.text = std::string(text_);
-        const bool negative = sign();
-        const bool bare_unit = rest_.starts_with("pi") || rest_.starts_with("T");
-        rational value = bare_unit ? rational(1) : decimal();
-        result.measure = suffix();
-        if (take("/")) {
-            const rational divisor = decimal();
-            if (divisor == 0) {
-                throw std::invalid_argument("divides by zero");
-            }
-            value /= divisor;
-        }
-        if (!rest_.empty()) {
-            throw std::invalid_argument("is not a number");
-        }
-        result.coefficient = negative ? rational(-value) : value;
-        return result;
-    }
-
-private:
-    static constexpr long largest_exponent = 100'000;
-    static constexpr std::size_t longest_text = 200'000;
-
-    bool take(std::string_view word) {
-        if (!rest_.starts_with(word)) {
-            return false;
-        }
-        rest_.remove_prefix(word.size());
-        return true;
-    }
-
-    // Takes a sign; true for minus.
-    bool sign() {
-        if (take("-")) {
-            return true;
-        }
-        take("+");
-        return false;
-    }
-
-    unit suffix() {
-        if (take("pi")) {
-            return unit::pi;
-        }
-        if (take("deg")) {
-            return unit::degree;
-        }
-        return take("T") ? unit::period : unit::one;
-    }
-
-    std::string digit_run() {
-        std::string run;
-        while (!rest_.empty() && std::isdigit(static_cast<unsigned char>(rest_.front())) != 0) {
-            run += rest_.front();
-            rest_.remove_prefix(1);
-        }
-        return run;
-    }
-
-    // The value of [digits][.digits][e[sign]digits]; at least one digit before the exponent.
-    rational decimal() {
-        std::string significand = digit_run();
-        long exponent = 0;
-        if (take(".")) {
-            const std::string fraction = digit_run();
-            significand += fraction;
-            exponent = -static_cast<long>(fraction.size());
-        }
-        if (significand.empty()) {
-            throw std::invalid_argument("is not a number");
-        }
-        exponent += written_exponent();
-        if (std::labs(exponent) > largest_exponent || significand.size() > longest_text) {
-            throw std::invalid_argument("is beyond the range 1e-100000 .. 1e100000");
-        }
-        const std::size_t first = significand.find_first_not_of('0');
-        if (first == std::string::npos) {
-            return 0;
-        }
-        const integer digits(significand.substr(first));
-        const integer power = boost::multiprecision::pow(integer(10), static_cast<unsigned>(std::labs(exponent)));
-        return exponent < 0 ? rational(digits, power) : rational(integer(digits * power));
-    }
-
-    long written_exponent() {
-        if (!take("e") && !take("E")) {
-            return 0;
-        }
-        const bool negative = sign();
-        const std::string run = digit_run();
-        if (run.empty()) {
-            throw std::invalid_argument("is not a number");
-        }
-        long value = 0;
-        const auto [end, error] = std::from_chars(run.data(), run.data() + run.size(), value);
-        if (error != std::errc() || value > 2 * largest_exponent) {
-            throw std::invalid_argument("is beyond the range 1e-100000 .. 1e100000");
-        }
-        return negative ? -value : value;
-    }
-
-    std::string_view text_;
-    std::string_view rest_;
-};
-
-/// The exact number a text stands for; throws std::invalid_argument ("is not a number", "divides by zero", ...).
-inline exact read_exact(std::string_view text) { return exact_reader(text).read(); }
+/// The exact number a text stands for: [sign] digits[.digits][e[sign]digits] [pi|deg|T] [/ digits...], the digits
+/// optional before pi and T, or a formula (see expression_text.hpp). Throws libration::error saying what is wrong with
+/// the text.
+exact read_exact(std::string_view text);
 
 /// A whole or fractional value as an exact number.
 inline exact exactly(const rational& value) { return {value, unit::one, value.str()}; }
 
+/// Sums, differences, products and quotients, exactly; their text is a formula of the texts.
+exact operator+(const exact& a, const exact& b);
+exact operator-(const exact& a, const exact& b);
+exact operator*(const exact& a, const exact& b);
+exact operator/(const exact& a, const exact& b);
+
+/// -1, 0 or 1. Throws error of the kind undecided where no precision decides, error for multiples
+/// of the period.
+int sign_of_exact(const exact& number);
+
+/// An exact angle or formula at the working precision: pi enters with the precision that is in force.
+mpfr mpfr_from_exact(const exact& number);
+
 /// The exact number in T, rounded once: pi enters with 64 more bits than T has.
-/// Throws std::domain_error for multiples of the period, which only a motion knows.
+/// Throws error for multiples of the period, which only a motion knows.
 template <rounding_scalar T>
 T from_exact(const exact& number) {
-    switch (number.measure) {
-        case unit::one: return from_rational<T>(number.coefficient);
-        case unit::period: throw std::domain_error(number.text + " is a multiple of a period, not a number");
-        default: break;
+    if (number.measure == unit::one) {
+        return from_rational<T>(number.coefficient);
     }
     mpfr product;
     {
         const precision_scope guard(decimal_digits(digits<T>() + 64));
-        product = from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
+        product = mpfr_from_exact(number);
     }
     return narrow<T>(product);
 }

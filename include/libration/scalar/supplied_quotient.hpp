@@ -1,8 +1,9 @@
-// The seam between mpfr, which needs no FLINT, and FLINT's quotient of whole sequences, which a program that links
-// FLINT has for its mpfr numbers too.
+// The choice of a program how mpfr divides long sequences. mpfr needs no FLINT; a program that links it may have the
+// quotients of whole sequences that FLINT has, whose last digits are others.
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libration/scalar/mpfr.hpp"
@@ -10,10 +11,31 @@
 namespace libration {
 
 /// q with sum_k b_k q_{n-k} = a_n for n below the shorter length, which is not 0, every q_n to within 2^48 epsilon of
-/// the largest of them; nothing where that is not proved.
+/// the largest of them; std::nullopt where that is not proved.
 using mpfr_quotient = std::optional<std::vector<mpfr>> (*)(const std::vector<mpfr>& a, const std::vector<mpfr>& b);
 
-/// None, unless a source of the program includes scalar/ball.hpp, whose ball_quotient.hpp sets it before main().
-inline mpfr_quotient supplied_quotient = nullptr;
+/// Lets mpfr divide whole sequences by a quotient of the program's choice, quotient_by_flint of
+/// scalar/ball/quotient.hpp say, in all threads until the end of the scope: made at the top of main(), before there are
+/// threads. Nothing else makes that choice; without one, coefficients come one after the other. A nullptr takes it
+/// back.
+class whole_quotient_scope {
+public:
+    explicit whole_quotient_scope(mpfr_quotient by) : previous_(std::exchange(chosen(), by)) {}
+    whole_quotient_scope(const whole_quotient_scope&) = delete;
+    whole_quotient_scope& operator=(const whole_quotient_scope&) = delete;
+    ~whole_quotient_scope() { chosen() = previous_; }
+
+private:
+    friend mpfr_quotient supplied_quotient();
+    static mpfr_quotient& chosen() {
+        static mpfr_quotient by = nullptr;
+        return by;
+    }
+
+    mpfr_quotient previous_;
+};
+
+/// The choice in force; nullptr without one.
+inline mpfr_quotient supplied_quotient() { return whole_quotient_scope::chosen(); }
 
 }  // namespace libration

@@ -8,10 +8,10 @@
 #include "libration/series/convolution.hpp"
 #include "libration/series/jet.hpp"
 
-namespace libration {
+namespace libration::series {
 
 /// a + b. O(N).
-template <scalar T>
+template <ring T>
 power_series<T> operator+(const power_series<T>& a, const power_series<T>& b) {
     auto sum = power_series<T>::zero(std::min(a.order(), b.order()));
     for (int n = 0; n <= sum.order(); ++n) {
@@ -21,7 +21,7 @@ power_series<T> operator+(const power_series<T>& a, const power_series<T>& b) {
 }
 
 /// a - b. O(N).
-template <scalar T>
+template <ring T>
 power_series<T> operator-(const power_series<T>& a, const power_series<T>& b) {
     auto difference = power_series<T>::zero(std::min(a.order(), b.order()));
     for (int n = 0; n <= difference.order(); ++n) {
@@ -31,19 +31,19 @@ power_series<T> operator-(const power_series<T>& a, const power_series<T>& b) {
 }
 
 /// Cauchy product, (ab)_n = sum_k a_k b_{n-k}: product() of convolution.hpp.
-template <scalar T>
+template <ring T>
 power_series<T> operator*(const power_series<T>& a, const power_series<T>& b) {
     return product(a, b);
 }
 
 /// q = a / b with b q = a: quotient() of convolution.hpp. b_0 must not be 0.
-template <scalar T>
+template <field T>
 power_series<T> operator/(const power_series<T>& a, const power_series<T>& b) {
     return quotient(a, b);
 }
 
 /// a': order N - 1 (of a constant: the zero series of order 0). O(N).
-template <scalar T>
+template <ring T>
 power_series<T> derivative(const power_series<T>& a) {
     auto result = power_series<T>::zero(std::max(a.order() - 1, 0));
     for (int n = 1; n <= a.order(); ++n) {
@@ -53,7 +53,7 @@ power_series<T> derivative(const power_series<T>& a) {
 }
 
 /// constant + int_0^x a: order N + 1. O(N).
-template <scalar T>
+template <field T>
 power_series<T> integral(const power_series<T>& a, const T& constant) {
     auto result = power_series<T>::zero(a.order() + 1);
     result[0] = constant;
@@ -64,7 +64,7 @@ power_series<T> integral(const power_series<T>& a, const T& constant) {
 }
 
 /// Value and derivative of the polynomial at x, by Horner's rule. O(N).
-template <scalar T>
+template <ring T>
 jet<T> evaluate(const power_series<T>& a, const T& x) {
     jet<T> result{a[a.order()], T(0)};
     for (int n = a.order() - 1; n >= 0; --n) {
@@ -75,7 +75,7 @@ jet<T> evaluate(const power_series<T>& a, const T& x) {
 }
 
 /// The value alone: the same roundings as evaluate(), at half the cost.
-template <scalar T>
+template <ring T>
 T evaluate_value(const power_series<T>& a, const T& x) {
     T value = a[a.order()];
     for (int n = a.order() - 1; n >= 0; --n) {
@@ -86,7 +86,7 @@ T evaluate_value(const power_series<T>& a, const T& x) {
 
 /// The polynomial about another point: b with sum_j b_j y^j = sum_n a_n (c + y)^n, by repeated division by
 /// x - c (Horner). O(N^2).
-template <scalar T>
+template <ring T>
 power_series<T> about(power_series<T> a, const T& c) {
     for (int j = 0; j < a.order(); ++j) {
         for (int n = a.order() - 1; n >= j; --n) {
@@ -96,4 +96,4 @@ power_series<T> about(power_series<T> a, const T& c) {
     return a;
 }
 
-}  // namespace libration
+}  // namespace libration::series

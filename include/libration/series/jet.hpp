@@ -1,7 +1,7 @@
 // The value and the first derivative of a function at one point.
 #pragma once
 
-namespace libration {
+namespace libration::series {
 
 template <class T>
 struct jet {
@@ -9,4 +9,4 @@ struct jet {
     T slope;
 };
 
-}  // namespace libration
+}  // namespace libration::series

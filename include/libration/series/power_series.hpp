@@ -2,30 +2,31 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "libration/scalar/concept.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/scalar.hpp"
 
-namespace libration {
+namespace libration::series {
 
-/// sum_{n=0}^{N} a_n x^n, everything beyond x^N forgotten. N >= 0.
-template <scalar T>
+/// sum_{n=0}^{N} a_n x^n, everything beyond x^N forgotten. N >= 0. Over any ring: fractions and complex numbers too.
+template <ring T>
 class power_series {
 public:
     power_series() : coefficients_{T(0)} {}
     explicit power_series(std::vector<T> coefficients) : coefficients_(std::move(coefficients)) {
         if (coefficients_.empty()) {
-            throw std::invalid_argument("a power series needs at least the coefficient of degree 0");
+            throw error(error_kind::argument, "list of coefficients", "",
+                        "is empty: a power series has one of degree 0 at least");
         }
     }
 
-    /// The zero series of order N. Throws std::invalid_argument when N < 0.
+    /// The zero series of order N. Throws error when N < 0.
     static power_series zero(int order) {
         if (order < 0) {
-            throw std::invalid_argument("a power series of order " + std::to_string(order));
+            throw error(error_kind::argument, "order", std::to_string(order), "of a power series is negative");
         }
         return power_series(std::vector<T>(static_cast<std::size_t>(order) + 1, T(0)));
     }
@@ -36,12 +37,15 @@ public:
     /// Appends the coefficient of the next degree.
     void push_back(T next) { coefficients_.push_back(std::move(next)); }
     const std::vector<T>& coefficients() const { return coefficients_; }
+    /// The same as an array, for the kernels.
+    const T* data() const { return coefficients_.data(); }
+    T* data() { return coefficients_.data(); }
 
-    /// The first degrees 0 .. N of this series. Throws std::invalid_argument when it holds fewer.
+    /// The first degrees 0 .. N of this series. Throws error when it holds fewer.
     power_series truncated(int order) const {
         if (order < 0 || order > this->order()) {
-            throw std::invalid_argument("order " + std::to_string(order) + " of a series of order " +
-                                        std::to_string(this->order()));
+            throw error(error_kind::argument, "order", std::to_string(order),
+                        "is not between 0 and the " + std::to_string(this->order()) + " of the series");
         }
         return power_series(std::vector<T>(coefficients_.begin(), coefficients_.begin() + order + 1));
     }
@@ -51,7 +55,7 @@ private:
 };
 
 /// The series in y = x / factor: a_n factor^n. One rounding a power, O(N).
-template <scalar T>
+template <ring T>
 power_series<T> rescale(power_series<T> series, const T& factor) {
     T power(1);
     for (int n = 1; n <= series.order(); ++n) {
@@ -61,4 +65,4 @@ power_series<T> rescale(power_series<T> series, const T& factor) {
     return series;
 }
 
-}  // namespace libration
+}  // namespace libration::series

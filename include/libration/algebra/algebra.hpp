@@ -1,0 +1,5 @@
+// Linear systems and the roots of polynomials.
+#pragma once
+
+#include "libration/algebra/linear_system.hpp"
+#include "libration/algebra/polynomial_roots.hpp"

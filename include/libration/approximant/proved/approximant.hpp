@@ -1,0 +1,6 @@
+// Maxima of the errors of approximants, proved.
+#pragma once
+
+#include "libration/approximant/approximant.hpp"
+#include "libration/approximant/proved/maximum.hpp"
+#include "libration/approximant/proved/panel.hpp"

@@ -1,0 +1,158 @@
+// The largest |f| on an interval, proved: by subdivision of polynomials with bounded tails, not by samples.
+//
+// On a piece with the midpoint m and the half width h, f, f' and f'' are enclosed by Horner's rule on the ball m +- h,
+// and |f| <= |f(m)| + h max|f'| there. A piece
+//   1. whose |f| is below a value that |f| takes somewhere counts for nothing;
+//   2. on which f' has no zero has its largest |f| at an end;
+//   3. on which |f''| >= mu > 0 has, beside its ends, at most one stationary point x. For any s in the piece
+//      |s - x| <= |f'(s)|/mu, and the extreme value of f lies between f(s) and f(s) -+ f'(s)^2/(2 mu): for f'' > 0,
+//      f(y) >= f(s) + f'(s) (y - s) + mu/2 (y - s)^2, whose least value that is, and f(s) is not below the least;
+//   4. is cut in two otherwise.
+// In 3 the point s comes from Newton's iteration; nothing is taken on trust from it. The result is the hull of
+// what may be the maximum. Where two far places share it to the working precision, the value is proved, and
+// the place is not narrow.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "libration/approximant/proved/panel.hpp"
+
+namespace libration {
+
+/// An enclosure of the largest |f| and of where it is attained.
+struct proved_maximum {
+    ball value;
+    ball place;
+};
+
+/// The search behind largest_magnitude().
+class maximum_search {
+public:
+    explicit maximum_search(const std::vector<enclosed_panel>& panels) : panels_(panels) {}
+
+    /// Throws precision_exhausted where the working precision does not part the pieces.
+    proved_maximum result() {
+        std::vector<piece> left;
+        for (std::size_t i = 0; i < panels_.size(); ++i) {
+            for (const int s : {-1, 0, 1}) {
+                consider(panels_[i].at(ball(s)).value, panels_[i].place_of(ball(s)));
+            }
+            left.push_back({i, ball(0), 0});
+        }
+        for (long taken = 0; !left.empty(); ++taken) {
+            if (taken == most_pieces) {
+                throw precision_exhausted("a maximum");
+            }
+            const piece next = std::move(left.back());
+            left.pop_back();
+            if (!is_settled(next)) {
+                const ball quarter = ldexp(ball(1), -next.level - 1);
+                left.push_back({next.panel, next.centre - quarter, next.level + 1});
+                left.push_back({next.panel, next.centre + quarter, next.level + 1});
+            }
+        }
+        return gathered();
+    }
+
+private:
+    static constexpr long most_pieces = 20'000;
+
+    struct piece {
+        std::size_t panel;
+        ball centre;
+        long level;  ///< half width 2^-level
+    };
+    struct candidate {
+        ball magnitude;
+        ball place;
+    };
+
+    void consider(const ball& value, const ball& place) {
+        ball magnitude = abs(value);
+        const ball lower = lower_bound(magnitude);
+        if (certainly_less(lower_, lower)) {
+            lower_ = lower;
+        }
+        if (!certainly_less(magnitude, lower_)) {
+            candidates_.push_back({std::move(magnitude), place});
+        }
+    }
+
+    // Whether nothing of the piece is left to be found.
+    bool is_settled(const piece& p) {
+        const enclosed_panel& f = panels_[p.panel];
+        const ball half = ldexp(ball(1), -p.level);
+        const ball all = enclose(p.centre, half);
+        const enclosed_two_jet over = f.at(all);
+        const ball reach = abs(f.at(p.centre).value) + abs(over.slope) * half;
+        if (certainly_less(abs(over.value), lower_) || certainly_less(reach, lower_)) {
+            return true;
+        }
+        const bool bends = !contains_zero(over.curvature);
+        if (contains_zero(over.slope) && !bends) {
+            return false;
+        }
+        const ball left = p.centre - half;
+        const ball right = p.centre + half;
+        const int at_left = consider_end(f, left);
+        const int at_right = consider_end(f, right);
+        return !contains_zero(over.slope) || at_left * at_right > 0 ||
+               is_found(f, p.centre, all, lower_bound(abs(over.curvature)));
+    }
+
+    // Takes an end into account; the sign of the slope there, 0 where it is not decided.
+    int consider_end(const enclosed_panel& f, const ball& s) {
+        const enclosed_two_jet at = f.at(s);
+        consider(at.value, f.place_of(s));
+        return contains_zero(at.slope) ? 0 : decided_sign(at.slope);
+    }
+
+    // The stationary point of a piece that bends by at least `least`; false where Newton's iteration did not come near
+    // it.
+    bool is_found(const enclosed_panel& f, const ball& centre, const ball& all, const ball& least) {
+        ball s = centre;
+        for (int step = doublings(digits<ball>()) + 3; step > 0; --step) {
+            const enclosed_two_jet at = f.at(s);
+            const ball next = midpoint(ball(s - at.slope / at.curvature));
+            if (!contains(all, next)) {
+                return false;
+            }
+            s = next;
+        }
+        const enclosed_two_jet at = f.at(s);
+        const ball error = at.slope * at.slope / (least * 2);
+        if (!certainly_less(ldexp(error, digits<ball>() / 2), lower_)) {
+            return false;
+        }
+        consider(enclose(at.value, error), f.place_of(enclose(s, ball(at.slope / least))));
+        return true;
+    }
+
+    proved_maximum gathered() const {
+        proved_maximum all{lower_, ball()};
+        bool first = true;
+        for (const candidate& c : candidates_) {
+            if (!certainly_less(c.magnitude, lower_)) {
+                all.value = hull(all.value, upper_bound(c.magnitude));
+                all.place = first ? c.place : hull(all.place, c.place);
+                first = false;
+            }
+        }
+        return all;
+    }
+
+    const std::vector<enclosed_panel>& panels_;
+    ball lower_;  ///< |f| is not below this somewhere; exact
+    std::vector<candidate> candidates_;
+};
+
+/// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of
+/// order J for each halving next to a stationary point; their number follows the shape of f and hardly the precision.
+/// Throws precision_exhausted where the working precision does not part the pieces, as where f is 0.
+inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels) {
+    return maximum_search(panels).result();
+}
+
+}  // namespace libration

@@ -1,0 +1,62 @@
+// A function on a piece of an interval, enclosed with its first two derivatives: a polynomial with a bounded tail.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "libration/scalar/ball/ball.hpp"
+#include "libration/series/arithmetic.hpp"
+
+namespace libration {
+
+/// Enclosures of a function and of its first two derivatives.
+struct enclosed_two_jet {
+    ball value;
+    ball slope;
+    ball curvature;
+};
+
+/// A function of s in [-1, 1], the part [from, to] of the caller's variable: a polynomial with a tail whose
+/// coefficients obey |c_j| <= scale ratio^j for every j > J, the order of the polynomial.
+class enclosed_panel {
+public:
+    /// Throws precision_exhausted where ratio < 1 is not certain.
+    enclosed_panel(series::power_series<ball> kept, const ball& scale, const ball& ratio, rational from, rational to)
+        : kept_(std::move(kept)), from_(std::move(from)), to_(std::move(to)) {
+        require_below(ratio, ball(1), "the rate of a tail");
+        // With n = J + 1: sum_{j>=n} q^j = q^n/(1-q), sum j q^j <= n q^n/(1-q)^2, sum j(j-1) q^j <= n(n-1) q^n/(1-q)^3,
+        // because n + i <= n (1 + i) and (n+i)(n+i-1) <= n(n-1) (i+1)(i+2)/2 for n >= 2.
+        const long n = std::max(2, kept_.order() + 1);
+        const ball gap = 1 - ratio;
+        tail_.value = scale * pow(ratio, kept_.order() + 1) / gap;
+        tail_.slope = tail_.value * n / gap;
+        tail_.curvature = tail_.slope * (n - 1) / gap;
+    }
+
+    int order() const { return kept_.order(); }
+
+    /// On a ball of s, for those of its numbers that are in [-1, 1].
+    enclosed_two_jet at(const ball& s) const {
+        enclosed_two_jet sum{kept_[kept_.order()], ball(), ball()};
+        for (int n = kept_.order() - 1; n >= 0; --n) {
+            sum.curvature = sum.curvature * s + sum.slope * 2;
+            sum.slope = sum.slope * s + sum.value;
+            sum.value = sum.value * s + kept_[n];
+        }
+        return {enclose(sum.value, tail_.value), enclose(sum.slope, tail_.slope),
+                enclose(sum.curvature, tail_.curvature)};
+    }
+
+    /// The caller's variable at s.
+    ball place_of(const ball& s) const {
+        return from_rational<ball>(rational((from_ + to_) / 2)) + s * from_rational<ball>(rational((to_ - from_) / 2));
+    }
+
+private:
+    series::power_series<ball> kept_;
+    rational from_;
+    rational to_;
+    enclosed_two_jet tail_;
+};
+
+}  // namespace libration

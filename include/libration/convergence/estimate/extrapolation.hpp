@@ -1,0 +1,180 @@
+// The limit of a sequence s_n = s + s_1/n + s_2/n^2 + ..., n -> infinity, with an estimate of its error.
+//
+// Neville's table: the value at 1/n = 0 of the polynomial in 1/n through s_n and j earlier entries, s - S =
+// O(n^-(j+1)); with steps h between the entries taken [Guttmann1989]. Rounding grows with the column like
+// (n/h)^j/j!, so the best column is the one whose last entries move least; larger steps amplify less. What oscillates
+// is amplified in the same way and shows in the movement: then column 0 is the best one. Where the oscillation falls
+// faster than what it hides, polynomials in 1/n fitted by least squares to many entries reach further.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/algebra/linear_system.hpp"
+#include "libration/convergence/estimate/settling.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::convergence {
+
+/// s_n.
+template <rounding_scalar T>
+struct sequence_entry {
+    int n;
+    T value;
+};
+
+/// A limit, its uncertainty, and the power of 1/n removed last.
+template <rounding_scalar T>
+struct sequence_limit {
+    T value = T(0);
+    T uncertainty = T(0);
+    int removed = 0;
+};
+
+namespace fitting {
+
+/// Replaces column j - 1 of the table by column j; entries before j h are left as they were.
+template <rounding_scalar T>
+void next_column(std::vector<T>& column, const std::vector<sequence_entry<T>>& s, std::size_t j, std::size_t h) {
+    for (std::size_t i = s.size(); i-- > j * h;) {
+        const int before = s[i - j * h].n;
+        column[i] += (column[i] - column[i - h]) * before / (s[i].n - before);
+    }
+}
+
+/// Entry i of a column with the movement of the entries before it, as the error that an entry of order n^-(j+1) has.
+template <rounding_scalar T>
+sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<sequence_entry<T>>& s, std::size_t j,
+                               std::size_t first) {
+    using std::abs;
+    const std::size_t last = s.size() - 1;
+    const std::size_t window = std::min(last - first, std::max<std::size_t>(3, s.size() / 8));
+    T moved(0);
+    for (std::size_t i = last - window; i < last; ++i) {
+        moved = abs(column[i] - column[last]) > moved ? T(abs(column[i] - column[last])) : moved;
+    }
+    const int power = static_cast<int>(j) + 1;
+    const T falls = T(s[last].n) / ((s[last].n - s[last - window].n) * power);
+    return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
+}
+
+/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0, std::nullopt where the equations
+/// are singular. In the variable u with u = -+1 at the ends n = m and n = m/2, so that the normal equations are well
+/// conditioned.
+template <rounding_scalar T>
+std::optional<T> fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last,
+                              std::size_t degree) {
+    std::vector<std::vector<T>> normal(degree + 1, std::vector<T>(degree + 1, T(0)));
+    std::vector<T> right(degree + 1, T(0));
+    std::vector<T> powers(degree + 1, T(1));
+    const auto fill = [&](const T& u) {
+        for (std::size_t i = 1; i <= degree; ++i) {
+            powers[i] = powers[i - 1] * u;
+        }
+    };
+    for (std::size_t e = first; e <= last; ++e) {
+        fill(T(T(2 * s[last].n) / s[e].n - 3));
+        for (std::size_t i = 0; i <= degree; ++i) {
+            for (std::size_t j = 0; j <= degree; ++j) {
+                normal[i][j] += powers[i] * powers[j];
+            }
+            right[i] += powers[i] * s[e].value;
+        }
+    }
+    const auto solution = solve_linear(std::move(normal), std::move(right), T(epsilon<T>() * 64));
+    if (!solution) {
+        return std::nullopt;
+    }
+    fill(T(-3));
+    T value(0);
+    for (std::size_t i = 0; i <= degree; ++i) {
+        value += (*solution)[i] * powers[i];
+    }
+    return value;
+}
+
+}  // namespace fitting
+
+/// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n grows from entry to entry; four entries at
+/// least, of size about 1 or scaled alike. On a power law in 1/n the uncertainty is about the error. O(N log N) for
+/// each column. Throws error for fewer entries.
+template <rounding_scalar T>
+sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
+    constexpr std::size_t fewest = 4;
+    constexpr std::size_t most_columns = 40;
+    if (s.size() < fewest) {
+        throw error(error_kind::argument, "number of entries", std::to_string(s.size()),
+                    "is below the 4 that an extrapolation needs");
+    }
+    std::optional<sequence_limit<T>> best;
+    for (std::size_t h = 1; h == 1 || h * 16 <= s.size(); h *= 2) {
+        std::vector<T> column;
+        column.reserve(s.size());
+        for (const auto& entry : s) {
+            column.push_back(entry.value);
+        }
+        const std::size_t most = std::min(most_columns, (s.size() - fewest) / h / 2);
+        for (std::size_t j = 0; j <= most; ++j) {
+            if (j > 0) {
+                fitting::next_column(column, s, j, h);
+            }
+            auto limit = fitting::column_limit(column, s, j, j * h);
+            if (is_a_number(limit.value) && (!best || limit.uncertainty < best->uncertainty)) {
+                best = std::move(limit);
+            }
+        }
+    }
+    if (!best) {
+        return {s.back().value, s.back().value, 0};
+    }
+    return *std::move(best);
+}
+
+/// By least squares with a polynomial of degree p <= 4 in 1/n on the last half of the entries; the degree is the one
+/// whose value moves least as the last eighth and the last quarter of the entries are left out, and the last one, two,
+/// three. For sequences that oscillate about a power law. Four entries at least. O(N).
+template <rounding_scalar T>
+sequence_limit<T> fitted_limit(const std::vector<sequence_entry<T>>& s) {
+    using std::abs;
+    constexpr std::size_t most_degree = 4;
+    if (s.size() < 4) {
+        throw error(error_kind::argument, "number of entries", std::to_string(s.size()),
+                    "is below the 4 that a fit needs");
+    }
+    const std::size_t last = s.size() - 1;
+    std::optional<sequence_limit<T>> best;
+    for (std::size_t degree = 0; degree <= most_degree && (degree == 0 || 8 * (degree + 1) <= s.size()); ++degree) {
+        const auto value = fitting::fitted_value(s, last / 2, last, degree);
+        std::optional<T> moved(T(0));
+        for (const std::size_t less : {std::size_t(1), std::size_t(2), std::size_t(3), s.size() / 8, s.size() / 4}) {
+            const std::size_t end = last - std::min(less, last / 2);
+            const auto other = value && moved ? fitting::fitted_value(s, end / 2, end, degree) : std::nullopt;
+            moved = other ? std::optional<T>(abs(*other - *value) > *moved ? T(abs(*other - *value)) : *moved)
+                          : std::nullopt;
+        }
+        if (!moved) {
+            break;
+        }
+        if (is_a_number(*value) && (!best || *moved * 2 < best->uncertainty)) {
+            best = sequence_limit<T>{*value, T(*moved * 2), static_cast<int>(degree)};
+        }
+    }
+    if (!best) {
+        return {s.back().value, s.back().value, 0};
+    }
+    return *std::move(best);
+}
+
+/// The more certain one of the two.
+template <rounding_scalar T>
+sequence_limit<T> extrapolated_limit(const std::vector<sequence_entry<T>>& s) {
+    auto by_table = neville_limit(s);
+    auto by_fit = fitted_limit(s);
+    return by_fit.uncertainty < by_table.uncertainty ? std::move(by_fit) : std::move(by_table);
+}
+
+}  // namespace libration::convergence

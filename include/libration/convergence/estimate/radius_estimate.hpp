@@ -1,0 +1,80 @@
+// What a radius test answers: a radius with its uncertainty, or the reason why it has none.
+//
+// Finitely many coefficients prove no radius: any series agrees to x^N with a polynomial. Every estimate here is a
+// heuristic and carries its own uncertainty, an estimate too: made for covering the error, not a bound of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "libration/scalar/complex_number.hpp"
+
+namespace libration::convergence {
+
+/// How f behaves at x0, with z = 1 - x/x0: z^-m, log z, z^nu with any other exponent, or a boundary where it ends.
+enum class singularity_kind { unknown, pole, logarithm, algebraic, boundary };
+
+/// unknown | pole | logarithm | algebraic | boundary.
+inline std::string name_of(singularity_kind kind) {
+    switch (kind) {
+        case singularity_kind::pole: return "pole";
+        case singularity_kind::logarithm: return "logarithm";
+        case singularity_kind::algebraic: return "algebraic";
+        case singularity_kind::boundary: return "boundary";
+        default: return "unknown";
+    }
+}
+
+/// The answer of one test, in the unit of the variable. What a test does not tell is left out.
+template <rounding_scalar T>
+struct radius_estimate {
+    std::string method;
+    std::optional<T> radius;                    ///< nothing where the test does not apply; `note` says why then
+    T uncertainty = T(0);                       ///< of the radius, absolute
+    std::optional<complex_number<T>> position;  ///< of one nearest singularity, the one of least argument >= 0
+    std::optional<T> exponent;                  ///< nu of (1 - x/x0)^nu there; 0 is a logarithm
+    T exponent_uncertainty = T(0);
+    singularity_kind kind = singularity_kind::unknown;
+    int count = 0;            ///< singularities on the circle of convergence; 0 where the test does not tell
+    std::string note;         ///< the reason for no radius, or what a reader should know
+    bool may_decide = false;  ///< its test is one whose uncertainty can be trusted (radius_test)
+};
+
+/// The answer of a test that does not apply.
+template <rounding_scalar T>
+radius_estimate<T> no_estimate(const std::string& method, const std::string& reason) {
+    radius_estimate<T> result;
+    result.method = method;
+    result.note = reason;
+    return result;
+}
+
+/// The answer of a test that needs more coefficients than there are.
+template <rounding_scalar T>
+radius_estimate<T> too_short(const std::string& method, int needed, int given) {
+    return no_estimate<T>(
+        method, "needs " + std::to_string(needed) + " non-zero coefficients, there are " + std::to_string(given));
+}
+
+/// The same answer in the working precision in force, exactly.
+template <rounding_scalar T>
+radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
+    const auto wide = [](const std::optional<T>& x) { return x ? std::optional<mpfr>(widen(*x)) : std::nullopt; };
+    radius_estimate<mpfr> result;
+    result.method = estimate.method;
+    result.radius = wide(estimate.radius);
+    result.uncertainty = widen(estimate.uncertainty);
+    if (estimate.position) {
+        result.position = complex_number<mpfr>{widen(estimate.position->re), widen(estimate.position->im)};
+    }
+    result.exponent = wide(estimate.exponent);
+    result.exponent_uncertainty = widen(estimate.exponent_uncertainty);
+    result.kind = estimate.kind;
+    result.count = estimate.count;
+    result.note = estimate.note;
+    result.may_decide = estimate.may_decide;
+    return result;
+}
+
+}  // namespace libration::convergence

@@ -1,0 +1,27 @@
+// Proved digits: balls are computed again with more guard digits until every digit that is printed is proved.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "libration/digits/growing_precision.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+
+namespace libration {
+
+/// The most guard digits before a proof is given up: 20, doubled nine times.
+inline constexpr long most_guard_digits = 10'240;
+
+/// The runs of a proof of so many digits.
+inline growing_digits proving(long digits) { return {digits, 20, most_guard_digits}; }
+
+/// compute() returns balls in the working precision; they are printed with `digits` digits, each proved. vanishing() is
+/// asked, once, which of them are exactly 0, when a ball keeps containing 0: no precision would decide that.
+/// Throws error of the kind undecided where a proof is impossible: a digit is not decided by most_guard_digits more.
+std::vector<proved_decimal> proved_decimals(long digits, const std::function<std::vector<ball>()>& compute,
+                                            const std::function<std::vector<bool>()>& vanishing = {});
+
+/// The same for one number.
+proved_decimal proved_value(long digits, const std::function<ball()>& compute);
+
+}  // namespace libration

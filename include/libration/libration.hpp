@@ -1,0 +1,14 @@
+// All that the library promises without FLINT. Each room has a face of its own (pendulum/pendulum.hpp,
+// series/series.hpp), which compiles faster; pendulum/digits.hpp is the lightest start.
+#pragma once
+
+#include "libration/algebra/algebra.hpp"
+#include "libration/approximant/approximant.hpp"
+#include "libration/convergence/convergence.hpp"
+#include "libration/digits/digits.hpp"
+#include "libration/elliptic/elliptic.hpp"
+#include "libration/ode/ode.hpp"
+#include "libration/pendulum/pendulum.hpp"
+#include "libration/scalar/scalar.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "libration/series/series.hpp"

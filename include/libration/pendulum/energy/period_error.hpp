@@ -1,0 +1,30 @@
+// What the partial sums (Kold) and (Knew) leave out of T*: proved bounds, and the digits that seeing it takes.
+#pragma once
+
+#include <algorithm>
+
+#include "libration/pendulum/energy/period.hpp"
+
+namespace libration::pendulum {
+
+/// Bound of T* - effective_period_by(rule, o), which is never negative: the bounds of complete_integral_series.hpp over
+/// the rate; 0 for the mean, which has no order. At most 1.4 times what is left out. O(N).
+template <scalar T>
+T effective_period_bound(const period_rule& rule, const energy_level<T>& o) {
+    switch (rule.method) {
+        case period_method::series: return complete_integral_series_bound(o.modulus, rule.order) / o.time_scale;
+        case period_method::resummed: return complete_integral_resummed_bound(o.modulus, rule.order) / o.time_scale;
+        default: return T(0);
+    }
+}
+
+/// Decimal digits by which the error of (Knew), the smaller of the two, is below T* at this order: what a computation
+/// has to carry beyond the digits wanted in the error. Two more cover bound over error and rounding.
+inline long period_digits_below(const motion& m, int order) {
+    const precision_scope scope(20);
+    const energy_level<mpfr> o = energy_level_of<mpfr>(m);
+    const mpfr bound = effective_period_bound(period_rule{period_method::resummed, order}, o);
+    return std::max(0L, 2 + static_cast<long>(nearest_integer(mpfr(log10(effective_period(o) / bound)))));
+}
+
+}  // namespace libration::pendulum

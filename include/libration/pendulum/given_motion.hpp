@@ -1,0 +1,26 @@
+// A motion of the pendulum in the words of the one who asks for it, exact as written. No other header is needed to
+// write one down.
+#pragma once
+
+#include <string>
+
+namespace libration::pendulum {
+
+/// theta0 and omega0; or the energy E, or the gap 2 - E, from the canonical start or from theta0. Every number is exact
+/// as it is written: "2.5", "171/100", "1e-30", "3pi/4", "150deg". Fields that are left out are empty.
+struct given_motion {
+    std::string theta0 = {};     ///< angle at time 0
+    std::string omega0 = {};     ///< angular velocity at time 0
+    std::string energy = {};     ///< in units of m g l, from the lowest point
+    std::string gap = {};        ///< 2 - energy, for motions next to the separatrix
+    std::string direction = {};  ///< "+" or "-": the sign of omega where an energy is given; empty is "+"
+    std::string length = {};     ///< in metres, with gravity: times are then in seconds, omega in rad/s
+    std::string gravity = {};    ///< in m/s^2
+};
+
+class motion;
+
+/// The exact motion. Throws error of the kind argument, with the field and its value, for what is no motion.
+motion exact_motion(const given_motion& given);
+
+}  // namespace libration::pendulum

@@ -1,0 +1,63 @@
+// theta, omega and the constants of one motion as proved decimals: what depends on the energy alone is made once for
+// every working precision and shared by all times.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/pendulum/proved/proved_motion.hpp"
+#include "libration/scalar/text/printed_number.hpp"
+
+namespace libration::pendulum {
+
+/// The digits that a time loses before its point when it is reduced; 0 for multiples of T, which are reduced exactly.
+long digits_before_point(const motion& m, const exact& time);
+
+/// The digits of one motion. Not for several threads at once.
+class proved_states {
+public:
+    proved_states(motion m, long digits) : motion_(std::move(m)), digits_(digits) {}
+
+    struct state_text {
+        std::string theta;
+        std::string omega;
+    };
+    /// T, T* and the radius about the top; inf where they are infinite.
+    struct constant_texts {
+        std::string period;
+        std::string tstar;
+        std::string radius;
+    };
+
+    /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws error of the kind
+    /// undecided where the precision ends before the digits are proved.
+    state_text at(const exact& time);
+    /// One of the two, with the bound of what its decimal misses.
+    proved_decimal theta_at(const exact& time) { return state_at(time)[0]; }
+    proved_decimal omega_at(const exact& time) { return state_at(time)[1]; }
+    constant_texts constants();
+    /// E and 2-E.
+    std::vector<std::string> energies();
+
+    /// A time as a decimal of so many proved digits: a multiple of the period, of pi, or a fraction.
+    std::string time_text(const exact& time, long digits);
+
+    /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
+    /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At
+    /// rest there is nothing to compare. Throws error of the kind undecided where they do not get so narrow.
+    bool confirms(const exact& time);
+
+private:
+    const proved_motion& motion_here();
+    std::vector<proved_decimal> state_at(const exact& time);
+    std::vector<ball> second_route(const exact& time) const;
+    long more_digits(const exact& time);
+
+    motion motion_;
+    long digits_;
+    std::map<long, proved_motion> made_;  ///< by working digits
+};
+
+}  // namespace libration::pendulum

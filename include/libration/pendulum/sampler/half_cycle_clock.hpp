@@ -1,0 +1,102 @@
+// From a time in floating point, however late, to the nearest passage through the bottom.
+#pragma once
+
+#include "libration/pendulum/time/passage.hpp"
+
+#ifdef __FAST_MATH__
+#error "-ffast-math takes the rounding errors apart that swing_clock keeps"
+#endif
+
+namespace libration::pendulum {
+
+/// x as a number of T and what it lacks.
+template <fixed_scalar T>
+struct split_number {
+    explicit split_number(const mpfr& x) : high(narrow<T>(x)), low(narrow<T>(x - widen(high))) {}
+
+    T high;
+    T low;
+};
+
+/// Passages come every 2 T*: a time t, s after the start's passage, belongs to passage j = the integer nearest to
+/// (t + s)/(2 T*), and lies y = t + s - 2 T* j after it, |y| <= T* up to rounding.
+///
+/// The reduction is Cody and Waite's [CodyWaite1980]: 2 T* in three parts, the first two with as many bits fewer
+/// than T as j may have, so that t + s - j first - j second is exact but for the rounding of t + s, which is kept;
+/// the third brings 2 T* to about twice the digits. So y is right to 2^(32 - 2 digits) T* and half an epsilon of
+/// itself times an epsilon, for |j| <= 2^31 and t taken as exact. Needs rounding to nearest, and neither -ffast-math
+/// nor doubles in wider registers.
+template <fixed_scalar T>
+class half_cycle_clock {
+public:
+    static constexpr int passage_bits = 32;
+
+    /// Where a time is: passage j, and x = |y| in the unit of the panels with what it lacks; side is the sign of y.
+    struct place {
+        T passage;
+        T x;
+        T rest;
+        T side;
+    };
+
+    /// interval is 2 T*, 0 for infinite; all in a precision_scope of at least 2 digits + 64 bits.
+    half_cycle_clock(const mpfr& interval, const mpfr& start, const T& unit)
+        : per_unit_(1 / unit),
+          start_(start / widen(unit)),
+          largest_(power_of_two(passage_bits - 1)),
+          rounder_(power_of_two(digits<T>() - 2) * 3) {
+        if (interval == 0) {
+            return;
+        }
+        mpfr rest = interval / widen(unit);
+        per_passage_ = narrow<T>(1 / rest);
+        for (T* part : {&first_, &second_}) {
+            mpfr leading = rest;
+            mpfr_prec_round(handle(leading), digits<T>() - passage_bits, MPFR_RNDN);
+            *part = narrow<T>(leading);
+            rest -= widen(*part);
+        }
+        third_ = narrow<T>(rest);
+    }
+
+    /// Whether locate() may be asked; false for what is not a number, too.
+    [[gnu::always_inline]] bool reaches(const T& time) const {
+        const T passages = (time * per_unit_ + start_.high) * per_passage_;
+        return (passages < 0 ? T(-passages) : passages) <= largest_;
+    }
+
+    [[gnu::always_inline]] place locate(const T& time) const {
+        // t + s = since + lost without rounding; then since - 2 T* j; then what is small.
+        const T t = time * per_unit_;
+        const T since = t + start_.high;
+        const T part = since - t;
+        const T lost = (t - (since - part)) + (start_.high - part);
+        const T j = whole(since * per_passage_);
+        const T reduced = since - j * first_ - j * second_;
+        const T small = lost + (start_.low - j * third_);
+        const T high = reduced + small;
+        const T low = small - (high - reduced);
+        const T side = high < 0 ? T(-1) : T(1);
+        return {j, high * side, low * side, side};
+    }
+
+    /// The integer next to x, |x| < 2^(digits - 2): by adding a number whose unit in the last place is 1.
+    [[gnu::always_inline]] T whole(const T& x) const { return (x + rounder_) - rounder_; }
+
+private:
+    static T power_of_two(int exponent) {
+        using std::ldexp;
+        return ldexp(T(1), exponent);
+    }
+
+    T per_unit_;
+    split_number<T> start_;
+    T largest_;
+    T rounder_;
+    T per_passage_ = T(0);
+    T first_ = T(0);
+    T second_ = T(0);
+    T third_ = T(0);
+};
+
+}  // namespace libration::pendulum

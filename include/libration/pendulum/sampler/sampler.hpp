@@ -1,0 +1,153 @@
+// theta and omega at many times: what depends on the motion alone is done once, and then a time costs a reduction
+// modulo the period, a look-up and some products, a few nanoseconds in double.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "libration/pendulum/sampler/sample_block.hpp"
+#include "libration/scalar/error.hpp"
+
+// Where the compiler can make a function for a processor that has AVX2, it makes both and asks the processor.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define LIBRATION_CHOOSES_AVX2 1
+#else
+#define LIBRATION_CHOOSES_AVX2 0
+#endif
+
+namespace libration::pendulum {
+
+/// One motion, from exact initial conditions, at floating times in any order, in the motion's units (seconds and rad/s
+/// where it has a length and a gravity). A time counts as exact, and T is known to twice the digits: 10^9 periods
+/// away the phase is as good as in the first one. theta is unwrapped.
+///
+/// Errors at every energy, next to E = 2, at E = 2 and at rest, in units epsilon 2^floor(log2 max(1, |x|)):
+///   theta   at most 4, x = theta
+///   omega   at most 4, x = the largest |omega| of the motion; no relative digits where omega is next to 0
+/// (sample_block.hpp says why; the tests compare with proved values).
+///
+/// Cost in double: 15 to 50 microseconds once; then about 5 ns a time with AVX2 and 8 ns without, 25 ns where it is
+/// asked alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a time. Nothing
+/// changes after construction: any number of threads may ask one sampler. The last digit depends on whether the
+/// processor fuses products and sums.
+template <fixed_scalar T>
+class sampler {
+public:
+    /// Throws error of the kind range where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double),
+    /// and where T cannot hold the square of the time to the top (E above 10^307).
+    explicit sampler(const motion& m) : sampler(m, precision_scope(working_precision())) {}
+
+    const motion& of() const { return motion_; }
+
+    /// At one time. Throws error where it is not finite, error of the kind range where theta is not.
+    series::jet<T> operator()(const T& time) const {
+        series::jet<T> state{};
+        sample<1>({&time, 1}, {&state.value, 1}, {&state.slope, 1});
+        return state;
+    }
+
+    /// theta and omega at all times; any of the three may be the same memory. Throws error where their
+    /// sizes differ, error where a time is not finite and error of the kind range where theta is not: what
+    /// the arrays hold then is unspecified.
+    void operator()(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
+        if (theta.size() != times.size() || omega.size() != times.size()) {
+            throw error(error_kind::argument, "number of times", std::to_string(times.size()),
+                        "is not that of the " + std::to_string(theta.size()) + " angles and the " +
+                            std::to_string(omega.size()) + " velocities");
+        }
+        if constexpr (!std::same_as<T, double>) {
+            sample<1>(times, theta, omega);
+        } else if (has_avx2()) {
+            sample_with_avx2(times, theta, omega);
+        } else {
+            sample<block_size>(times, theta, omega);
+        }
+    }
+
+private:
+    // Enough double operations to fill the vectors and to hide their latency.
+    static constexpr std::size_t block_size = 32;
+
+    sampler(const motion& m, const precision_scope& /*scope*/) : motion_(m), tables_(m) {}
+
+    template <std::size_t block>
+    [[gnu::always_inline]] void sample(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
+        std::size_t first = 0;
+        for (; first + block <= times.size(); first += block) {
+            sample_whole<block>(times.data() + first, theta.data() + first, omega.data() + first);
+        }
+        if (first < times.size()) {
+            const std::size_t rest = times.size() - first;
+            std::array<T, block> t{};
+            std::array<T, block> angle;
+            std::array<T, block> speed;
+            std::copy_n(times.data() + first, rest, t.data());
+            sample_whole<block>(t.data(), angle.data(), speed.data());
+            std::copy_n(angle.data(), rest, theta.data() + first);
+            std::copy_n(speed.data(), rest, omega.data() + first);
+        }
+    }
+
+    template <std::size_t block>
+    [[gnu::always_inline]] void sample_whole(const T* times, T* theta, T* omega) const {
+        std::size_t late = 0;
+        for (std::size_t i = 0; i < block; ++i) {
+            late += tables_.clock.reaches(times[i]) ? 0U : 1U;
+        }
+        if (late == 0) {
+            sample_block<block>(tables_, times, theta, omega);
+        } else {
+            sample_late({times, block}, theta, omega);
+        }
+    }
+
+    // Times beyond the clock, reduced in mpfr.
+    void sample_late(std::span<const T> times, T* theta, T* omega) const {
+        const precision_scope scope(working_precision());
+        const T& end = tables_.panels.end();
+        for (const T& time : times) {
+            require_finite(time, error_kind::argument, "time", time);
+            rational exact_time;
+            mpfr_get_q(exact_time.backend().data(), handle(widen(time)));
+            const after_passage at = nearest_passage<finer_t<T>>(motion_, exactly(exact_time));
+            const half_cycle_turns<T> turns(motion_, at.passage);
+            const mpfr x = abs(at.time) / widen(tables_.panels.unit());
+            const split_number<T> inside(x < widen(end) ? x : widen(end));
+            const panel_place place = place_of(static_cast<double>(inside.high));
+            const series::jet<T> swing = tables_.panels[place.index].at(T((inside.high - place.centre) + inside.low));
+            const T sign = turns.sign(T(0), tables_.clock);
+            *theta = turns.theta(T(0), T(at.time < 0 ? T(-swing.value * sign) : T(swing.value * sign)));
+            require_finite(*theta++, error_kind::range, "theta at time", time);
+            *omega++ = swing.slope * sign / tables_.panels.unit();
+        }
+    }
+
+    static void require_finite(const T& x, error_kind kind, const char* what, const T& time) {
+        if (!(x - x == 0)) {
+            throw error(kind, what, std::to_string(static_cast<double>(time)), "is not finite");
+        }
+    }
+
+    static long working_precision() { return decimal_digits(2 * digits<T>() + 64); }
+
+#if LIBRATION_CHOOSES_AVX2
+    [[gnu::target("avx2,fma")]] void sample_with_avx2(std::span<const T> times, std::span<T> theta,
+                                                      std::span<T> omega) const {
+        sample<block_size>(times, theta, omega);
+    }
+    static bool has_avx2() {
+        return static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
+    }
+#else
+    void sample_with_avx2(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
+        sample<block_size>(times, theta, omega);
+    }
+    static bool has_avx2() { return false; }
+#endif
+
+    motion motion_;
+    sampling_tables<T> tables_;
+};
+
+}  // namespace libration::pendulum

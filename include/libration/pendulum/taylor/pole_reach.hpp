@@ -1,0 +1,106 @@
+// How far a sum over singularities has to reach for a coefficient, from which coefficient on it costs less than what
+// makes the ones before, and which of two ways these are made by.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+#include "libration/pendulum/taylor/singularity_view.hpp"
+
+namespace libration::pendulum {
+
+/// How far the poles reach that a_n needs: left-out ones add less than an eighth of an epsilon of T in 8/(n R^n).
+/// 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it decides costs alone, few
+/// digits are enough.
+template <scalar T>
+class pole_reach {
+public:
+    pole_reach(const singularity_view<T>& view, long precision) : radius_(midpoint(view.radius())) {
+        const T square = view.radius() * view.radius();
+        bits_ = precision + 3 + std::max(0L, binary_exponent(T(view.fourth_powers() * square * square)));
+    }
+
+    long bits() const { return bits_; }
+    /// In units of the radius.
+    T factor(long n) const {
+        using std::exp;
+        using std::log;
+        return midpoint(T(exp(T(log(T(2)) * T(bits_) / T(n - 4)))));
+    }
+    T operator()(long n) const { return midpoint(T(radius_ * factor(n))); }
+
+private:
+    T radius_;
+    long bits_;
+};
+
+/// What makes the powers before those of the lattice.
+enum class head_by { recurrence, thetas };
+
+/// Whether the quotient of thetas (theta_series.hpp) is cheaper than the recurrence for the powers up to n, on balls or
+/// in mpfr with FLINT, whose recurrence costs half as much again. Measured at E = 1.71 about the top, recurrence and
+/// quotient in ms: at 50 digits for n = 800, balls 3.4 and 5.2, mpfr 6.8 and 5.1; at 200 for n = 400, 3.0 and 3.2, 3.9
+/// and 3.1; at 1000 for n = 200, 6.6 and 6.3, 10 and 6.9, and for n = 800, 96 and 35, 152 and 33; at 3000 for n = 400,
+/// 143 and 53, 194 and 62. Without symmetry the recurrence costs four times as much, the quotient twice.
+template <scalar T>
+bool thetas_cost_less(bool symmetric, long n) {
+    constexpr bool in_balls = proved_scalar<T>;
+    const long weighed = symmetric ? n : 2 * n;
+    return weighed >= (in_balls ? 160 : 128) && weighed * digits<T>() >= (in_balls ? 4L : 3L) << 16;
+}
+
+/// The power before which the recurrence costs less in every case, a quarter sooner without symmetry. Measured at E =
+/// 1.71 about the top to N = 600, recurrence and sums from 512 in microseconds: 22 and 47 in double, whose recurrence
+/// runs in vectors; to N = 800 102 and 93 in long double; in quad, from 87, to N = 150 161 and 196, to 200 279 and 204.
+template <scalar T>
+constexpr long least_lattice_power(bool symmetric) {
+    long least = 16;
+    if constexpr (fixed_scalar<T>) {
+        least = digits<T>() <= 53 ? 1024 : digits<T>() <= 64 ? 512 : 128;
+    }
+    return symmetric ? least : least * 3 / 4;
+}
+
+/// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner:
+/// about 2 powers a digit at 50 digits, 0.8 at 1000; `first`, where the powers from there on alone cost less than the
+/// recurrence up to it. A step of the recurrence costs 3n/8 products a power (with symmetry, for half of the poles;
+/// without it twice as many of both), a coefficient 2 products a pole, and the tables of a pole 180; the poles within
+/// reach are about those of half an ellipse in the lattice. A coefficient by the quotient of thetas costs about 120
+/// products at any n: sums over more than 60 poles are left to it. An estimate of costs, which no result depends on
+/// beyond rounding.
+template <scalar T>
+long lattice_begins(const singularity_view<T>& view, long first, long last, head_by head = head_by::recurrence) {
+    const long least = least_lattice_power<T>(view.symmetric());
+    const long precision = digits<T>();
+    const precision_scope rough(20);
+    const pole_reach<T> reach(view, precision);
+    const T step = narrow<T>(widen(view.lattice().effective_period));
+    const T wide = view.lattice().single_column ? T(0) : T(narrow<T>(widen(view.radius())) / step);
+    const T tall = narrow<T>(widen(T(view.radius() / view.lattice().height)));
+    // Five times their number.
+    const auto poles = [&](long n) {
+        const T factor = reach.factor(n);
+        return midpoint(T((factor * wide + 1) * (factor * tall + 1)));
+    };
+    const auto cheap = [&](long n) {
+        const long most = head == head_by::thetas ? std::min(n, 300L) : n;
+        return certainly_less(poles(n), T(most)) && certainly_less(T(poles(n) * 300), T(T(n) * T(n)));
+    };
+    long below = std::max(least, reach.bits() / 8) - 1;  // reach.factor() stays below 2^8 or so
+    if (first > below && certainly_less(T(poles(first) * T(last - first + 180)), T(T(first) * T(first)))) {
+        return first;
+    }
+    long enough = below + 1;
+    while (enough <= last && !cheap(enough)) {
+        below = enough;
+        enough *= 2;
+    }
+    while (enough - below > 1 && below < last) {
+        const long middle = below + (enough - below) / 2;
+        (cheap(middle) ? enough : below) = middle;
+    }
+    return std::min(enough, last + 1);
+}
+
+}  // namespace libration::pendulum

@@ -1,0 +1,10 @@
+// All that the library promises, with proved arithmetic; needs the target libration::proved.
+#pragma once
+
+#include "libration/approximant/proved/approximant.hpp"
+#include "libration/digits/proved/digits.hpp"
+#include "libration/elliptic/proved/elliptic.hpp"
+#include "libration/libration.hpp"
+#include "libration/pendulum/proved/pendulum.hpp"
+#include "libration/scalar/ball/ball.hpp"
+#include "libration/scalar/ball/decimal.hpp"

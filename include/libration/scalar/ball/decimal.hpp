@@ -1,0 +1,89 @@
+// Decimal output of balls: no digit is printed that is not proved.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "libration/scalar/ball/ball.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/printed_number.hpp"
+
+namespace libration {
+
+/// +-0.d1d2d3... 10^exponent.
+struct decimal_parts {
+    bool negative;
+    std::string digits;
+    long exponent;
+
+    std::string text() const { return place_point(negative, digits, exponent); }
+    /// 10^exponent in units of the last digit.
+    long last_place() const { return exponent - static_cast<long>(digits.size()); }
+    /// The number, exactly where the working precision holds it.
+    ball value() const {
+        const ball significand = from_rational<ball>(rational(integer(digits))) * (negative ? -1 : 1);
+        return last_place() < 0 ? significand / pow(ball(10), -last_place())
+                                : significand * pow(ball(10), last_place());
+    }
+    /// One unit of the last digit.
+    ball unit() const { return pow(ball(10), last_place()); }
+};
+
+/// x, which is not 0, rounded to `count` digits.
+inline decimal_parts parts_of(const mpfr& x, long count, mpfr_rnd_t rounding) {
+    mpfr_exp_t exponent = 0;
+    char* raw = mpfr_get_str(nullptr, &exponent, 10, static_cast<std::size_t>(count), handle(x), rounding);
+    std::string digits = raw;
+    mpfr_free_str(raw);
+    const bool negative = digits.front() == '-';
+    return {negative, digits.substr(negative ? 1 : 0), static_cast<long>(exponent)};
+}
+
+/// The largest |number| of a ball, rounded up to three significant digits.
+inline std::string upper_bound_text(const ball& x) {
+    ball largest;
+    arb_get_abs_ubound_arf(arb_midref(largest.handle()), x.handle(), 60);
+    const mpfr bound = midpoint_of(largest);
+    return bound == 0 ? "0" : parts_of(bound, 3, MPFR_RNDU).text();
+}
+
+/// The midpoint with `count` significant digits, where every number of the ball is less than one unit of the last of
+/// them away from what is printed; nothing where that is not so. The ball 0 alone is printed as 0.
+/// Throws error when count < 1.
+inline std::optional<proved_decimal> to_proved_decimal(const ball& x, long count) {
+    if (count < 1) {
+        throw error(error_kind::argument, "number of digits", std::to_string(count), "is less than one");
+    }
+    if (!is_finite(x)) {
+        return std::nullopt;
+    }
+    const mpfr centre = midpoint_of(x);
+    if (centre == 0) {
+        return is_exact(x) ? std::optional<proved_decimal>({"0", "0"}) : std::nullopt;
+    }
+    // The decimal as a number against the ball; the 20 digits more are for its power of 10.
+    const decimal_parts printed = parts_of(centre, count, MPFR_RNDN);
+    const precision_scope scope(count + 20);
+    const ball error = x - printed.value();
+    if (!certainly_less(abs(error), printed.unit())) {
+        return std::nullopt;
+    }
+    return proved_decimal{printed.text(), upper_bound_text(error)};
+}
+
+/// How many significant digits of the midpoint are proved in this sense, up to `most`; 0 where none is. O(log most)
+/// conversions.
+inline long proved_digits(const ball& x, long most) {
+    if (to_proved_decimal(x, most)) {
+        return most;
+    }
+    long proved = 0;
+    for (long unproved = most; unproved - proved > 1;) {
+        const long middle = proved + (unproved - proved) / 2;
+        (to_proved_decimal(x, middle) ? proved : unproved) = middle;
+    }
+    return proved;
+}
+
+}  // namespace libration

@@ -1,0 +1,100 @@
+// Real numbers as formulas: what a person typed, kept exactly and evaluated to any precision with proved bounds.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "libration/scalar/mpfr.hpp"
+
+namespace libration {
+
+/// What an exact number counts; `expression` where it is no fraction of a single one of the others.
+enum class unit { one, pi, degree, period, expression };
+
+/// The elementary functions of one number.
+enum class elementary { exp, log, sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh };
+
+/// The function of this name, "exp" say.
+std::optional<elementary> elementary_of(std::string_view name);
+
+/// lower <= x <= upper.
+struct number_bounds {
+    mpfr lower;
+    mpfr upper;
+};
+
+/// A fraction of a unit.
+struct plain_number {
+    rational coefficient;
+    unit measure;
+};
+
+/// A constant real number: a sum of fractions times 1, pi, the period T, and products, quotients, powers and functions
+/// of such sums. Immutable and cheap to copy. Sums are exact: pi - 1e-10 - pi is -1e-10, and what is rational by the
+/// rules for roots of fractions, for sin, cos, tan at fractions of pi and for their inverses is folded. T is no number
+/// here: it stays linear. Operations throw libration::error of kind argument for a division by an exact 0, for what is
+/// outside the domain of a function, and for T in anything but a sum; of kind undecided where no precision within the
+/// limits shows whether a value is in the domain.
+class expression {
+public:
+    /// 0.
+    expression() = default;
+    explicit expression(const rational& coefficient, unit measure = unit::one);
+
+    /// The fraction of a single unit that this is, where it is one; 0 counts ones.
+    std::optional<plain_number> plain() const;
+    /// The fraction that this is, where it is one.
+    std::optional<rational> fraction() const;
+    /// The multiple of T in the sum, and the sum without it.
+    rational periods() const;
+    expression without_periods() const;
+
+    expression operator-() const;
+    friend expression operator+(const expression& a, const expression& b);
+    friend expression operator-(const expression& a, const expression& b) { return a + -b; }
+    friend expression operator*(const expression& a, const expression& b);
+    friend expression operator/(const expression& a, const expression& b);
+    /// base^exponent: any base with a whole exponent, else a base that is not negative.
+    friend expression power(const expression& base, const expression& exponent);
+    friend expression apply(elementary f, const expression& x);
+    /// Whether both are the same by their form; equal numbers may differ in it.
+    friend bool same_form(const expression& a, const expression& b);
+
+    /// One evaluation with this many bits, rounded outwards at each step; nothing where they do not show whether a
+    /// value is inside the domain of a function.
+    std::optional<number_bounds> bounds_at(long bits) const;
+    /// Bounds with upper - lower <= 2^-bits |x|, from 64 more bits on, doubled as often as it takes. Throws
+    /// libration::error of kind undecided where the limit of the cost (about a second) is reached before: then the
+    /// number may be 0.
+    number_bounds narrowed(long bits) const;
+    /// -1, 0 or 1, proved; 0 only where the sum is empty. Throws as narrowed().
+    int sign() const;
+
+private:
+    struct atom;
+    struct term {
+        rational coefficient;
+        std::shared_ptr<const atom> of;
+    };
+
+    static expression of_atom(atom a);
+    static bool same_atom(const atom& a, const atom& b);
+    static std::optional<number_bounds> bounds_of(const atom& a, long bits);
+    void add(const rational& coefficient, const std::shared_ptr<const atom>& of);
+    const term* only_term() const { return terms_.size() == 1 ? &terms_.front() : nullptr; }
+    void degrees_to_pi();
+    long depth() const;
+    long functions() const;
+    /// The most bits worth trying.
+    long most_bits() const;
+
+    std::vector<term> terms_;
+};
+
+/// The value at the working precision, within half a unit in the last place and 2^-64 of it. Throws as narrowed().
+mpfr rounded_value(const expression& x);
+
+}  // namespace libration

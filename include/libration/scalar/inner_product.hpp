@@ -1,0 +1,33 @@
+// Sums of products over arrays, the one loop under every convolution, by the best that a type has.
+#pragma once
+
+#include "libration/scalar/scalar.hpp"
+
+namespace libration {
+
+/// sum += a * b, with one rounding where the arithmetic has a fused operation.
+template <ring R>
+void add_product(R& sum, const R& a, const R& b) {
+    if constexpr (requires { scalar_traits<R>::add_product(sum, a, b); }) {
+        scalar_traits<R>::add_product(sum, a, b);
+    } else {
+        sum += a * b;
+    }
+}
+
+/// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end, in double over neighbours by
+/// sum_in_lanes (long double and quad have no vectors). O(count).
+template <ring R>
+R inner_product(const R* x, int x_step, const R* y, int y_step, int count) {
+    if constexpr (requires { scalar_traits<R>::sum_of_products(x, x_step, y, y_step, count); }) {
+        return scalar_traits<R>::sum_of_products(x, x_step, y, y_step, count);
+    } else {
+        R sum(0);
+        for (int i = 0; i < count; ++i) {
+            add_product(sum, x[i * x_step], y[i * y_step]);
+        }
+        return sum;
+    }
+}
+
+}  // namespace libration

@@ -1,0 +1,51 @@
+// The traits of the scalar `mpfr`, whose precision is that of the precision_scope in force.
+#pragma once
+
+#include "libration/scalar/precision_scope.hpp"
+#include "libration/scalar/traits.hpp"
+
+namespace libration {
+
+template <>
+struct scalar_traits<mpfr> : default_scalar_traits<mpfr> {
+    static int digits() { return static_cast<int>(mpfr_get_prec(handle(mpfr()))); }
+
+    static mpfr pi() {
+        mpfr value;
+        mpfr_const_pi(handle(value), MPFR_RNDN);
+        return value;
+    }
+
+    static mpfr from_rational(const rational& q) {
+        mpfr result;
+        mpfr_set_q(handle(result), q.backend().data(), MPFR_RNDN);
+        return result;
+    }
+
+    static long binary_exponent(const mpfr& x) {
+        return mpfr_zero_p(handle(x)) != 0 ? exponent_of_zero : static_cast<long>(mpfr_get_exp(handle(x)));
+    }
+
+    /// Exactly, and in no less than the working precision.
+    static mpfr widen(const mpfr& x) {
+        mpfr result;
+        if (mpfr_get_prec(handle(x)) >= mpfr_get_prec(handle(result))) {
+            return x;
+        }
+        mpfr_set(handle(result), handle(x), MPFR_RNDN);
+        return result;
+    }
+
+    /// Rounded to the working precision.
+    static mpfr narrow(const mpfr& x) {
+        mpfr result;
+        mpfr_set(handle(result), handle(x), MPFR_RNDN);
+        return result;
+    }
+
+    static void add_product(mpfr& sum, const mpfr& a, const mpfr& b) {
+        mpfr_fma(handle(sum), handle(a), handle(b), handle(sum), MPFR_RNDN);
+    }
+};
+
+}  // namespace libration

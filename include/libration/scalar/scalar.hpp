@@ -1,0 +1,78 @@
+// What the mathematics of this library asks of a type of numbers: everything in series/ is written once on a ring or a
+// field, everything in approximant/, elliptic/ and pendulum/ on a scalar.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <type_traits>
+
+#include "libration/scalar/constants.hpp"
+#include "libration/scalar/convert.hpp"
+#include "libration/scalar/enclose.hpp"
+#include "libration/scalar/precision.hpp"
+
+namespace libration {
+
+/// What coefficients of power series are at least: sums and products, and small integers as exact operands. Integers of
+/// C++ are no ring: theirs overflow.
+template <class R>
+concept ring = std::copyable<R> && !std::is_integral_v<R> && requires(R a, const R b, int n) {
+    R(n);
+    a += b;
+    a -= b;
+    a *= b;
+    R(-b);
+    R(b + b);
+    R(b - b);
+    R(b * b);
+    R(b * n);
+};
+
+/// A ring with quotients: fractions, complex numbers, every scalar.
+template <class R>
+concept field = ring<R> && requires(R a, const R b, int n) {
+    a /= b;
+    R(b / b);
+    R(b / n);
+};
+
+namespace elementary_functions {
+
+using std::cos;
+using std::exp;
+using std::log;
+using std::sin;
+using std::sqrt;
+
+/// The elementary functions, found by unqualified calls after `using std::sin;`.
+template <class T>
+concept has_functions = requires(const T x) {
+    T(sqrt(x));
+    T(exp(x));
+    T(log(x));
+    T(sin(x));
+    T(cos(x));
+};
+
+}  // namespace elementary_functions
+
+/// A field with the elementary functions that has specialised scalar_traits. Order is not asked for: balls have none.
+template <class T>
+concept scalar = field<T> && has_scalar_traits<T> && elementary_functions::has_functions<T> &&
+    requires(const T x, const wide_t<T> y, const rational q, long exponent) {
+    { scalar_traits<T>::epsilon() } -> std::convertible_to<T>;
+    { scalar_traits<T>::pi() } -> std::convertible_to<T>;
+    { scalar_traits<T>::from_rational(q) } -> std::convertible_to<T>;
+    { scalar_traits<T>::binary_exponent(x) } -> std::convertible_to<long>;
+    { scalar_traits<T>::holds_exponent(exponent) } -> std::convertible_to<bool>;
+    { scalar_traits<T>::enclose(x, x) } -> std::convertible_to<T>;
+    { scalar_traits<T>::midpoint(x) } -> std::convertible_to<T>;
+    { scalar_traits<T>::certainly_less(x, x) } -> std::convertible_to<bool>;
+    { scalar_traits<T>::widen(x) } -> std::convertible_to<wide_t<T>>;
+    { scalar_traits<T>::narrow(y) } -> std::convertible_to<T>;
+};
+
+static_assert(scalar<double> && scalar<long double> && scalar<quad> && scalar<mpfr>);
+static_assert(field<rational> && ring<integer> && !scalar<rational>);
+
+}  // namespace libration

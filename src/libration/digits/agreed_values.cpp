@@ -1,0 +1,55 @@
+#include "libration/digits/agreed_values.hpp"
+
+#include <utility>
+
+namespace libration {
+
+namespace {
+
+// A second run with more than twice the guard digits: what two equal losses leave would not agree.
+constexpr long first_guard = 20;
+constexpr long second_guard = 45;
+
+// Two runs that lost everything are both 0: where nobody says what is 0, so many guard digits have to say so.
+constexpr long guard_of_zero = 1440;
+
+}  // namespace
+
+bool agree(const mpfr& a, const mpfr& b, long digits) {
+    const precision_scope scope(20);
+    return abs(a - b) <= abs(b) * pow(mpfr(10), static_cast<int>(-digits - 2));
+}
+
+std::vector<mpfr> agreed_values(long digits, const std::function<std::vector<mpfr>(long guard)>& compute,
+                                const std::function<std::vector<bool>()>& vanishing) {
+    std::optional<std::vector<bool>> zero;
+    // Whether the runs agree; the values that are known to be 0 become so.
+    const auto same = [&](const std::vector<mpfr>& before, std::vector<mpfr>& now, long guard) {
+        bool all = true;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const bool believed = now[i] != 0 || vanishing || guard >= guard_of_zero;
+            const bool agreed = believed && agree(before[i], now[i], digits);
+            if (!agreed && !zero && vanishing && !agree(before[i], now[i], -1)) {
+                zero = vanishing();
+            }
+            const bool vanishes = !agreed && zero && i < zero->size() && (*zero)[i];
+            if (vanishes) {
+                now[i] = 0;
+            }
+            all = all && (agreed || vanishes);
+        }
+        return all;
+    };
+    std::vector<mpfr> before = compute(first_guard);
+    return with_growing_precision({digits, second_guard, most_agreement_digits}, std::to_string(digits) + " digits",
+                                  [&](const precision_run& run) -> std::optional<std::vector<mpfr>> {
+                                      std::vector<mpfr> now = compute(run.more);
+                                      if (same(before, now, run.more)) {
+                                          return now;
+                                      }
+                                      before = std::move(now);
+                                      return std::nullopt;
+                                  });
+}
+
+}  // namespace libration

@@ -1,0 +1,180 @@
+#include "libration/problem/known/pendulum.hpp"
+#include "libration/scalar/error.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace libration {
+
+namespace {
+
+constexpr long digits_of_endless_decimals = 50;
+
+void require_energy(const exact& number, const rational& energy) {
+    require_plain_number(number);
+    if (energy < 0) {
+        throw error(error_kind::argument, "value", "", "has '" + number.text + "', which makes the energy negative");
+    }
+}
+
+std::string text_of(const exact& number) { return decimal_of(number, digits_of_endless_decimals); }
+
+std::string text_of(const rational& value) { return decimal_of(value, digits_of_endless_decimals); }
+
+int order_from(std::string_view text) {
+    constexpr int largest_order = 100'000;
+    long value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
+        throw error(error_kind::argument, "value", "", "is not a whole number");
+    }
+    if (problem != std::errc() || value < 0 || value > largest_order) {
+        throw error(error_kind::argument, "value", "", "is not between 0 and " + std::to_string(largest_order));
+    }
+    return static_cast<int>(value);
+}
+
+void require_time(const exact& time) {
+    if (time.measure == unit::degree) {
+        throw error(error_kind::argument, "value", "", "has the angle '" + time.text + "'");
+    }
+}
+
+void require_point(const exact& point) {
+    require_plain_number(point);
+    if (point.coefficient < 0 || point.coefficient > 1) {
+        throw error(error_kind::argument, "value", "", "has '" + point.text + "', which is not between 0 and 1");
+    }
+}
+
+axis energy_axis() {
+    return {.name = "energy",
+            .option = "--energies",
+            .help = "energies: LIST, a:b:count or a:b:COUNTlog",
+            .unit = "m g l",
+            .form = axis_form::numbers,
+            .remedy = "write energies such as 0.5,1.71,2.02 or 0.1:1.9:19",
+            .check = [](const exact& e) { energy_from(e); },
+            .coordinate = "energy",
+            .to_coordinate = {}};
+}
+
+axis gap_axis() {
+    return {.name = "gap",
+            .option = "--gaps",
+            .help = "energies as gaps 2 - E: the same forms",
+            .unit = "m g l",
+            .form = axis_form::numbers,
+            .remedy = "write gaps 2 - E such as 1e-3,-1e-3 or 1e-1:1e-12:12log",
+            .check = [](const exact& gap) { energy_from_gap(gap); },
+            .coordinate = "energy",
+            .to_coordinate = [](const exact& gap) { return rational(2 - gap.coefficient); }};
+}
+
+axis time_axis() {
+    return {.name = "time",
+            .option = "--times",
+            .help = "times, multiples of T allowed",
+            .unit = "sqrt(l/g)",
+            .form = axis_form::numbers,
+            .remedy = "write times such as 0,1.5,T/4 or a range 0:2T:401",
+            .check = require_time,
+            .coordinate = "time",
+            .to_coordinate = {}};
+}
+
+axis point_axis() {
+    return {.name = "point",
+            .option = "--points",
+            .help = "expansion points as fractions of T*, 0 the top, 1 the bottom",
+            .unit = "T*",
+            .form = axis_form::numbers,
+            .remedy = "write fractions of T* such as 0,1/4,1/2,1 or 0:1:21",
+            .check = require_point,
+            .coordinate = "point",
+            .to_coordinate = {}};
+}
+
+axis periods_axis() {
+    return {.name = "periods",
+            .option = "--periods",
+            .help = "whole numbers of periods",
+            .unit = "T",
+            .form = axis_form::whole,
+            .remedy = "write whole numbers such as 1,1e3,1e6",
+            .check = {},
+            .coordinate = "periods",
+            .to_coordinate = {}};
+}
+
+axis period_by_axis() {
+    return {.name = "period_by",
+            .option = "--period-by",
+            .help = "ways to T*: agm, series:N (Kold) or resummed:N (Knew)",
+            .unit = "",
+            .form = axis_form::words,
+            .remedy = "write ways to T* such as agm,series:100,resummed:10",
+            .check = [](const exact& words) { read_period_rule(words.text); },
+            .coordinate = "period_by",
+            .to_coordinate = {}};
+}
+
+}  // namespace
+
+sweep_energy energy_from(const exact& energy) {
+    require_energy(energy, energy.coefficient);
+    return {text_of(energy), text_of(rational(2 - energy.coefficient)), energy.coefficient, energy.text, ""};
+}
+
+sweep_energy energy_from_gap(const exact& gap) {
+    const rational energy = 2 - gap.coefficient;
+    require_energy(gap, energy);
+    return {text_of(energy), text_of(gap), energy, "", gap.text};
+}
+
+sweep_period_rule read_period_rule(std::string_view text) {
+    if (text == "agm") {
+        return {{pendulum::period_method::agm, 0}, std::string(text)};
+    }
+    const auto colon = text.find(':');
+    const std::string_view method = text.substr(0, colon);
+    if (colon == std::string_view::npos || (method != "series" && method != "resummed")) {
+        throw error(error_kind::argument, "value", "",
+                    "has '" + std::string(text) + "', which is not agm, series:N or resummed:N");
+    }
+    const auto arc = method == "series" ? pendulum::period_method::series : pendulum::period_method::resummed;
+    return {{arc, order_from(text.substr(colon + 1))}, std::string(text)};
+}
+
+const problem& pendulum_problem() {
+    static const problem result{
+        "pendulum", {energy_axis(), gap_axis(), time_axis(), point_axis(), periods_axis(), period_by_axis()}};
+    return result;
+}
+
+pendulum_sweep::pendulum_sweep(const axis_values& values)
+    : times(values.of("time")), points(values.of("point")), periods(values.whole("periods")) {
+    const auto& by_energy = values.of("energy");
+    const auto& by_gap = values.of("gap");
+    energies.reserve(by_energy.size() + by_gap.size());
+    std::transform(by_energy.begin(), by_energy.end(), std::back_inserter(energies), energy_from);
+    std::transform(by_gap.begin(), by_gap.end(), std::back_inserter(energies), energy_from_gap);
+    std::stable_sort(energies.begin(), energies.end(),
+                     [](const sweep_energy& a, const sweep_energy& b) { return a.value < b.value; });
+    for (const exact& rule : values.of("period_by")) {
+        period_rules.push_back(read_period_rule(rule.text));
+    }
+}
+
+std::vector<without_answer> no_answer_at_limits(const std::string& at_rest, const std::string& critical) {
+    std::vector<without_answer> excluded;
+    if (!at_rest.empty()) {
+        excluded.push_back({"energy", [](const rational& energy) { return energy == 0; }, at_rest});
+    }
+    if (!critical.empty()) {
+        excluded.push_back({"energy", [](const rational& energy) { return energy == 2; }, critical});
+    }
+    return excluded;
+}
+
+}  // namespace libration

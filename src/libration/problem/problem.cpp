@@ -1,0 +1,15 @@
+#include "libration/problem/problem.hpp"
+
+namespace libration {
+
+std::string reason_against(const std::vector<without_answer>& excluded, const std::string& coordinate,
+                           const rational& value) {
+    for (const without_answer& each : excluded) {
+        if (each.coordinate == coordinate && each.at(value)) {
+            return each.reason;
+        }
+    }
+    return "";
+}
+
+}  // namespace libration

@@ -1,0 +1,93 @@
+#include "libration/scalar/exact.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "libration/scalar/error.hpp"
+
+namespace libration {
+
+namespace {
+
+// A text in parentheses where it is no single number.
+std::string operand(const exact& number) {
+    const bool single = number.text.find_first_of("+-*/^ ") == std::string::npos;
+    return single ? number.text : "(" + number.text + ")";
+}
+
+}  // namespace
+
+rational exact::in_pi() const {
+    if (!is_angle() && !is_zero()) {
+        throw std::logic_error(text + " is no fraction of pi");
+    }
+    return measure == unit::degree ? rational(coefficient / 180) : coefficient;
+}
+
+bool exact::is_number() const { return is_fraction() || (measure == unit::expression && !has_periods()); }
+
+rational exact::periods() const {
+    return measure == unit::period ? coefficient : formula ? formula->periods() : rational(0);
+}
+
+exact exact::without_periods() const {
+    if (measure == unit::period) {
+        return {};
+    }
+    return formula ? exactly(formula->without_periods(), text) : *this;
+}
+
+expression as_expression(const exact& number) {
+    return number.formula ? *number.formula : expression(number.coefficient, number.measure);
+}
+
+exact exactly(const expression& value, std::string text) {
+    if (auto number = value.plain()) {
+        return {std::move(number->coefficient), number->measure, std::move(text), nullptr, true};
+    }
+    return {0, unit::expression, std::move(text), std::make_shared<const expression>(value), true};
+}
+
+exact operator+(const exact& a, const exact& b) {
+    return exactly(as_expression(a) + as_expression(b), operand(a) + "+" + operand(b));
+}
+exact operator-(const exact& a, const exact& b) {
+    return exactly(as_expression(a) - as_expression(b), operand(a) + "-" + operand(b));
+}
+exact operator*(const exact& a, const exact& b) {
+    return exactly(as_expression(a) * as_expression(b), operand(a) + "*" + operand(b));
+}
+exact operator/(const exact& a, const exact& b) {
+    return exactly(as_expression(a) / as_expression(b), operand(a) + "/" + operand(b));
+}
+
+int sign_of_exact(const exact& number) {
+    if (number.measure != unit::expression) {
+        return number.coefficient.sign();
+    }
+    try {
+        return number.formula->sign();
+    } catch (const error& problem) {
+        throw error(problem.kind(), "number", number.text, problem.reason());
+    }
+}
+
+mpfr mpfr_from_exact(const exact& number) {
+    switch (number.measure) {
+        case unit::one: return from_rational<mpfr>(number.coefficient);
+        case unit::period:
+            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+        case unit::expression: break;
+        default: return from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
+    }
+    if (number.has_periods()) {
+        throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+    }
+    try {
+        return rounded_value(*number.formula);
+    } catch (const error& problem) {
+        throw error(problem.kind(), "number", number.text, problem.reason());
+    }
+}
+
+}  // namespace libration

@@ -1,0 +1,276 @@
+#include "libration/scalar/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "exact_fold.hpp"
+#include "expression_atom.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, elementary>, 12> elementary_names{{{"exp", elementary::exp},
+                                                                                    {"log", elementary::log},
+                                                                                    {"sqrt", elementary::sqrt},
+                                                                                    {"sin", elementary::sin},
+                                                                                    {"cos", elementary::cos},
+                                                                                    {"tan", elementary::tan},
+                                                                                    {"asin", elementary::asin},
+                                                                                    {"acos", elementary::acos},
+                                                                                    {"atan", elementary::atan},
+                                                                                    {"sinh", elementary::sinh},
+                                                                                    {"cosh", elementary::cosh},
+                                                                                    {"tanh", elementary::tanh}}};
+
+constexpr long deepest = 200;
+
+std::size_t mixed(std::size_t seed, std::size_t more) {
+    return seed ^ (more + 0x9e3779b97f4a7c15ULL + (seed << 6U) + (seed >> 2U));
+}
+
+atom_kind kind_of(unit u) {
+    switch (u) {
+        case unit::pi: return atom_kind::pi;
+        case unit::degree: return atom_kind::degree;
+        case unit::period: return atom_kind::period;
+        default: return atom_kind::one;
+    }
+}
+
+std::optional<unit> unit_of(atom_kind kind) {
+    switch (kind) {
+        case atom_kind::one: return unit::one;
+        case atom_kind::pi: return unit::pi;
+        case atom_kind::degree: return unit::degree;
+        case atom_kind::period: return unit::period;
+        default: return std::nullopt;
+    }
+}
+
+void require_no_period(const expression& x) {
+    if (x.periods() != 0) {
+        refuse_number("has T in a product, a power or a function: only multiples of T are times");
+    }
+}
+
+}  // namespace
+
+std::optional<elementary> elementary_of(std::string_view name) {
+    for (const auto& [each, f] : elementary_names) {
+        if (each == name) {
+            return f;
+        }
+    }
+    return std::nullopt;
+}
+
+expression::expression(const rational& coefficient, unit measure) {
+    if (coefficient != 0) {
+        atom of;
+        of.kind = kind_of(measure);
+        of.hash = static_cast<std::size_t>(of.kind);
+        terms_.push_back({coefficient, std::make_shared<const atom>(std::move(of))});
+    }
+}
+
+std::optional<plain_number> expression::plain() const {
+    if (terms_.empty()) {
+        return plain_number{0, unit::one};
+    }
+    const term* const only = only_term();
+    const auto measure = only != nullptr ? unit_of(only->of->kind) : std::nullopt;
+    return measure ? std::optional(plain_number{only->coefficient, *measure}) : std::nullopt;
+}
+
+std::optional<rational> expression::fraction() const {
+    const auto number = plain();
+    return number && number->measure == unit::one ? std::optional(number->coefficient) : std::nullopt;
+}
+
+rational expression::periods() const {
+    for (const term& each : terms_) {
+        if (each.of->kind == atom_kind::period) {
+            return each.coefficient;
+        }
+    }
+    return 0;
+}
+
+expression expression::without_periods() const {
+    expression result = *this;
+    std::erase_if(result.terms_, [](const term& each) { return each.of->kind == atom_kind::period; });
+    return result;
+}
+
+long expression::depth() const {
+    long deepest_term = 0;
+    for (const term& each : terms_) {
+        deepest_term = std::max(deepest_term, each.of->depth);
+    }
+    return deepest_term;
+}
+
+long expression::functions() const {
+    long all = 0;
+    for (const term& each : terms_) {
+        all += each.of->functions;
+    }
+    return all;
+}
+
+bool same_form(const expression& a, const expression& b) {
+    using term = expression::term;
+    return a.terms_.size() == b.terms_.size() && std::ranges::all_of(a.terms_, [&](const term& x) {
+               return std::ranges::any_of(b.terms_, [&](const term& y) {
+                   return x.coefficient == y.coefficient && expression::same_atom(*x.of, *y.of);
+               });
+           });
+}
+
+bool expression::same_atom(const atom& a, const atom& b) {
+    if (&a == &b) {
+        return true;
+    }
+    return a.hash == b.hash && a.kind == b.kind && a.f == b.f && same_form(a.left, b.left) &&
+           same_form(a.right, b.right);
+}
+
+void expression::add(const rational& coefficient, const std::shared_ptr<const atom>& of) {
+    const auto found = std::ranges::find_if(terms_, [&](const term& each) { return same_atom(*each.of, *of); });
+    if (found == terms_.end()) {
+        terms_.push_back({coefficient, of});
+        return;
+    }
+    found->coefficient = within_limits(rational(found->coefficient + coefficient));
+    if (found->coefficient == 0) {
+        terms_.erase(found);
+    }
+}
+
+// Degrees stay degrees only by themselves.
+void expression::degrees_to_pi() {
+    const auto found =
+        std::ranges::find_if(terms_, [](const term& each) { return each.of->kind == atom_kind::degree; });
+    if (found == terms_.end() || terms_.size() == 1) {
+        return;
+    }
+    const expression in_pi(rational(found->coefficient / 180), unit::pi);
+    terms_.erase(found);
+    add(in_pi.terms_.front().coefficient, in_pi.terms_.front().of);
+}
+
+expression expression::operator-() const {
+    expression result = *this;
+    for (term& each : result.terms_) {
+        each.coefficient = -each.coefficient;
+    }
+    return result;
+}
+
+expression operator+(const expression& a, const expression& b) {
+    expression sum = a;
+    for (const auto& each : b.terms_) {
+        sum.add(each.coefficient, each.of);
+    }
+    sum.degrees_to_pi();
+    return sum;
+}
+
+// A node of its own, which has a value at the limits of the cost, or is refused.
+expression expression::of_atom(atom a) {
+    require_no_period(a.left);
+    require_no_period(a.right);
+    a.depth = 1 + std::max(a.left.depth(), a.right.depth());
+    if (a.depth > deepest) {
+        refuse_number("is nested too deeply");
+    }
+    const bool costly = a.kind == atom_kind::function || a.kind == atom_kind::power;
+    a.functions = a.left.functions() + a.right.functions() + (costly ? 1 : 0);
+    a.hash = mixed(static_cast<std::size_t>(a.kind), static_cast<std::size_t>(a.f));
+    for (const expression* side : {&a.left, &a.right}) {
+        std::size_t of_terms = 0;  // in any order
+        for (const term& each : side->terms_) {
+            of_terms += mixed(each.of->hash, std::hash<rational>()(each.coefficient));
+        }
+        a.hash = mixed(a.hash, of_terms);
+    }
+    const bool total = a.kind == atom_kind::product;
+    expression result;
+    result.terms_.push_back({1, std::make_shared<const atom>(std::move(a))});
+    if (!total) {
+        long bits = 64;
+        while (!result.bounds_at(bits)) {
+            bits *= 2;
+            if (bits > result.most_bits()) {
+                throw error(error_kind::undecided, "number", "",
+                            "has a part of which no precision within the limits shows that it has a value");
+            }
+        }
+    }
+    return result;
+}
+
+expression operator*(const expression& a, const expression& b) {
+    const auto factor = a.fraction() ? a.fraction() : b.fraction();
+    if (!factor) {
+        return expression::of_atom({atom_kind::product, elementary::exp, a, b});
+    }
+    expression result = a.fraction() ? b : a;
+    if (*factor == 0) {
+        return {};
+    }
+    for (auto& each : result.terms_) {
+        each.coefficient = within_limits(rational(each.coefficient * *factor));
+    }
+    return result;
+}
+
+expression operator/(const expression& a, const expression& b) {
+    if (b.terms_.empty()) {
+        refuse_number("divides by zero");
+    }
+    if (const auto divisor = b.fraction()) {
+        return a * expression(rational(1 / *divisor));
+    }
+    const auto* const above = a.only_term();
+    const auto* const below = b.only_term();
+    if (above != nullptr && below != nullptr && expression::same_atom(*above->of, *below->of) && b.sign() != 0) {
+        return expression(within_limits(rational(above->coefficient / below->coefficient)));
+    }
+    return expression::of_atom({atom_kind::quotient, elementary::exp, a, b});
+}
+
+expression power(const expression& base, const expression& exponent) {
+    const auto n = exponent.fraction();
+    if (n && *n == 1) {
+        return base;
+    }
+    require_no_period(base);
+    require_no_period(exponent);
+    if (n && *n == 0 && !base.terms_.empty()) {
+        return expression(rational(1));
+    }
+    if (const auto b = base.fraction()) {
+        if (*b == 0 && (!n || *n <= 0)) {
+            refuse_number(n && *n == 0 ? "has 0^0, which has no value" : "divides by zero");
+        }
+        if (const auto folded = n ? folded_power(*b, *n) : *b == 1 ? std::optional(*b) : std::nullopt) {
+            return expression(*folded);
+        }
+    }
+    return expression::of_atom({atom_kind::power, elementary::exp, base, exponent});
+}
+
+expression apply(elementary f, const expression& x) {
+    require_no_period(x);
+    if (const auto number = x.plain()) {
+        if (const auto folded = folded_function(f, *number)) {
+            return expression(folded->coefficient, folded->measure);
+        }
+    }
+    return expression::of_atom({atom_kind::function, f, x, {}});
+}
+
+}  // namespace libration

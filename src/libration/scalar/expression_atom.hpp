@@ -1,0 +1,28 @@
+// What the sums of an expression are made of.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/expression.hpp"
+
+namespace libration {
+
+enum class atom_kind { one, pi, degree, period, product, quotient, power, function };
+
+struct expression::atom {
+    atom_kind kind = atom_kind::one;
+    elementary f = elementary::exp;  ///< of a function
+    expression left;                 ///< the argument of a function
+    expression right;
+    std::size_t hash = 0;
+    long depth = 1;
+    long functions = 0;  ///< and powers: what an evaluation costs
+};
+
+[[noreturn]] inline void refuse_number(const std::string& reason) {
+    throw error(error_kind::argument, "number", "", reason);
+}
+
+}  // namespace libration

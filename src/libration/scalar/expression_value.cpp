@@ -1,0 +1,273 @@
+// Expressions in numbers: bounds rounded outwards at each step.
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+#include <utility>
+
+#include "expression_atom.hpp"
+#include "libration/scalar/enclose.hpp"
+#include "libration/scalar/expression.hpp"
+#include "libration/scalar/precision.hpp"
+
+namespace libration {
+
+namespace {
+
+using bounds = std::optional<number_bounds>;
+using rounded_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+
+// exp and powers of more than this many bits before the point are refused.
+constexpr long largest_exponent = 1L << 40U;
+
+number_bounds of_fraction(const rational& q) {
+    number_bounds result;
+    mpfr_set_q(handle(result.lower), q.backend().data(), MPFR_RNDD);
+    mpfr_set_q(handle(result.upper), q.backend().data(), MPFR_RNDU);
+    return result;
+}
+
+number_bounds of_pi() {
+    number_bounds result;
+    mpfr_const_pi(handle(result.lower), MPFR_RNDD);
+    mpfr_const_pi(handle(result.upper), MPFR_RNDU);
+    return result;
+}
+
+number_bounds sum(const number_bounds& a, const number_bounds& b) {
+    number_bounds result;
+    mpfr_add(handle(result.lower), handle(a.lower), handle(b.lower), MPFR_RNDD);
+    mpfr_add(handle(result.upper), handle(a.upper), handle(b.upper), MPFR_RNDU);
+    return result;
+}
+
+// The least and the largest of an operation at the four corners, between which it is monotone in each operand.
+template <class Operation>
+number_bounds at_corners(const number_bounds& a, const number_bounds& b, const Operation& operation) {
+    number_bounds result;
+    bool first = true;
+    mpfr low;
+    mpfr high;
+    for (const mpfr* x : {&a.lower, &a.upper}) {
+        for (const mpfr* y : {&b.lower, &b.upper}) {
+            operation(handle(low), handle(*x), handle(*y), MPFR_RNDD);
+            operation(handle(high), handle(*x), handle(*y), MPFR_RNDU);
+            result.lower = first || low < result.lower ? low : result.lower;
+            result.upper = first || high > result.upper ? high : result.upper;
+            first = false;
+        }
+    }
+    return result;
+}
+
+number_bounds product(const number_bounds& a, const number_bounds& b) { return at_corners(a, b, mpfr_mul); }
+
+bounds quotient(const number_bounds& a, const number_bounds& b) {
+    if (b.lower <= 0 && b.upper >= 0) {
+        return std::nullopt;
+    }
+    return at_corners(a, b, mpfr_div);
+}
+
+number_bounds rising(rounded_function f, const number_bounds& x) {
+    number_bounds result;
+    f(handle(result.lower), handle(x.lower), MPFR_RNDD);
+    f(handle(result.upper), handle(x.upper), MPFR_RNDU);
+    return result;
+}
+
+number_bounds falling(rounded_function f, const number_bounds& x) {
+    number_bounds result;
+    f(handle(result.lower), handle(x.upper), MPFR_RNDD);
+    f(handle(result.upper), handle(x.lower), MPFR_RNDU);
+    return result;
+}
+
+// Where the domain ends at a bound that the argument may reach: nothing while it may lie on both sides.
+bounds above(rounded_function f, const number_bounds& x, int least, bool with_least, const char* refusal) {
+    if (x.upper < least || (!with_least && x.upper <= least)) {
+        refuse_number(refusal);
+    }
+    return x.lower < least || (!with_least && x.lower <= least) ? std::nullopt : bounds(rising(f, x));
+}
+
+void require_exponent(const number_bounds& x) {
+    if (x.upper > largest_exponent || x.lower < -largest_exponent) {
+        refuse_number("is beyond the range of numbers");
+    }
+}
+
+// sin and cos move no faster than their argument: the value at the middle, and the distance from there to the ends.
+number_bounds of_circle(rounded_function f, const number_bounds& x) {
+    mpfr middle = (x.lower + x.upper) / 2;
+    middle = std::clamp(middle, x.lower, x.upper);
+    mpfr left;
+    mpfr right;
+    mpfr_sub(handle(left), handle(middle), handle(x.lower), MPFR_RNDU);
+    mpfr_sub(handle(right), handle(x.upper), handle(middle), MPFR_RNDU);
+    const mpfr reach = std::max(left, right);
+    number_bounds result;
+    f(handle(result.lower), handle(middle), MPFR_RNDD);
+    f(handle(result.upper), handle(middle), MPFR_RNDU);
+    mpfr_sub(handle(result.lower), handle(result.lower), handle(reach), MPFR_RNDD);
+    mpfr_add(handle(result.upper), handle(result.upper), handle(reach), MPFR_RNDU);
+    return {std::max(result.lower, mpfr(-1)), std::min(result.upper, mpfr(1))};
+}
+
+// |x|, for functions that are even.
+number_bounds size_of(const number_bounds& x) {
+    if (x.lower >= 0) {
+        return x;
+    }
+    return x.upper <= 0 ? number_bounds{mpfr(-x.upper), mpfr(-x.lower)}
+                        : number_bounds{mpfr(0), std::max(mpfr(-x.lower), x.upper)};
+}
+
+bounds arc(elementary f, const number_bounds& x) {
+    if (x.lower > 1 || x.upper < -1) {
+        refuse_number("takes acos or asin of a number beyond 1");
+    }
+    if (x.lower < -1 || x.upper > 1) {
+        return std::nullopt;
+    }
+    return f == elementary::asin ? rising(mpfr_asin, x) : falling(mpfr_acos, x);
+}
+
+bounds of_function(elementary f, const number_bounds& x) {
+    switch (f) {
+        case elementary::exp: require_exponent(x); return rising(mpfr_exp, x);
+        case elementary::sinh: require_exponent(x); return rising(mpfr_sinh, x);
+        case elementary::cosh: require_exponent(x); return rising(mpfr_cosh, size_of(x));
+        case elementary::log:
+            return above(mpfr_log, x, 0, false, "takes the logarithm of a number that is not positive");
+        case elementary::sqrt: return above(mpfr_sqrt, x, 0, true, "takes the root of a negative number");
+        case elementary::sin: return of_circle(mpfr_sin, x);
+        case elementary::cos: return of_circle(mpfr_cos, x);
+        case elementary::tan: return quotient(of_circle(mpfr_sin, x), of_circle(mpfr_cos, x));
+        case elementary::atan: return rising(mpfr_atan, x);
+        case elementary::tanh: return rising(mpfr_tanh, x);
+        default: return arc(f, x);
+    }
+}
+
+// x^n for n > 0.
+number_bounds positive_power(const number_bounds& x, const integer& n) {
+    const bool even = n % 2 == 0;
+    const number_bounds from = even ? size_of(x) : x;
+    number_bounds result;
+    mpfr_pow_z(handle(result.lower), handle(from.lower), n.backend().data(), MPFR_RNDD);
+    mpfr_pow_z(handle(result.upper), handle(from.upper), n.backend().data(), MPFR_RNDU);
+    return result;
+}
+
+bounds whole_power(const number_bounds& x, const integer& n) {
+    if (n == 0) {
+        return of_fraction(1);
+    }
+    const number_bounds up = positive_power(x, abs(n));
+    return n > 0 ? bounds(up) : quotient(of_fraction(1), up);
+}
+
+bounds real_power(const number_bounds& x, const number_bounds& y) {
+    if (x.upper < 0) {
+        refuse_number("raises a negative number to a power that is not whole");
+    }
+    if (x.lower <= 0) {
+        return std::nullopt;
+    }
+    return at_corners(x, y, mpfr_pow);
+}
+
+bool is_finite(const number_bounds& x) {
+    return mpfr_number_p(handle(x.lower)) != 0 && mpfr_number_p(handle(x.upper)) != 0;
+}
+
+bool is_narrow(const number_bounds& x, long bits) {
+    if (x.lower <= 0 && x.upper >= 0) {
+        return x.lower == 0 && x.upper == 0;
+    }
+    const mpfr width = x.upper - x.lower;
+    const mpfr size = x.lower > 0 ? x.lower : mpfr(-x.upper);
+    return width == 0 || binary_exponent(width) <= binary_exponent(size) - 2 - bits;
+}
+
+}  // namespace
+
+std::optional<number_bounds> expression::bounds_of(const atom& a, long bits) {
+    switch (a.kind) {
+        case atom_kind::one: return of_fraction(1);
+        case atom_kind::pi: return of_pi();
+        case atom_kind::degree: return product(of_pi(), of_fraction(rational(1, 180)));
+        case atom_kind::period:
+            throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
+        default: break;
+    }
+    const bounds left = a.left.bounds_at(bits);
+    if (!left || a.kind == atom_kind::function) {
+        return left ? of_function(a.f, *left) : std::nullopt;
+    }
+    const bounds right = a.right.bounds_at(bits);
+    if (!right) {
+        return std::nullopt;
+    }
+    if (a.kind == atom_kind::product) {
+        return product(*left, *right);
+    }
+    if (a.kind == atom_kind::quotient) {
+        return quotient(*left, *right);
+    }
+    const auto n = a.right.fraction();
+    return n && denominator(*n) == 1 ? whole_power(*left, numerator(*n)) : real_power(*left, *right);
+}
+
+std::optional<number_bounds> expression::bounds_at(long bits) const {
+    const precision_scope scope(decimal_digits(bits));
+    number_bounds total{mpfr(0), mpfr(0)};
+    for (const term& each : terms_) {
+        const bounds value = bounds_of(*each.of, bits);
+        if (!value) {
+            return std::nullopt;
+        }
+        total = sum(total, each.of->kind == atom_kind::one ? of_fraction(each.coefficient)
+                                                           : product(*value, of_fraction(each.coefficient)));
+    }
+    if (!is_finite(total)) {
+        refuse_number("is beyond the range of numbers");
+    }
+    return total;
+}
+
+long expression::most_bits() const {
+    constexpr long without_functions = 1L << 20U;
+    constexpr long with_one = 1L << 18U;
+    const long costly = functions();
+    return costly == 0 ? without_functions : std::max(1L << 13U, with_one / costly);
+}
+
+number_bounds expression::narrowed(long bits) const {
+    for (long at = bits + 64;; at *= 2) {
+        if (auto found = bounds_at(at); found && is_narrow(*found, bits)) {
+            return *std::move(found);
+        }
+        if (at > std::max(most_bits(), 4 * bits)) {
+            throw error(error_kind::undecided, "number", "",
+                        "may be 0: no precision up to " + std::to_string(at) + " bits decides");
+        }
+    }
+}
+
+int expression::sign() const {
+    if (const auto number = plain()) {
+        return number->coefficient.sign();
+    }
+    return narrowed(2).lower > 0 ? 1 : -1;
+}
+
+mpfr rounded_value(const expression& x) {
+    const number_bounds within = x.narrowed(static_cast<long>(mpfr_get_prec(handle(mpfr()))) + 66);
+    mpfr result;
+    mpfr_set(handle(result), handle(within.lower), MPFR_RNDN);
+    return result;
+}
+
+}  // namespace libration

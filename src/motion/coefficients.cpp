@@ -1,0 +1,107 @@
+// libration coefficients: the Taylor coefficients a_n of theta about a point of a motion.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+#include "libration/scalar/exponent_range.hpp"
+#include "motion/motion_options.hpp"
+#include "motion/motion_series.hpp"
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+using namespace series;
+using namespace pendulum;
+
+namespace {
+
+struct coefficients_options {
+    motion_options motion;
+    arithmetic_options arithmetic;
+    output_options output;
+    std::string order;
+    std::optional<std::string> from;
+    std::optional<std::string> at;
+};
+
+constexpr long most_rows = 1'000'001;
+
+long read_power(const std::string& text) {
+    long power = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), power);
+    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
+        throw error(error_kind::argument, "power", "", "is not a whole number");
+    }
+    if (problem != std::errc() || power < 0 || power > largest_power) {
+        throw error(error_kind::argument, "power", "", fmt::format("is not between 0 and {}", largest_power));
+    }
+    return power;
+}
+
+// --from and --order: which powers are printed.
+void read_powers(const coefficients_options& options, series_request& request) {
+    const auto power = [](const char* option, const std::string& value) {
+        return reading(option, value, "write a power of the series, 0 or more", [&] { return read_power(value); });
+    };
+    request.order = power("--order", options.order);
+    request.first = options.from ? power("--from", *options.from) : 0;
+    if (request.first > request.order) {
+        throw input_error("--from", *options.from, "is beyond --order '" + options.order + "'",
+                          "write a power up to that");
+    }
+    if (request.order - request.first >= most_rows) {
+        throw input_error("--order", options.order, fmt::format("makes more than {} rows", most_rows),
+                          "write a lower power, or the first one that you want as --from");
+    }
+}
+
+// A proof has a column for its uncertainty.
+table table_of(long first, const std::vector<printed_number>& coefficients, bool proved) {
+    std::vector<column> columns{{"n", ""}, {"coefficient", ""}};
+    if (proved) {
+        columns.push_back({"uncertainty", ""});
+    }
+    table data(std::move(columns));
+    for (const auto& [text, uncertainty] : coefficients) {
+        table_row_cells row{first++, number_cell(text)};
+        if (proved) {
+            row.push_back(number_cell(uncertainty));
+        }
+        data.add_row(std::move(row));
+    }
+    return data;
+}
+
+int run_coefficients(const coefficients_options& options) {
+    const whole_exponent_range exponents;  // of a_n ~ R^-n
+    options.output.check();
+    const arithmetic numbers = options.arithmetic.choose();
+    series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
+    read_powers(options, request);
+    request.at = point_of(options.at, request.chosen);
+    const bool proved = numbers.scalar.kind == scalar_kind::proved;
+    options.output.write(table_of(request.first, printed_coefficients(request, numbers.digits), proved));
+    return 0;
+}
+
+}  // namespace
+
+subcommand coefficients_command(CLI::App& program) {
+    const auto options = std::make_shared<coefficients_options>();
+    CLI::App* command = program.add_subcommand("coefficients", "the Taylor coefficients of theta about a point");
+    options->motion.add_to(*command);
+    options->arithmetic.add_to(*command, arithmetics::proved_too);
+    options->output.add_to(*command);
+    command->add_option("--order", options->order, "last power N")->type_name("N")->required();
+    command->add_option("--from", options->from, "first power to print, 0 without it: any costs the same")
+        ->type_name("N");
+    command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
+    return {command, [options] { return run_coefficients(*options); }};
+}
+
+}  // namespace libration

@@ -1,0 +1,225 @@
+#include "motion/motion_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "libration/digits/agreed_values.hpp"
+#include "libration/pendulum/energy/energy.hpp"
+#include "libration/pendulum/energy/period.hpp"
+#include "libration/pendulum/time/dimensionless_time.hpp"
+#include "libration/problem/known/pendulum.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "option/options.hpp"
+#include "run/grid.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+using namespace pendulum;
+
+namespace {
+
+constexpr const char* number_remedy = "write a number such as 1.71, 171/100 or 1e-30";
+constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150deg";
+constexpr const char* times_remedy = "write times such as 0,1.5,T/4 or a range 0:20:401";
+
+exact angle_of(const std::string& option, const std::string& value) {
+    exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
+    if (angle.has_periods()) {
+        throw input_error(option, value, "is a time", angle_remedy);
+    }
+    return angle;
+}
+
+}  // namespace
+
+exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
+    if (length.has_value() != gravity.has_value()) {
+        throw input_error(length ? "--length '" + *length + "' comes without --gravity: give both or neither"
+                                 : "--gravity '" + *gravity + "' comes without --length: give both or neither");
+    }
+    return length ? positive_number_of("--gravity", *gravity) / positive_number_of("--length", *length) : exactly(1);
+}
+
+int direction_of(const std::optional<std::string>& words) {
+    if (!words || *words == "+") {
+        return 1;
+    }
+    if (*words != "-") {
+        throw input_error("--direction", *words, "is no direction", "write + or -");
+    }
+    return -1;
+}
+
+std::vector<exact> times_of(const std::string& value, regime r) {
+    auto times = reading("--times", value, times_remedy, [&] { return read_grid(value); });
+    for (const exact& time : times) {
+        if (time.measure == unit::degree) {
+            throw input_error("--times", value, "has the angle '" + time.text + "'", times_remedy);
+        }
+        if (time.has_periods() && at_critical_energy(r)) {
+            throw input_error("--times", value, "has '" + time.text + "', a multiple of an infinite period",
+                              "write times without T at E = 2");
+        }
+    }
+    return times;
+}
+
+void motion_options::add_to(CLI::App& command) {
+    const char* const group = "Motion";
+    command.add_option("--energy", energy_, "energy E: starts at the top, (+arccos(1-E), 0) or (pi, +-sqrt(2E-4))")
+        ->group(group)
+        ->type_name("E");
+    command.add_option("--gap", gap_, "the energy as 2 - E, exact next to the separatrix")
+        ->group(group)
+        ->type_name("G");
+    command.add_option("--theta0", theta0_, "angle at t = 0: 2.5, 3pi/4, 150deg")->group(group)->type_name("A");
+    command.add_option("--omega0", omega0_, "angular velocity at t = 0 (with --theta0)")->group(group)->type_name("W");
+    command.add_option("--direction", direction_, "sign of omega at t = 0 for motions given by energy: + or -")
+        ->group(group)
+        ->type_name("+|-");
+    command.add_option("--length", length_, "length in metres: times are then seconds")->group(group)->type_name("L");
+    command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
+}
+
+namespace {
+
+// The decimal where it is exact.
+std::optional<std::string> exact_text(const exact& value) {
+    return value.is_fraction() ? to_finite_decimal(value.coefficient) : std::nullopt;
+}
+
+}  // namespace
+
+chosen_motion motion_options::by_energy() const {
+    const bool by_gap = gap_.has_value();
+    const std::string option = by_gap ? "--gap" : "--energy";
+    const std::string& value = by_gap ? *gap_ : *energy_;
+    const exact number = number_of(option, value);
+    const exact energy = by_gap ? exactly(2) - number : number;
+    const exact gap = by_gap ? number : exactly(2) - number;
+    if (sign_of_exact(energy) < 0) {
+        throw input_error(option, value, by_gap ? "makes the energy negative" : "is a negative energy",
+                          by_gap ? "write a gap 2 - E of at most 2" : "write an energy of 0 or more");
+    }
+    const int sense = direction_of(direction_);
+    const auto angle = theta0_ ? std::optional(angle_of("--theta0", *theta0_)) : std::nullopt;
+    const motion of = angle ? reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
+                                      [&] { return motion::of_energy_from(energy, *angle, sense); })
+                            : reading(option, value, number_remedy, [&] { return motion::of_energy(energy, sense); });
+    return {.of = of.with_squared_frequency(squared_frequency()),
+            .by_state = false,
+            .option = option,
+            .value = value,
+            .energy = exact_text(energy),
+            .gap = exact_text(gap),
+            .energy_typed = by_gap ? "" : value,
+            .gap_typed = by_gap ? value : "",
+            .theta0_typed = angle ? angle->text : "",
+            .omega0_typed = ""};
+}
+
+chosen_motion motion_options::by_state() const {
+    if (!theta0_ || !omega0_) {
+        throw input_error(theta0_ ? "--theta0 '" + *theta0_ + "' is not yet a motion: add --omega0 W or --energy E"
+                                  : "--omega0 '" + *omega0_ + "' is not yet a motion: add --theta0 A");
+    }
+    if (direction_) {
+        throw input_error("--direction", *direction_, "goes with --energy or --gap",
+                          "give the sign of the motion to --omega0");
+    }
+    const exact angle = angle_of("--theta0", *theta0_);
+    const exact speed = number_of("--omega0", *omega0_);
+    motion of = reading("--omega0", *omega0_, number_remedy,
+                        [&] { return motion::of_state(angle, speed, squared_frequency()); });
+    std::optional<std::string> energy;
+    std::optional<std::string> gap;
+    if (of.energy()) {
+        energy = to_finite_decimal(*of.energy());
+        gap = to_finite_decimal(rational(2 - *of.energy()));
+    }
+    return {std::move(of), true, "--omega0", *omega0_, energy, gap, "", "", angle.text, speed.text};
+}
+
+chosen_motion motion_options::choose() const {
+    if (energy_ && gap_) {
+        throw input_error("--gap", *gap_, "comes together with --energy '" + *energy_ + "'", "give one of the two");
+    }
+    const bool energetic = energy_ || gap_;
+    if (energetic && omega0_) {
+        throw input_error("--omega0", *omega0_, std::string("comes together with ") + (energy_ ? "--energy" : "--gap"),
+                          "give an energy, or --theta0 and --omega0, not both");
+    }
+    if (!energetic && !theta0_ && !omega0_) {
+        throw input_error("no motion is given: add --energy E, --gap G, or --theta0 A with --omega0 W");
+    }
+    return energetic ? by_energy() : by_state();
+}
+
+chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {
+    chosen_motion chosen = choose();
+    if (scalar.kind == scalar_kind::proved) {
+        return chosen;  // no energy is outside the range of a ball
+    }
+    try {
+        with_scalar(scalar, 0, [&]<class T>() { energies<T>(chosen.of); });
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::range) {
+            throw;
+        }
+        throw input_error(chosen.option, chosen.value, "is outside the range of " + scalar.name(),
+                          "use --scalar mpfr:DIGITS");
+    }
+    return chosen;
+}
+
+std::array<motion_options::named, 7> motion_options::all() const {
+    return {named{"--energy", &energy_},       named{"--gap", &gap_},
+            named{"--theta0", &theta0_},       named{"--omega0", &omega0_},
+            named{"--direction", &direction_}, named{"--length", &length_},
+            named{"--gravity", &gravity_}};
+}
+
+std::optional<std::string> motion_options::first_given() const {
+    for (const auto& [name, value] : all()) {
+        if (*value) {
+            return fmt::format("{} '{}'", name, **value);
+        }
+    }
+    return std::nullopt;
+}
+
+const std::optional<std::string>& motion_options::given(std::string_view option) const {
+    const auto options = all();
+    const auto* const found =
+        std::find_if(options.begin(), options.end(), [&](const named& each) { return each.first == option; });
+    if (found == options.end()) {
+        throw std::logic_error("no option of a motion: " + std::string(option));
+    }
+    return *found->second;
+}
+
+std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits) {
+    std::vector<std::string> decimals;
+    decimals.reserve(times.size());
+    for (const exact& time : times) {
+        if (!time.has_periods() || time.is_zero()) {
+            decimals.push_back(decimal_of(time, digits));
+            continue;
+        }
+        const auto value = [&](long guard) {
+            const precision_scope scope(digits + guard);
+            const mpfr period = effective_period(energy_level_of<mpfr>(of)) * quarters_per_period(of.regime());
+            const mpfr multiple = period * from_rational<mpfr>(time.periods()) * time_unit<mpfr>(of);
+            return std::vector<mpfr>{multiple + from_exact<mpfr>(time.without_periods())};
+        };
+        decimals.push_back(to_decimal(agreed_values(digits, value).front(), digits));
+    }
+    return decimals;
+}
+
+std::string angle_in_decimals(const exact& angle, long digits) { return decimal_of(angle, digits); }
+
+}  // namespace libration

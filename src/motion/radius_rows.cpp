@@ -1,0 +1,161 @@
+#include "motion/radius_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration {
+
+using namespace series;
+using namespace convergence;
+
+namespace {
+
+const std::vector<column> radius_columns{{"method", ""},      {"radius", ""},         {"uncertainty", ""},
+                                         {"exact", ""},       {"relative_error", ""}, {"position_re", ""},
+                                         {"position_im", ""}, {"kind", ""},           {"count", ""},
+                                         {"note", ""},        {"exponent", ""},       {"exponent_uncertainty", ""},
+                                         {"rigour", ""}};
+
+constexpr long uncertainty_digits = 3;
+
+// floor(log10 |x|).
+long magnitude(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
+
+// The digits of x down to the last place of its uncertainty as that is printed; 0 or less where x is below it.
+long supported_digits(const mpfr& x, const mpfr& uncertainty) {
+    return magnitude(x) - magnitude(uncertainty) + uncertainty_digits;
+}
+
+// x with the digits that its uncertainty supports, and no more than asked.
+std::string supported(const mpfr& x, const mpfr& uncertainty, long digits) {
+    if (uncertainty == 0) {
+        const integer whole = nearest_integer(x);
+        return x == whole ? whole.str() : to_decimal(x, digits);
+    }
+    const long count = x == 0 ? 0 : supported_digits(x, uncertainty);
+    return count < 1 ? "0" : to_decimal(x, std::min(count, digits));
+}
+
+std::string relative_error(const std::string& radius, const judged_list& list, long digits) {
+    if (radius.empty() || !list.true_size) {
+        return "";
+    }
+    const precision_scope scope(digits + radius_guard_digits);
+    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(radius)) / *list.true_size - 1)), uncertainty_digits);
+}
+
+// The uncertainty of the radius as printed: where the digits asked cut it off, with a unit of its last place.
+mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
+    if (supported_digits(*estimate.radius, estimate.uncertainty) <= digits) {
+        return estimate.uncertainty;
+    }
+    const int last_place = static_cast<int>(magnitude(*estimate.radius) - digits + 1);
+    return estimate.uncertainty + pow(mpfr(10), last_place);
+}
+
+// Without commas, so that a reader that knows no quotes is right too.
+std::string note_of(const radius_estimate<mpfr>& estimate) {
+    std::string note = estimate.note;
+    std::replace(note.begin(), note.end(), ',', ';');
+    return note;
+}
+
+table_row_cells row_of(const radius_estimate<mpfr>& estimate, const judged_list& list, long digits) {
+    const bool found = estimate.radius.has_value();
+    const auto text = [&](const mpfr& x) { return supported(x, estimate.uncertainty, digits); };
+    std::string radius = found ? text(*estimate.radius) : "";
+    if (radius == "0") {  // a radius is more than 0, however uncertain
+        radius = to_decimal(*estimate.radius, 1);
+    }
+    return {
+        estimate.method,
+        number_cell(radius),
+        found ? decimal_cell(printed_uncertainty(estimate, digits), uncertainty_digits) : cell(),
+        number_cell(list.exact_text),
+        number_cell(relative_error(radius, list, digits)),
+        estimate.position ? number_cell(text(estimate.position->re)) : cell(),
+        estimate.position ? number_cell(text(estimate.position->im)) : cell(),
+        estimate.kind == singularity_kind::unknown ? "" : name_of(estimate.kind),
+        estimate.count > 0 ? cell(estimate.count) : cell(),
+        note_of(estimate),
+        estimate.exponent ? number_cell(supported(*estimate.exponent, estimate.exponent_uncertainty, digits)) : cell(),
+        estimate.exponent ? decimal_cell(estimate.exponent_uncertainty, uncertainty_digits) : cell(),
+        "heuristic"};
+}
+
+// "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points".
+std::string what_in_words(const radius_estimate<mpfr>& estimate) {
+    const bool one = estimate.count == 1;
+    const char* const plural = one ? "" : "s";
+    std::string what = one ? "singularity" : "singularities";
+    if (estimate.kind == singularity_kind::pole) {
+        const rational order = -simple_exponent(estimate).value_or(rational(-1));
+        what =
+            order == 1 ? fmt::format("simple pole{}", plural) : fmt::format("pole{} of order {}", plural, order.str());
+    } else if (estimate.kind == singularity_kind::logarithm) {
+        what = fmt::format("logarithm{}", plural);
+    } else if (estimate.kind == singularity_kind::algebraic) {
+        what = fmt::format("algebraic branch point{}", plural);
+    }
+    return estimate.count > 0 ? fmt::format("{} {}", estimate.count, what) : what;
+}
+
+// "2 simple poles at 1.57 and its image": number, kind and position of the nearest singularities.
+std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_row_cells& row) {
+    if (estimate.kind == singularity_kind::boundary) {
+        return "the whole circle of convergence is a boundary";
+    }
+    std::string words = what_in_words(estimate);
+    if (estimate.position) {
+        const std::string& re = row[5].text();
+        const std::string& im = row[6].text();
+        words += " at " + (im == "0" ? re : re == "0" ? im + " i" : fmt::format("{} + {} i", re, im));
+        words += estimate.count > 2 ? " and its images" : estimate.count == 2 ? " and its image" : "";
+    }
+    return words;
+}
+
+std::string verdict_in_words(const radius_answers& answers, const judged_list& list, const table& data) {
+    const radius_estimate<mpfr>& verdict = answers.rows.front();
+    const auto& row = data.rows().front();
+    std::string text;
+    const auto say = [&](const char* name, const std::string& what) { text += fmt::format("{:<14}{}\n", name, what); };
+    say("coefficients", fmt::format("n = 0 .. {}; {}", answers.pattern.order, answers.pattern.text()));
+    if (verdict.radius) {
+        say("radius", fmt::format("{} +- {}", row[1].text(), row[2].text()));
+        say("nearest", nearest_in_words(verdict, row));
+        if (verdict.exponent) {
+            say("exponent", fmt::format("{} +- {}", row[10].text(), row[11].text()));
+        }
+    } else {
+        say("radius", "none");
+    }
+    if (!list.exact_text.empty()) {
+        say("exact",
+            row[4].is_empty() ? list.exact_text : fmt::format("{}, relative error {}", list.exact_text, row[4].text()));
+    }
+    say("why", row[9].text());
+    return text;
+}
+
+}  // namespace
+
+table radius_table(const radius_answers& answers, const judged_list& list, long digits) {
+    table data(radius_columns);
+    for (const auto& answer : answers.rows) {
+        data.add_row(row_of(answer, list, digits));
+    }
+    return data;
+}
+
+std::string radius_text(const radius_answers& answers, const judged_list& list, const table& data) {
+    const table shown = data.with_columns({0, 1, 2, 4, 9});
+    const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
+    return verdict_in_words(answers, list, data) + "\n" + to_text(tests) +
+           "\nheuristic: coefficients prove no radius\n";
+}
+
+}  // namespace libration

@@ -1,0 +1,109 @@
+// libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
+#include <memory>
+
+#include "motion/motion_options.hpp"
+#include "motion/trajectory_points.hpp"
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+using namespace pendulum;
+
+namespace {
+
+struct trajectory_options {
+    motion_options motion;
+    arithmetic_options arithmetic;
+    output_options output;
+    std::string method = "exact";
+    std::optional<std::string> order;
+    std::string times;
+    std::string step = "1e-5";
+};
+
+trajectory_method read_method(const std::string& name) {
+    if (name == "exact" || name == "rk4") {
+        return name == "exact" ? trajectory_method::exact : trajectory_method::rk4;
+    }
+    if (name == "series" || name == "resummed") {
+        return name == "series" ? trajectory_method::series : trajectory_method::resummed;
+    }
+    if (name == "uniform") {
+        return trajectory_method::uniform;
+    }
+    throw input_error("--method", name, "is no method for a trajectory",
+                      "write exact, series, resummed, uniform or rk4");
+}
+
+bool is_partial_sum(trajectory_method method) {
+    return method == trajectory_method::series || method == trajectory_method::resummed ||
+           method == trajectory_method::uniform;
+}
+
+trajectory_request choose(const trajectory_options& options) {
+    const trajectory_method method = read_method(options.method);
+    const exact step = number_of("--step", options.step);
+    if (sign_of_exact(step) <= 0) {
+        throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");
+    }
+    const arithmetic numbers = options.arithmetic.choose();
+    if (method == trajectory_method::rk4 && numbers.scalar.kind == scalar_kind::proved) {
+        throw input_error("--scalar", numbers.scalar.name(), "proves nothing about a march of steps",
+                          "use another scalar, or --method exact");
+    }
+    chosen_motion chosen = options.motion.choose_for(numbers.scalar);
+    const regime r = chosen.of.regime();
+    if (is_partial_sum(method) && !options.order) {
+        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power");
+    }
+    if (!is_partial_sum(method) && options.order) {
+        throw input_error("--order", *options.order, "has no meaning for --method " + options.method, "leave it out");
+    }
+    if (is_partial_sum(method) && at_critical_energy(r)) {
+        throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
+    }
+    if (method == trajectory_method::uniform && r == regime::stable_equilibrium) {
+        throw input_error("--method", options.method, "has infinitely many columns of singularities at E = 0",
+                          "use exact, series or resummed");
+    }
+    const int order = options.order ? order_of("--order", *options.order) : 0;
+    return {std::move(chosen), numbers, method, order, step, times_of(options.times, r)};
+}
+
+int run_trajectory(const trajectory_options& options) {
+    options.output.check();
+    const trajectory_request request = choose(options);
+    table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
+    const long digits = request.numbers.digits;
+    const auto times = times_in_decimals(request.chosen.of, request.times, digits);
+    const auto points = trajectory_points(request);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        data.add_row({number_cell(times[i]), cell::number(points[i].theta, digits),
+                      cell::number(points[i].omega, digits), number_cell(points[i].error), request.times[i].text});
+    }
+    options.output.write(data);
+    return 0;
+}
+
+}  // namespace
+
+subcommand trajectory_command(CLI::App& program) {
+    const auto options = std::make_shared<trajectory_options>();
+    CLI::App* command = program.add_subcommand("trajectory", "theta and omega at a list of times");
+    options->motion.add_to(*command);
+    options->arithmetic.add_to(*command, arithmetics::proved_too);
+    options->output.add_to(*command);
+    command->add_option("--method", options->method, "exact; series, resummed or uniform, with --order; rk4")
+        ->capture_default_str();
+    command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
+        ->type_name("N");
+    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")
+        ->type_name("LIST")
+        ->required();
+    command->add_option("--step", options->step, "step of rk4 in dimensionless time")->capture_default_str();
+    return {command, [options] { return run_trajectory(*options); }};
+}
+
+}  // namespace libration

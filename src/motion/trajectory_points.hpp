@@ -1,0 +1,25 @@
+// A trajectory by any method in any arithmetic, with the error of each angle.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/trajectory_request.hpp"
+
+namespace libration {
+
+/// One time as it is printed. Where the digits are right or proved, they are those of the method's own exact value, not
+/// of its rounding; the error is |theta as printed - the exact solution|.
+struct trajectory_point {
+    std::string theta;
+    std::string omega;  ///< in the motion's units
+    std::string error;
+};
+
+/// All times, in the scalar of request.numbers: as a fixed scalar computes them, in mpfr by two runs that agree (one
+/// for rk4), in balls proved. The exact solution judges every method, and another route the exact one where it is
+/// rounded. Throws input_error for what the scalar cannot hold, std::logic_error for rk4 in balls, which proves
+/// nothing, and error of the kind undecided where the precision ends before the digits are right.
+std::vector<trajectory_point> trajectory_points(const trajectory_request& request);
+
+}  // namespace libration

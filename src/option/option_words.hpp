@@ -1,0 +1,35 @@
+// What was said to a command, by option: read where the words are understood, and said again in the provenance of a
+// table.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <deque>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace libration {
+
+/// Words by option, in the order in which a command line says them. An object that was offered to a parser stays where
+/// it is.
+class option_words {
+public:
+    option_words() = default;
+    option_words(std::initializer_list<std::pair<std::string, std::string>> words);
+
+    /// Adds an option such as "--times,--time" to a command; its words are then found under the first name.
+    void offer(CLI::App& command, const std::string& names, const std::string& type_name, const std::string& help);
+    void say(const std::string& option, const std::string& words);
+    /// What was said for an option; nothing where it was not given.
+    const std::optional<std::string>& operator[](const std::string& option) const;
+    /// " --gaps=-1e-3 --times 0,T/8".
+    std::string text() const;
+
+private:
+    std::optional<std::string>& place_of(const std::string& option);
+
+    std::deque<std::pair<std::string, std::optional<std::string>>> all_;
+};
+
+}  // namespace libration

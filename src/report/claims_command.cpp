@@ -1,0 +1,73 @@
+// libration claims: what the paper states, judged.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "claims/claim.hpp"
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "sweep/study_order.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+struct claims_options {
+    std::vector<std::string> names;
+    output_options output;
+    std::optional<std::string> jobs;
+};
+
+std::vector<claim> chosen(const std::vector<std::string>& names) {
+    auto all = all_claims();
+    if (names.empty()) {
+        return all;
+    }
+    std::vector<claim> result;
+    for (const std::string& name : names) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const claim& c) { return c.name == name; });
+        if (found == all.end()) {
+            throw input_error("claims", name, "is not a claim", "'libration claims' lists them");
+        }
+        result.push_back(*found);
+    }
+    return result;
+}
+
+// One claim under the other: a table of sentences is too wide for a terminal.
+std::string as_text(const std::vector<judged_claim>& judged) {
+    const table data = claims_table(judged);
+    std::string text;
+    for (const auto& row : data.rows()) {
+        text += fmt::format("{}  {}: {}\n    {}\n    {}: {}\n", row[0].text(), row[1].text(), row[3].text(),
+                            row[2].text(), row[5].text(), row[4].text());
+        text += row[6].is_empty() ? "" : fmt::format("    true is: {}\n", row[6].text());
+        text += fmt::format("    {}\n", row[7].text());
+    }
+    return text;
+}
+
+int run_claims(const claims_options& options) {
+    options.output.check();
+    const int jobs = jobs_of(options.jobs);
+    const auto claims = chosen(options.names);
+    const auto judged = judge(claims, jobs);
+    options.output.write(claims_table(judged), as_text(judged));
+    return 0;
+}
+
+}  // namespace
+
+subcommand claims_command(CLI::App& program) {
+    const auto options = std::make_shared<claims_options>();
+    CLI::App* command = program.add_subcommand("claims", "judge the statements of the paper: verdict and number");
+    command->add_option("NAME", options->names, "these claims only; all without it");
+    options->output.add_to(*command);
+    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    return {command, [options] { return run_claims(*options); }};
+}
+
+}  // namespace libration

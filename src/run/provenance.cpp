@@ -1,0 +1,47 @@
+#include "run/provenance.hpp"
+
+#include <fmt/format.h>
+#include <gmp.h>
+#include <mpfr.h>
+
+#include <boost/version.hpp>
+
+#include "libration/scalar/ball/value.hpp"
+#include "libration/scalar/quad.hpp"
+#include "version.hpp"
+
+namespace libration {
+
+namespace {
+
+std::string balls() {
+#if __has_include(<flint/arb.h>)
+    return fmt::format("FLINT {}", FLINT_VERSION);
+#else
+    return fmt::format("FLINT {}, Arb {}", FLINT_VERSION, arb_version);
+#endif
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> provenance() {
+    return {{"libration", std::string(build::version)},
+            {"commit", std::string(build::commit)},
+            {"compiler", std::string(build::compiler)},
+            {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+            {"MPFR", mpfr_get_version()},
+            {"MPFR thread-safe", mpfr_buildopt_tls_p() != 0 ? "yes" : "no"},
+            {"GMP", gmp_version},
+            {"quad", LIBRATION_HAS_FLOAT128 != 0 ? "__float128 (libquadmath)" : "cpp_bin_float_quad"},
+            {"ball arithmetic", balls()}};
+}
+
+std::string version_text() {
+    std::string text;
+    for (const auto& [name, value] : provenance()) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : "\n", name, value);
+    }
+    return text;
+}
+
+}  // namespace libration

@@ -1,0 +1,26 @@
+// libration figure NAME: draws a study's figures again from its CSV.
+#include <memory>
+
+#include "option/subcommand.hpp"
+#include "sweep/study_files.hpp"
+
+namespace libration {
+
+subcommand figure_command(CLI::App& program) {
+    struct figure_options {
+        std::string name;
+        std::string out = "results";
+    };
+    const auto options = std::make_shared<figure_options>();
+    CLI::App* command = program.add_subcommand("figure", "redraw the figures of a study from its CSV");
+    command->add_option("NAME", options->name, "which study")->required();
+    command->add_option("--out", options->out, "the folder that holds NAME/NAME.csv")
+        ->type_name("DIR")
+        ->capture_default_str();
+    return {command, [options] {
+                draw_study(study_named("figure", options->name), options->out);
+                return 0;
+            }};
+}
+
+}  // namespace libration

@@ -1,0 +1,85 @@
+// libration table: reference tables with proved digits, of motions at times or of elliptic functions, in the formats
+// of those who test programs with them.
+#include <filesystem>
+#include <memory>
+
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "sweep/study_files.hpp"
+#include "sweep/study_order.hpp"
+#include "table/elliptic_request.hpp"
+#include "table/function_table.hpp"
+#include "table/motion_grid.hpp"
+#include "table/table_formats.hpp"
+#include "table/table_order.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr const char* usual_name = "reference_values";
+
+struct table_options {
+    table_order order;
+    output_options output{"csv", {"cpp", "ipp", "numpy"}};
+    std::optional<std::string> digits, name, jobs;
+};
+
+// The file that holds the provenance of one that cannot: x.csv has x.provenance.json beside it.
+std::filesystem::path provenance_beside(const std::string& file) {
+    return std::filesystem::path(file).replace_extension("provenance.json");
+}
+
+std::string name_in_program(const table_options& options) {
+    const std::string& format = options.output.format();
+    if (!options.name) {
+        return usual_name;
+    }
+    if (format != "cpp" && format != "ipp") {
+        throw input_error("--name", *options.name, "has no meaning for " + format, "leave it out");
+    }
+    require_identifier(*options.name);
+    return *options.name;
+}
+
+int run_table(const table_options& options) {
+    options.output.check();
+    const std::string name = name_in_program(options);
+    const std::string& format = options.output.format();
+    table_order order = options.order;
+    order.digits = digits_of(options.digits);
+    if (order.what != "pendulum") {
+        functions_of(order.what);
+    }
+    require_own_options(order);
+    const table data = table_for(order, format, jobs_of(options.jobs));
+    const std::string command = order.command() + " --format " + format + (options.name ? " --name " + name : "");
+    options.output.write_content(table_file(order, data, format, name, command));
+    const auto& file = options.output.file();
+    if (file && !has_comments(format) && std::filesystem::is_regular_file(*file)) {
+        write_into(provenance_beside(*file).string(), provenance_json(order, data, command));
+    }
+    return 0;
+}
+
+}  // namespace
+
+subcommand table_command(CLI::App& program) {
+    const auto options = std::make_shared<table_options>();
+    CLI::App* command =
+        program.add_subcommand("table", "reference tables with proved digits: motions at times, or elliptic functions");
+    command->add_option("what", options->order.what, "pendulum, or am, sn, cn, dn (several as am,sn), K or F")
+        ->type_name("pendulum|FUNCTION")
+        ->required();
+    offer_motions(options->order.said, *command);
+    offer_elliptic(options->order.said, *command);
+    command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
+        ->type_name("D");
+    options->output.add_to(*command);
+    command->add_option("--name", options->name, "name of the array in cpp and ipp")->type_name("NAME");
+    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    return {command, [options] { return run_table(*options); }};
+}
+
+}  // namespace libration

@@ -1,0 +1,101 @@
+#include "table/table_order.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "option/options.hpp"
+#include "run/provenance.hpp"
+#include "table/function_table.hpp"
+#include "table/motion_table.hpp"
+#include "table/table_formats.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr const char* pendulum = "pendulum";
+constexpr std::array<const char*, 8> motion_names{"--energies",  "--gaps",   "--theta0",  "--omega0",
+                                                  "--direction", "--length", "--gravity", "--times"};
+constexpr std::array<const char*, 5> function_names{"--u", "--phi", "--k", "--m", "--m1"};
+
+constexpr const char* rigour = "proved to one unit in the last place";
+
+std::vector<std::string> comment_lines(const table_order& order, const table& data, const std::string& command) {
+    std::vector<std::string> lines{
+        order.what == pendulum ? "Reference values of the pendulum theta'' + sin theta = 0."
+                               : "Reference values of the elliptic functions " + order.what + ".",
+        "Made by: " + command, fmt::format("{} significant digits, {}.", order.digits, rigour),
+        fmt::format("Typed numbers that no decimal holds, such as T/8 or pi/3, stand with {} digits.",
+                    order.digits + more_input_digits)};
+    std::string made_with;
+    for (const auto& [name, version] : provenance()) {
+        made_with += fmt::format("{}{} {}", made_with.empty() ? "" : ", ", name, version);
+    }
+    lines.push_back("Made with: " + made_with);
+    lines.emplace_back("Columns:");
+    for (const column& c : data.columns()) {
+        lines.push_back("    " + c.name + (c.meaning.empty() ? "" : ": " + c.meaning));
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::string table_order::command() const {
+    return fmt::format("libration table {}{} --digits {}", what, said.text(), digits);
+}
+
+void require_own_options(const table_order& order) {
+    const auto refuse = [&](const auto& names) {
+        for (const char* const option : names) {
+            if (order.said[option]) {
+                throw input_error(option, *order.said[option], "has no meaning for the table " + order.what,
+                                  "leave it out");
+            }
+        }
+    };
+    if (order.what == pendulum) {
+        refuse(function_names);
+    } else {
+        refuse(motion_names);
+    }
+}
+
+table table_for(const table_order& order, const std::string& format, int jobs) {
+    const input_style style = has_comments(format) ? input_style::decimals : input_style::typed;
+    return order.what == pendulum ? motion_table(order.said, order.digits, style, jobs)
+                                  : function_table(functions_of(order.what), order.said, order.digits, style, jobs);
+}
+
+bool has_comments(const std::string& format) { return format == "cpp" || format == "ipp" || format == "numpy"; }
+
+std::string table_file(const table_order& order, const table& data, const std::string& format, const std::string& name,
+                       const std::string& command) {
+    if (!has_comments(format)) {
+        return in_format(format, data);
+    }
+    const table_origin origin{name, comment_lines(order, data, command)};
+    return format == "cpp"   ? to_cpp_header(data, origin)
+           : format == "ipp" ? to_ipp(data, origin)
+                             : to_numpy(data, origin);
+}
+
+std::string provenance_json(const table_order& order, const table& data, const std::string& command) {
+    nlohmann::ordered_json description;
+    description["command"] = command;
+    for (const column& c : data.columns()) {
+        description["columns"][c.name] = c.meaning;
+    }
+    description["rows"] = data.rows().size();
+    description["digits"] = order.digits;
+    description["rigour"] = rigour;
+    for (const auto& [name, version] : provenance()) {
+        description["made with"][name] = version;
+    }
+    return description.dump(2) + '\n';
+}
+
+}  // namespace libration

@@ -1,0 +1,39 @@
+// `libration table` in words, and the file that they make: what the command writes, and what reproduce publishes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "option/option_words.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+/// What was asked for: pendulum or a list of elliptic functions, and the words of their options.
+struct table_order {
+    std::string what;
+    option_words said;
+    long digits = 50;
+
+    /// The command that asks for it, without --out and --jobs.
+    std::string command() const;
+};
+
+/// Throws input_error for options that belong to the other kind of table.
+void require_own_options(const table_order& order);
+
+/// The table in the style that a format needs: typed numbers in csv, json, text and latex, decimals in cpp, ipp and
+/// numpy.
+table table_for(const table_order& order, const std::string& format, int jobs);
+
+/// Whether a format holds its provenance in comments.
+bool has_comments(const std::string& format);
+
+/// The file: `command` and the versions of provenance() stand in its comment where the format has one.
+std::string table_file(const table_order& order, const table& data, const std::string& format, const std::string& name,
+                       const std::string& command);
+
+/// The same provenance with columns and their meanings as JSON, for a file beside one that has no comments.
+std::string provenance_json(const table_order& order, const table& data, const std::string& command);
+
+}  // namespace libration

@@ -1,0 +1,242 @@
+#include "text/table.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace libration {
+
+namespace {
+
+// Quoted where CSV needs it.
+std::string csv_cell(const std::string& cell) {
+    if (cell.find_first_of(",\"\n") == std::string::npos) {
+        return cell;
+    }
+    std::string quoted = "\"";
+    for (const char c : cell) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + '"';
+}
+
+std::vector<column> named_columns(const std::vector<std::string>& names) {
+    std::vector<column> columns;
+    columns.reserve(names.size());
+    for (const std::string& name : names) {
+        columns.push_back({name, ""});
+    }
+    return columns;
+}
+
+table_row_cells read_cells(const std::vector<std::string>& texts) {
+    table_row_cells cells;
+    cells.reserve(texts.size());
+    std::transform(texts.begin(), texts.end(), std::back_inserter(cells), read_cell);
+    return cells;
+}
+
+void write_through(const std::string& path, const std::string& content) {
+    errno = 0;
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file << content;
+    file.close();
+    if (!file) {
+        throw std::runtime_error(errno != 0 ? std::strerror(errno) : "writing failed");
+    }
+}
+
+}  // namespace
+
+table::table(std::vector<column> columns, std::vector<table_row_cells> rows) : columns_(std::move(columns)) {
+    rows_.reserve(rows.size());
+    for (table_row_cells& row : rows) {
+        add_row(std::move(row));
+    }
+}
+
+void table::add_row(table_row_cells row) {
+    if (row.size() != columns_.size()) {
+        throw std::logic_error(fmt::format("a row of {} cells under {} columns", row.size(), columns_.size()));
+    }
+    rows_.push_back(std::move(row));
+}
+
+void table::append(const table& below) {
+    const bool same = std::equal(columns_.begin(), columns_.end(), below.columns_.begin(), below.columns_.end(),
+                                 [](const column& a, const column& b) { return a.name == b.name; });
+    if (!same) {
+        throw std::logic_error("two tables with other columns cannot stand below each other");
+    }
+    rows_.insert(rows_.end(), below.rows_.begin(), below.rows_.end());
+}
+
+table table::with_columns(const std::vector<std::size_t>& places) const {
+    const auto chosen = [&](const auto& from) {
+        std::remove_cvref_t<decltype(from)> some;
+        some.reserve(places.size());
+        for (const std::size_t place : places) {
+            some.push_back(from.at(place));
+        }
+        return some;
+    };
+    table result(chosen(columns_));
+    result.rows_.reserve(rows_.size());
+    std::transform(rows_.begin(), rows_.end(), std::back_inserter(result.rows_), chosen);
+    return result;
+}
+
+table stacked(const std::vector<table>& parts) {
+    if (parts.empty()) {
+        throw std::logic_error("no table to stack");
+    }
+    table all(parts.front().columns());
+    for (const table& part : parts) {
+        all.append(part);
+    }
+    return all;
+}
+
+std::vector<table> stacked(const std::vector<std::vector<table>>& parts) {
+    std::vector<table> all;
+    for (const std::vector<table>& part : parts) {
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            if (k == all.size()) {
+                all.emplace_back(part[k].columns());
+            }
+            all[k].append(part[k]);
+        }
+    }
+    return all;
+}
+
+std::string to_csv(const table& data) {
+    std::string out;
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        out += (i > 0 ? "," : "") + data.columns()[i].name;
+    }
+    out += '\n';
+    for (const auto& row : data.rows()) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            out += (i > 0 ? "," : "") + csv_cell(row[i].text());
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+table from_csv(const std::string& text) {
+    table data;
+    std::vector<std::string> cells{""};
+    std::size_t line = 1;
+    bool quoted = false;
+    const auto finish_row = [&] {
+        if (data.columns().empty()) {
+            data = table(named_columns(cells));
+        } else if (cells.size() != data.columns().size()) {
+            throw std::runtime_error(
+                fmt::format("line {} has {} cells, not {}", line, cells.size(), data.columns().size()));
+        } else {
+            data.add_row(read_cells(cells));
+        }
+        cells = {""};
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') {
+            // Within quotes a doubled quote is one.
+            const bool doubled = quoted && i + 1 < text.size() && text[i + 1] == '"';
+            cells.back() += doubled ? "\"" : "";
+            quoted = doubled || !quoted;
+            i += doubled ? 1 : 0;
+        } else if (c == ',' && !quoted) {
+            cells.emplace_back();
+        } else if (c == '\n' && !quoted) {
+            finish_row();
+            ++line;
+        } else {
+            cells.back() += c;
+        }
+    }
+    if (quoted || cells.size() > 1 || !cells.back().empty()) {
+        throw std::runtime_error(fmt::format("line {} does not end", line));
+    }
+    return data;
+}
+
+std::string to_json(const table& data) {
+    auto out = nlohmann::ordered_json::array();
+    for (const auto& row : data.rows()) {
+        nlohmann::ordered_json object;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            object[data.columns()[i].name] = row[i].text();
+        }
+        out.push_back(std::move(object));
+    }
+    return out.dump(2) + '\n';
+}
+
+std::string to_text(const table& data) {
+    std::vector<std::size_t> widths;
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        std::size_t width = data.columns()[i].name.size();
+        for (const auto& row : data.rows()) {
+            width = std::max(width, row[i].text().size());
+        }
+        widths.push_back(width);
+    }
+    std::string out;
+    const auto line = [&](const auto& cell) {
+        std::string text;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            text += fmt::format("{:<{}}  ", cell(i), widths[i]);
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        out += text + '\n';
+    };
+    line([&](std::size_t i) { return data.columns()[i].name; });
+    for (const auto& row : data.rows()) {
+        line([&](std::size_t i) { return row[i].text(); });
+    }
+    return out;
+}
+
+void write_whole_file(const std::string& path, const std::string& content) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const std::string target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error).string() : path;
+    if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
+        write_through(target, content);
+        return;
+    }
+    const std::string beside = fmt::format("{}.{}.part", target, ::getpid());
+    try {
+        write_through(beside, content);
+        fs::rename(beside, target);
+    } catch (const fs::filesystem_error& problem) {
+        fs::remove(beside, error);
+        throw std::runtime_error(problem.code().message());
+    } catch (const std::runtime_error&) {
+        fs::remove(beside, error);
+        throw;
+    }
+}
+
+void write_to_stdout(const std::string& content) {
+    errno = 0;
+    const bool written = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
+    if (!written || std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("stdout cannot be written ({})", std::strerror(errno)));
+    }
+}
+
+}  // namespace libration

@@ -1,0 +1,62 @@
+#include "verify/verify_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr long most_named = 10;
+constexpr long exact_digits = 1L << 40;
+
+void print_more(long count, const char* what) {
+    if (count > 0) {
+        fmt::print(stderr, "and {} more rows {}\n", count, what);
+    }
+}
+
+}  // namespace
+
+void verify_summary::add(const judged_row& row) {
+    ++rows_;
+    if (row.verdict == row_verdict::malformed) {
+        name(row, ++malformed_, malformed_named_);
+        return;
+    }
+    ++digits_[row.tenths_of_digits ? *row.tenths_of_digits / 10 : exact_digits];
+    if (row.verdict == row_verdict::miss) {
+        name(row, ++misses_, misses_named_);
+    }
+    if (!worst_ || row.of_tolerance > worst_->of_tolerance) {
+        worst_ = row;
+    }
+}
+
+void verify_summary::print() const {
+    print_more(misses_ - misses_named_, "that miss");
+    print_more(malformed_ - malformed_named_, "malformed");
+    fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed\n", file_, rows_, rows_ - misses_ - malformed_,
+               misses_, malformed_);
+    if (worst_) {
+        const precision_scope scope(20);
+        fmt::print(stderr, "worst row: line {}, error {}, {} times the tolerance, condition {}\n", worst_->line,
+                   worst_->error, to_decimal(worst_->of_tolerance, 3), worst_->condition);
+    }
+    for (const auto& [digits, count] : digits_) {
+        fmt::print(stderr, "{:>6} correct digits: {:>9}\n", digits == exact_digits ? "all" : std::to_string(digits),
+                   count);
+    }
+}
+
+void verify_summary::name(const judged_row& row, long count, long& named) const {
+    if (count <= most_named) {
+        ++named;
+        fmt::print(stderr, "{}:{}: {}\n", file_, row.line, row.reason);
+    }
+}
+
+}  // namespace libration

@@ -1,0 +1,39 @@
+// What `libration verify` says of a whole file: counts, the worst row and the correct digits of all rows.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "verify/verify_rows.hpp"
+
+namespace libration {
+
+/// Takes the rows in their order and names the first that miss or are malformed on stderr as they come.
+class verify_summary {
+public:
+    explicit verify_summary(std::string file) : file_(std::move(file)) {}
+
+    void add(const judged_row& row);
+    /// To stderr.
+    void print() const;
+
+    long rows() const { return rows_; }
+    /// 2 where a row was malformed, 1 where one missed, else 0.
+    int exit_code() const { return malformed_ > 0 ? 2 : misses_ > 0 ? 1 : 0; }
+
+private:
+    void name(const judged_row& row, long count, long& named) const;
+
+    std::string file_;
+    long rows_ = 0;
+    long misses_ = 0;
+    long malformed_ = 0;
+    long misses_named_ = 0;
+    long malformed_named_ = 0;
+    std::optional<judged_row> worst_;
+    std::map<long, long> digits_;  ///< how many rows have so many correct digits
+};
+
+}  // namespace libration

@@ -1,4 +1,0 @@
-# libration_series: the partial sums from the top, extended to two periods of libration.
-name = 'libration_series'
-heading = 'The series from the top, extended periodically: libration'
-load scripts.'/extension.gp'

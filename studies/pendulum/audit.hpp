@@ -1,0 +1,196 @@
+// theta in double by a library that takes the modulus k, and by ours from the exact gap, judged against proved values.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../problem/sweep_columns.hpp"
+#include "libration/pendulum/proved/proved_theta.hpp"
+
+#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/error.hpp"
+#include "run/parallel.hpp"
+
+namespace libration::studies {
+
+/// What a peer is given: the doubles that are left of an energy and a time.
+struct audited_input {
+    double k;
+    double time;
+};
+
+/// 2 asin(k cd(t, k)) in double for each input, in their order.
+using audited_peer = std::function<std::vector<double>(const std::vector<audited_input>&)>;
+
+inline constexpr long proved_places = 60;
+inline constexpr long judged_digits = 6;
+inline constexpr long digits_of_times = 50;
+
+/// One energy and one time: what the peer gets, exactly and as doubles.
+struct audit_case {
+    const sweep_energy* at;
+    const exact* asked;
+    std::string time_text;  // dimensionless, exact where it ends
+    rational gap;
+    double time;
+    double k;
+};
+
+inline audit_case case_of(const sweep_energy& at, const exact& time) {
+    const precision_scope scope(proved_places);
+    const rational gap = 2 - at.value;
+    const pendulum::landen_motion motion(at.value, gap);
+    ball instant = from_exact<ball>(time.without_periods());
+    if (time.has_periods()) {
+        instant += pi<ball>() * from_rational<ball>(rational(time.periods() * 2)) / motion.mean();
+    }
+    const auto k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(at.value / 2)))));
+    const std::string text = time.measure == unit::period ? to_proved_decimal(instant, digits_of_times).value().text
+                                                          : decimal_of(time, digits_of_times);
+    return {&at, &time, text, gap, narrow<double>(midpoint_of(instant)), k};
+}
+
+/// theta of the motion that the double k means, as an exact fraction: E = 2 k^2, which is at rest on top where k was
+/// rounded to 1.
+inline ball theta_of_received(const audited_input& given) {
+    const rational k(given.k);
+    const rational energy = k * k * 2;
+    if (energy == 2) {
+        const precision_scope scope(proved_places + 10);
+        return pi<ball>();
+    }
+    return pendulum::proved_theta(energy, rational(2 - energy), rational(given.time), proved_places);
+}
+
+/// The digits of an error, each proved.
+inline cell proved_cell(const ball& x) {
+    const auto text = to_proved_decimal(x, judged_digits);
+    if (!text) {
+        throw std::runtime_error("an error is below the proved places of the reference");
+    }
+    return cell::number(text->text, judged_digits);
+}
+
+/// One value of one library, judged.
+struct audit_row {
+    const sweep_energy& at;
+    const audit_case& of;
+    std::string library;
+    double theta;
+    cell reference, error, error_ulp, correct_digits, condition, input_ulp, own_ulp;
+};
+
+inline const column_list<audit_row>& audit_columns() {
+    using row = audit_row;
+    static const column_list<row> all{
+        gap_column<row>(),
+        {"time", "dimensionless, as asked", [](const row& r) { return number_cell(r.of.time_text); }},
+        {"library", "who computed theta; ours takes the exact gap, the other the nearest double of k = sqrt(E/2)",
+         [](const row& r) { return r.library; }},
+        {"theta", "the double that came out, radians",
+         [](const row& r) { return number_cell(std::isfinite(r.theta) ? to_round_trip(r.theta) : "nan"); }},
+        {"reference", "theta of the gap as typed at time_in_double, 25 proved digits",
+         [](const row& r) { return r.reference; }},
+        {"error", "|theta - reference|, proved digits", [](const row& r) { return r.error; }},
+        {"error_ulp", "error in units of 2^-52 max(1, |reference|)", [](const row& r) { return r.error_ulp; }},
+        {"correct_digits", "-log10 of error/max(1, |reference|)", [](const row& r) { return r.correct_digits; }},
+        {"condition", "|d theta/dE| E/max(1, |theta|): units of theta for one unit of E",
+         [](const row& r) { return r.condition; }},
+        {"input_ulp", "what the library was not told: |theta of the k that it received - reference|, in the same units",
+         [](const row& r) { return r.input_ulp; }},
+        {"own_ulp", "what it did itself: |theta - theta of the k that it received|, in the same units",
+         [](const row& r) { return r.own_ulp; }},
+        {"time_in_double", "the double nearest to time, which both took",
+         [](const row& r) { return number_cell(to_round_trip(r.of.time)); }},
+        {"energy", "E, in units of m g l", [](const row& r) { return number_cell(r.at.energy); }},
+        {"time_typed", "as typed", [](const row& r) { return cell(r.of.asked->text); }},
+    };
+    static const auto with_typed = with_typed_energy(all);
+    return with_typed;
+}
+
+// `received` is theta of the k that the library was given; none where it was given the gap itself.
+inline audit_row judged_row(const audit_case& one, const std::string& library, double theta, const ball& reference,
+                            const ball* received, const cell& condition) {
+    const precision_scope scope(proved_places + 20);
+    const ball size = certainly_less(abs(reference), ball(1)) ? ball(1) : abs(reference);
+    const ball unit = ldexp(size, -52);
+    const auto in_units = [&](const ball& difference) { return proved_cell(abs(difference) / unit); };
+    audit_row row{*one.at,
+                  one,
+                  library,
+                  theta,
+                  cell::number(to_proved_decimal(reference, 25).value().text, 25),
+                  number_cell("inf"),
+                  number_cell("inf"),
+                  number_cell("0"),
+                  condition,
+                  received == nullptr ? number_cell("0") : in_units(*received - reference),
+                  number_cell("inf")};
+    if (std::isfinite(theta)) {
+        const ball value{widen(theta)};
+        const ball error = abs(value - reference);
+        row.error = proved_cell(error);
+        row.error_ulp = in_units(error);
+        row.correct_digits = decimal_cell(mpfr(-log10(midpoint_of(error / size))), 4);
+        row.own_ulp = in_units(value - (received == nullptr ? reference : *received));
+    }
+    return row;
+}
+
+inline table judged_rows(const audit_case& one, const std::string& library, double theta) {
+    const rational instant(one.time);
+    const ball reference = pendulum::proved_theta(one.at->value, one.gap, instant, proved_places);
+    const ball received = theta_of_received({one.k, one.time});
+    const cell condition = decimal_cell(pendulum::energy_condition(one.at->value, one.gap, instant), judged_digits);
+    const double ours =
+        pendulum::exact_solution<double>(pendulum::motion::of_energy(one.at->value))(exactly(instant)).theta;
+    return make_table(audit_columns(),
+                      std::vector<audit_row>{judged_row(one, "libration", ours, reference, nullptr, condition),
+                                             judged_row(one, library, theta, reference, &received, condition)});
+}
+
+/// E = 0 and E >= 2, where there is no k below 1.
+inline std::vector<without_answer> without_modulus() {
+    auto excluded = no_answer_at_limits("the motion is the constant 0", "the motion has no period");
+    excluded.push_back(
+        {"energy", [](const rational& energy) { return energy > 2; }, "2 asin(k cd) is not the solution"});
+    return excluded;
+}
+
+/// The table of an audit.
+inline std::vector<study_table> run_audit(const std::string& name, const std::string& library, const audited_peer& peer,
+                                          const study_request& request) {
+    const pendulum_sweep sweep(request.values);
+    std::vector<audit_case> cases;
+    cases.reserve(sweep.energies.size() * sweep.times.size());
+    for (const sweep_energy& at : sweep.energies) {
+        for (const exact& time : sweep.times) {
+            cases.push_back(case_of(at, time));
+        }
+    }
+    std::vector<audited_input> inputs;
+    inputs.reserve(cases.size());
+    for (const audit_case& one : cases) {
+        inputs.push_back({one.k, one.time});
+    }
+    const std::vector<double> thetas = peer(inputs);
+    progress shown(name + ", values", cases.size(), request.shown);
+    return {{"", read_scalar("double"), stacked(parallel_map(cases.size(), request.jobs, shown, [&](std::size_t i) {
+                 return judged_rows(cases[i], library, thetas[i]);
+             }))}};
+}
+
+inline std::vector<study_parameter> audit_parameters() {
+    return {{"--energies", "", "energies E below 2, in m g l"},
+            {"--gaps", "1:1e-15:46log", "energies as 2 - E"},
+            {"--times", "0.7,T/16,T/8,3T/16,10", "times since the top, in sqrt(l/g); multiples of T"}};
+}
+
+inline std::vector<study_parameter> quick_audit() { return {{"--gaps", "1,1e-12", ""}, {"--times", "0.7,T/8", ""}}; }
+
+}  // namespace libration::studies

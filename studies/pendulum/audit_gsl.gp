@@ -1,0 +1,5 @@
+# audit_gsl: correct digits of theta against the gap, one panel a time.
+name = 'audit_gsl'
+library = 'gsl'
+called = 'GSL'
+load scripts.'/pendulum/audit.gp'

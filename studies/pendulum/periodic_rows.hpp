@@ -1,0 +1,34 @@
+// What the tables of motions with a period share: which energies they take, and how they say a time.
+#pragma once
+
+#include <vector>
+
+#include "../problem/sweep_columns.hpp"
+#include "libration/pendulum/time/dimensionless_time.hpp"
+#include "value_with_error.hpp"
+
+namespace libration::studies {
+
+/// Where there is no period, or no motion.
+inline std::vector<without_answer> without_period() {
+    return no_answer_at_limits("the pendulum rests", "the period is infinite");
+}
+
+/// A time as the two columns of a table: dimensionless, and in periods.
+struct time_cells {
+    cell time;
+    cell periods;
+};
+
+inline std::vector<time_cells> cells_of(const pendulum::motion& m, const std::vector<exact>& times, long digits) {
+    const precision_scope scope(digits + guard_digits);
+    std::vector<time_cells> cells;
+    cells.reserve(times.size());
+    for (const exact& time : times) {
+        cells.push_back({decimal_cell(dimensionless_time<mpfr>(m, time), digits),
+                         decimal_cell(elapsed_periods<mpfr>(m, time), 12)});
+    }
+    return cells;
+}
+
+}  // namespace libration::studies

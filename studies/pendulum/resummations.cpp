@@ -1,0 +1,157 @@
+// How do the resummations compare at the same number of coefficients, and which of them survive the separatrix?
+#include <algorithm>
+#include <optional>
+
+#include "../problem/sweep_columns.hpp"
+#include "libration/digits/growing_precision.hpp"
+#include "libration/pendulum/error/arc_approximations.hpp"
+#include "run/parallel.hpp"
+
+namespace libration::studies {
+
+namespace resummations_study {
+
+using namespace series;
+using namespace pendulum;
+
+namespace {
+
+constexpr long printed_digits = 12;
+
+// The norm of one approximation with one number of coefficients.
+struct resummation_row {
+    const sweep_energy& at;
+    approximation by;
+    int count;
+    approximation_size size;
+    mpfr norm, time;
+    bool two_method;
+    std::optional<mpfr> bound, rate;
+};
+
+const column_list<resummation_row>& columns() {
+    using row = resummation_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        gap_column<row>(),
+        {"method", "series | resummed | resummed_4 | resummed_8 | two_point | pade | uniform",
+         [](const row& r) { return name_of(r.by); }},
+        {"count",
+         "numbers not 0 by symmetry that multiply powers of t: coefficients at the top, derivatives at the bottom",
+         [](const row& r) { return r.count; }},
+        {"order", "N, last power of the series at the top", [](const row& r) { return r.size.order; }},
+        {"conditions", "m, value and derivatives taken at the bottom", [](const row& r) { return r.size.conditions; }},
+        {"norm", "max of |approximation - theta| over [0, T*], radians",
+         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
+        {"time_of_maximum", "dimensionless time since the top",
+         [](const row& r) { return decimal_cell(r.time, printed_digits); }},
+        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic",
+         [](const row& r) { return r.two_method ? "two-method" : "heuristic"; }},
+        {"bound", "theorem A, A2 or its generalisation, or U, radians; empty where none is proved",
+         [](const row& r) { return decimal_cell(r.bound, printed_digits); }},
+        {"rate", "exact factor of the error a coefficient in the long run; empty where it has no closed form",
+         [](const row& r) { return decimal_cell(r.rate, printed_digits); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
+        {"log10_rate", "log10 of rate", [](const row& r) { return log10_cell(r.rate); }},
+        log10_gap_column<row>(),
+    });
+    return all;
+}
+
+// What the rows of one energy are made of, and the least norm among them, which says whether the precision was enough.
+struct energy_rows {
+    std::vector<resummation_row> rows;
+    mpfr least;
+};
+
+resummation_row row_of(const sweep_energy& at, approximation a, int count, const norm_at<mpfr>& found, bool two_method,
+                       const top_bounds<mpfr>& bounds) {
+    const approximation_size size = *size_for(a, count, bounds.parity);
+    return {at,
+            a,
+            count,
+            size,
+            found.norm,
+            mpfr(found.place * bounds.effective_period),
+            two_method,
+            proved_norm(a, size, bounds),
+            convergence_rate(a, bounds)};
+}
+
+energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
+    const motion m = motion::of_energy(at.value);
+    arc_errors errors(m);
+    energy_rows result{{}, mpfr(1)};
+    for (const approximation a : all_approximations) {
+        for (const int count : counts) {
+            if (!size_for(a, count, errors.bounds().parity)) {
+                continue;
+            }
+            with_approximation(a, m, errors.arc(), count, [&](const auto& f) {
+                const norm_at<mpfr> found = errors.norm_of(f, 2 * count);
+                const mpfr other = errors.second_opinion_of(f, found.place);
+                const bool agreed =
+                    abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
+                result.rows.push_back(row_of(at, a, count, found, agreed, errors.bounds()));
+                result.least = std::min(result.least, found.norm);
+            });
+        }
+    }
+    return result;
+}
+
+// At a precision that leaves the least norm its digits, and Pade's linear system the 3/2 digits that each degree costs
+// it.
+table rows_at(const sweep_energy& at, const std::vector<int>& counts) {
+    const int most = *std::max_element(counts.begin(), counts.end());
+    constexpr long most_digits = 20'000;
+    const auto attempt = [&](const precision_run& run) -> std::optional<table> {
+        auto found = rows_in(at, counts);
+        const bool enough = found.least > pow(mpfr(10), static_cast<int>(2 * printed_digits - run.more));
+        return enough ? std::optional(make_table(columns(), found.rows)) : std::nullopt;
+    };
+    return with_growing_precision({0, 60 + most, most_digits}, "a norm at energy " + at.energy, attempt);
+}
+
+std::vector<study_table> run(const study_request& request) {
+    const pendulum_sweep sweep(request.values);
+    const std::vector<int> counts = numbers_of_coefficients(request);
+    progress shown("resummations, energies", sweep.energies.size(), request.shown);
+    return {{"", read_scalar("mpfr:" + std::to_string(printed_digits)),
+             stacked(parallel_map(sweep.energies.size(), request.jobs, shown,
+                                  [&](std::size_t i) { return rows_at(sweep.energies[i], counts); }))}};
+}
+
+}  // namespace
+}  // namespace resummations_study
+
+const study& resummations() {
+    using namespace resummations_study;
+    static const study result{
+        .name = "resummations",
+        .title = "Resummations at the same number of coefficients",
+        .label = "",
+        .question = "How do the resummations compare at the same number of coefficients, and which survive E = 2?",
+        .reading =
+            "The error norm on [0, T*] against the number of coefficients that are not 0 and belong to powers of t (at "
+            "the top, and at the bottom for those that take derivatives there), at an energy of each regime and next "
+            "to E = 2; then, at one number of them, against the distance of E from 2. m = 2 is the paper's "
+            "resummation, m = 4 and 8 take more derivatives at the bottom, the two-point expansion equally many from "
+            "both ends. Dotted are the proved bounds of the series (A), of the paper's resummation (A2) and of the "
+            "uniform one (U). Those with a fixed m have the rate (T*/R)^2 a coefficient of the series and gain a power "
+            "of their number; all of them, and Pade, lose their rate towards E = 2, and the two-point expansion "
+            "diverges where |2-E| < 7.7e-5. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the "
+            "best everywhere: for E < 0.23 and E > 17 the two-point expansion has the better rate.",
+        .of = &pendulum_problem(),
+        .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},
+                       {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},
+                       {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of coefficients that are not 0"}},
+        .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "4,6", ""}},
+        .seconds = 7,
+        .excluded = no_answer_at_limits("theta is constant", "the period is infinite"),
+        .run = run};
+    return result;
+}
+
+}  // namespace libration::studies

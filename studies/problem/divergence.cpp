@@ -1,0 +1,139 @@
+// What becomes of the series about the bottom of the trajectory over one period? [paper fig:series]
+#include <algorithm>
+
+#include "libration/pendulum/taylor/bottom_series.hpp"
+#include "run/parallel.hpp"
+#include "sweep_columns.hpp"
+
+namespace libration::studies {
+
+namespace divergence_study {
+
+using namespace pendulum;
+
+namespace {
+
+// A partial sum at a time.
+struct sum_row {
+    const sweep_energy& at;
+    long digits;
+    int order;
+    mpfr time, period, theta, truth, error;
+};
+
+const column_list<sum_row>& columns() {
+    using row = sum_row;
+    const auto value = [](mpfr row::*which) {
+        return [which](const row& r) { return decimal_cell(r.*which, r.digits); };
+    };
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of the series about the bottom", [](const row& r) { return r.order; }},
+        {"time", "dimensionless time since the bottom", value(&row::time)},
+        {"periods", "time over the period T",
+         [](const row& r) { return decimal_cell(mpfr(r.time / r.period), r.digits); }},
+        {"theta", "partial sum, radians", value(&row::theta)},
+        {"theta_exact", "radians, unwrapped", value(&row::truth)},
+        {"error", "|theta - theta_exact|, radians", value(&row::error)},
+        {"log10_error", "log10 of error; -inf where it is 0", [](const row& r) { return log10_cell(r.error); }},
+        {"log10_abs_theta", "log10 of |theta|; -inf where it is 0", [](const row& r) { return log10_cell(r.theta); }},
+        gap_column<row>(),
+    });
+    return all;
+}
+
+struct radius_row {
+    const sweep_energy& at;
+    long digits;
+    mpfr effective_period, radius, period;
+};
+
+const column_list<radius_row>& radius_columns() {
+    using row = radius_row;
+    const auto value = [](mpfr row::*which) {
+        return [which](const row& r) { return decimal_cell(r.*which, r.digits); };
+    };
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"tstar", "T*, dimensionless time from the bottom to the top", value(&row::effective_period)},
+        {"radius", "R, radius of convergence about the bottom, dimensionless time", value(&row::radius)},
+        {"period", "T, dimensionless time", value(&row::period)},
+        {"radius_over_tstar", "R/T*: below 1 for 1 < E < 4 only",
+         [](const row& r) { return decimal_cell(mpfr(r.radius / r.effective_period), r.digits); }},
+        gap_column<row>(),
+    });
+    return all;
+}
+
+// Both tables of one energy.
+std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& orders, const std::vector<exact>& instants,
+                             long digits) {
+    const int highest = *std::max_element(orders.begin(), orders.end());
+    const precision_scope scope(digits + bottom_digits_below(at.value, highest, instants));
+    const bottom_series<mpfr> bottom(at.value, highest);
+    std::vector<mpfr> times;
+    std::vector<mpfr> truth;
+    times.reserve(instants.size());
+    truth.reserve(instants.size());
+    for (const exact& time : instants) {
+        times.push_back(bottom.dimensionless(time));
+        truth.push_back(bottom.theta(time));
+    }
+    std::vector<sum_row> sums;
+    sums.reserve(times.size() * orders.size());
+    for (const int order : orders) {
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const mpfr theta = bottom.partial_sum(order, times[i]);
+            // At the bottom itself the sum is exact, and so is its error.
+            const mpfr error = instants[i].is_zero() ? mpfr(0) : mpfr(abs(theta - truth[i]));
+            sums.push_back({at, digits, order, times[i], bottom.period(), theta, truth[i], error});
+        }
+    }
+    const radius_row radius{at, digits, bottom.effective_period(), bottom.radius(), bottom.period()};
+    return {make_table(columns(), sums), make_table(radius_columns(), std::vector<radius_row>{radius})};
+}
+
+std::vector<study_table> run(const study_request& request) {
+    const pendulum_sweep sweep(request.values);
+    const auto orders = request.orders();
+    const auto digits = request.digits();
+    const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(digits.begin(), digits.end())};
+    progress shown("divergence, energies", sweep.energies.size(), request.shown);
+    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
+        return tables_at(sweep.energies[i], orders, sweep.times, scalar.digits);
+    }));
+    return {{"", scalar, tables[0]}, {"radius", scalar, tables[1]}};
+}
+
+}  // namespace
+}  // namespace divergence_study
+
+const study& divergence() {
+    using namespace divergence_study;
+    static const study result{
+        .name = "divergence",
+        .title = "Divergence of the series about the bottom",
+        .label = "fig:series",
+        .question = "How far does the series about the bottom of the trajectory reach before it diverges?",
+        .reading =
+            "Above: the exact angle (circles) over one period from the bottom and the partial sums of its Taylor "
+            "series "
+            "there (dashed); below: their error. The vertical lines mark the radius of convergence R and the effective "
+            "period T*, when the pendulum is at the top. Left of R more terms are better, right of it they are worse, "
+            "and at these energies R is less than T*: no number of terms reaches the top. Libration leaves the bottom "
+            "with omega < 0, as the motion released at +theta_max does, rotation counterclockwise at theta = 2 pi. "
+            "R is less than T* only for 1 < E < 4, not for all E < 2 as the paper says: at E = 1 and 4 they are equal.",
+        .of = &pendulum_problem(),
+        .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
+                       {"--gaps", "", "energies as 2 - E"},
+                       {"--orders", "10,100,1000", "N, last power of the series"},
+                       {"--times", "0:T:401", "dimensionless times since the bottom"},
+                       {"--digits", "40", "digits of every number; of a list the largest"}},
+        .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10,40", ""}, {"--times", "0:T:9", ""}},
+        .seconds = 2.5,
+        .excluded = no_answer_at_limits("the series is the constant 0", "the period is infinite"),
+        .run = run};
+    return result;
+}
+
+}  // namespace libration::studies

@@ -1,0 +1,373 @@
+// Which radius test can be trusted, on series whose radius is known?
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "libration/convergence/known/known_series.hpp"
+#include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/radius_report.hpp"
+#include "libration/pendulum/error/known_arc_series.hpp"
+#include "run/parallel.hpp"
+#include "sweep_columns.hpp"
+
+namespace libration::studies {
+
+namespace radius_tournament_study {
+
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
+namespace {
+
+constexpr long guard_digits = 30;
+constexpr long digits_of_errors = 6;
+
+// The problems in one precision.
+using problem_list = std::vector<known_series<mpfr>>;
+
+// A motion of the pendulum as a problem: named by its energy, or by its gap where that was typed.
+std::string label_of(const sweep_energy& at, const exact& point) {
+    const std::string energy = at.energy_typed.empty() ? "2-E=" + at.gap_typed : "E=" + at.energy_typed;
+    return "pendulum " + energy + " x=" + point.text;
+}
+
+// All problems, in the working precision in force.
+problem_list problems_of(const pendulum_sweep& sweep) {
+    auto all = all_known_series<mpfr>();
+    for (const sweep_energy& at : sweep.energies) {
+        for (const exact& point : sweep.points) {
+            all.push_back(known_arc_series(label_of(at, point), motion::of_energy(at.value), point.coefficient));
+        }
+    }
+    return all;
+}
+
+// One answer, judged.
+struct judged_answer {
+    std::string problem, half, method, scalar;
+    int order;
+    long digits;
+    radius_estimate<mpfr> found;
+    std::optional<mpfr> radius;  // the exact one; none for an entire function
+    singularity_kind kind;
+    int count;
+    bool covered = false;
+    mpfr reached = 0;           // correct digits
+    std::optional<mpfr> error;  // relative
+    std::optional<mpfr> ratio;  // uncertainty/error
+
+    bool has_radius() const { return radius && *radius > 0; }
+    bool answered() const { return found.radius.has_value(); }
+};
+
+std::string kind_text(singularity_kind kind) { return kind == singularity_kind::unknown ? "" : name_of(kind); }
+
+cell covered_cell(const judged_answer& r) {
+    return r.has_radius() && !r.answered() ? cell() : cell(r.covered ? "yes" : "no");
+}
+
+column_list<judged_answer> columns_of_truth() {
+    using row = judged_answer;
+    return {
+        {"kind", "of the nearest singularities by the verdict", [](const row& r) { return kind_text(r.found.kind); }},
+        {"exact_kind", "of the one of least argument, truly; empty where there is none",
+         [](const row& r) { return kind_text(r.kind); }},
+        {"count", "nearest singularities as the test sees them",
+         [](const row& r) { return r.found.count > 0 ? cell(r.found.count) : cell(); }},
+        {"exact_count", "truly; 0 for none and for a boundary", [](const row& r) { return r.count; }},
+        {"note", "why there is no radius, or what a reader should know", [](const row& r) { return r.found.note; }}};
+}
+
+column_list<judged_answer> columns_of_error() {
+    using row = judged_answer;
+    return {
+        {"relative_error", "|radius/exact - 1|", [](const row& r) { return decimal_cell(r.error, digits_of_errors); }},
+        {"log10_relative_error", "log10 of relative_error; empty where it is 0",
+         [](const row& r) { return r.ratio ? log10_cell(r.error) : cell(); }},
+        {"digits", "correct digits of the radius, at most those of the scalar",
+         [](const row& r) { return r.error ? decimal_cell(r.reached, digits_of_errors) : cell(); }},
+        {"uncertainty_over_error", "empty where the error is 0",
+         [](const row& r) { return decimal_cell(r.ratio, digits_of_errors); }},
+        {"covered", "yes: the error is within the uncertainty, or no radius is given where there is none | no",
+         covered_cell}};
+}
+
+const column_list<judged_answer>& columns() {
+    using row = judged_answer;
+    static const auto all = joined(
+        joined<row>(
+            {{"problem", "the function, or theta of the pendulum: its energy and expansion point",
+              [](const row& r) { return r.problem; }},
+             {"half", "calibration: safety factors were chosen on it; judged: not used for that",
+              [](const row& r) { return r.half; }},
+             {"order", "N, last power of the list", [](const row& r) { return r.order; }},
+             {"scalar", "arithmetic of the coefficients and of the tests", [](const row& r) { return r.scalar; }},
+             {"method", "radius test, or the verdict of all", [](const row& r) { return r.method; }},
+             {"radius", "estimated; empty where the test gives none",
+              [](const row& r) { return decimal_cell(r.found.radius, r.digits); }},
+             {"uncertainty", "of the radius, by the test itself",
+              [](const row& r) { return r.answered() ? decimal_cell(r.found.uncertainty, digits_of_errors) : cell(); }},
+             {"exact", "radius of convergence; inf for an entire function, 0 for a divergent series",
+              [](const row& r) { return r.radius ? decimal_cell(*r.radius, r.digits) : number_cell("inf"); }}},
+            columns_of_error()),
+        columns_of_truth());
+    return all;
+}
+
+// Digits of agreement, between 0 and the most that the scalar has.
+mpfr correct_digits(const mpfr& relative_error, long most) {
+    const mpfr reached = relative_error == 0 ? mpfr(most) : mpfr(-log10(relative_error));
+    return std::clamp(reached, mpfr(0), mpfr(most));
+}
+
+judged_answer judge(const known_series<mpfr>& problem, const std::string& half, int order, const scalar_spec& scalar,
+                    const radius_estimate<mpfr>& found) {
+    judged_answer answer{problem.name,  half,    found.method,   scalar.name(), order,
+                         scalar.digits, found,   problem.radius, problem.kind,  problem.count,
+                         false,         mpfr(0), std::nullopt,   std::nullopt};
+    if (!answer.has_radius()) {
+        answer.covered = !answer.answered();
+    } else if (answer.answered()) {
+        const mpfr away = abs(*found.radius - *problem.radius);
+        answer.error = away / *problem.radius;
+        answer.covered = away <= found.uncertainty;
+        answer.reached = correct_digits(*answer.error, scalar.digits);
+        if (away != 0) {
+            answer.ratio = found.uncertainty / away;
+        }
+    }
+    return answer;
+}
+
+// All tests on one problem in one scalar, at all orders.
+std::vector<judged_answer> answers_of(const known_series<mpfr>& problem, const std::string& half,
+                                      const std::vector<int>& orders, const scalar_spec& scalar) {
+    std::vector<judged_answer> answers;
+    const power_series<mpfr> wide = problem.expand(orders.back());
+    for (const int order : orders) {
+        const power_series<mpfr> list = wide.truncated(order);
+        const coefficient_unit unit = unit_of(list);
+        with_scalar(scalar, 0, [&]<class T>() {
+            const auto report = report_on_radius(in_unit_of<T>(list, unit), epsilon<T>());
+            const precision_scope judging(scalar.digits + guard_digits);
+            const mpfr length = narrow<mpfr>(unit.length);
+            answers.push_back(judge(problem, half, order, scalar, in_unit(widened(report.verdict), length)));
+            for (const auto& test : report.tests) {
+                answers.push_back(judge(problem, half, order, scalar, in_unit(widened(test), length)));
+            }
+        });
+    }
+    return answers;
+}
+
+// What a group of answers comes to.
+class score {
+public:
+    void add(const judged_answer& answer) {
+        if (!answer.has_radius()) {
+            false_answers_ += answer.answered() ? 1 : 0;
+            return;
+        }
+        ++problems_;
+        digits_.push_back(answer.reached);
+        if (answer.answered()) {
+            ++answers_;
+            covered_ += answer.covered ? 1 : 0;
+        }
+        if (answer.ratio) {
+            ratios_.push_back(*answer.ratio);
+        }
+    }
+    int problems() const { return problems_; }
+    int answers() const { return answers_; }
+    int false_answers() const { return false_answers_; }
+    cell coverage() const { return answers_ == 0 ? cell() : decimal_cell(mpfr(mpfr(covered_) / answers_), 4); }
+    cell median_ratio() const { return decimal_cell(middle_of(ratios_), digits_of_errors); }
+    cell median_digits() const { return decimal_cell(middle_of(digits_), digits_of_errors); }
+    mpfr mean_digits() const {
+        mpfr sum(0);
+        for (const mpfr& d : digits_) {
+            sum += d;
+        }
+        return problems_ == 0 ? sum : mpfr(sum / problems_);
+    }
+
+private:
+    static std::optional<mpfr> middle_of(std::vector<mpfr> values) {
+        if (values.empty()) {
+            return std::nullopt;
+        }
+        std::sort(values.begin(), values.end());
+        return values[values.size() / 2];
+    }
+
+    int problems_ = 0, answers_ = 0, covered_ = 0, false_answers_ = 0;
+    std::vector<mpfr> digits_, ratios_;
+};
+
+// A method among all at one order in one scalar.
+struct ranking_row {
+    int order;
+    std::string scalar;
+    int rank;
+    std::string method;
+    score reached;
+};
+
+const column_list<ranking_row>& ranking_columns() {
+    using row = ranking_row;
+    static const column_list<row> all{
+        {"order", "N, last power of the lists", [](const row& r) { return r.order; }},
+        {"scalar", "arithmetic of the coefficients and of the tests", [](const row& r) { return r.scalar; }},
+        {"rank", "1 for the most digits", [](const row& r) { return r.rank; }},
+        {"method", "radius test, or the verdict of all", [](const row& r) { return r.method; }},
+        {"problems", "series with a radius between 0 and infinity", [](const row& r) { return r.reached.problems(); }},
+        {"answers", "radii given for them", [](const row& r) { return r.reached.answers(); }},
+        {"mean_digits", "correct digits, no answer counted as 0, mean over the problems",
+         [](const row& r) { return decimal_cell(r.reached.mean_digits(), digits_of_errors); }},
+        {"median_digits", "the same, median", [](const row& r) { return r.reached.median_digits(); }},
+        {"covered", "share of the answers whose error is within the uncertainty",
+         [](const row& r) { return r.reached.coverage(); }},
+        {"median_uncertainty_over_error", "of the answers", [](const row& r) { return r.reached.median_ratio(); }},
+        {"false_answers", "radii given for series that have none",
+         [](const row& r) { return r.reached.false_answers(); }},
+    };
+    return all;
+}
+
+table ranking(const std::vector<judged_answer>& answers) {
+    std::map<std::pair<std::string, int>, std::map<std::string, score>> groups;
+    for (const auto& each : answers) {
+        groups[{each.scalar, each.order}][each.method].add(each);
+    }
+    std::vector<ranking_row> all;
+    for (const auto& [group, methods] : groups) {
+        std::vector<ranking_row> ranked;
+        ranked.reserve(methods.size());
+        for (const auto& [method, reached] : methods) {
+            ranked.push_back({group.second, group.first, 0, method, reached});
+        }
+        std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+            return a.reached.mean_digits() > b.reached.mean_digits();
+        });
+        int rank = 0;
+        for (ranking_row& each : ranked) {
+            each.rank = ++rank;
+            all.push_back(std::move(each));
+        }
+    }
+    return make_table(ranking_columns(), all);
+}
+
+// A method on one half of the problems.
+struct coverage_row {
+    std::string half, scalar, method;
+    score reached;
+};
+
+const column_list<coverage_row>& coverage_columns() {
+    using row = coverage_row;
+    static const column_list<row> all{
+        {"half", "calibration: safety factors were chosen on it; judged: not used for that",
+         [](const row& r) { return r.half; }},
+        {"scalar", "arithmetic of the coefficients and of the tests", [](const row& r) { return r.scalar; }},
+        {"method", "radius test, verdict, or all: every test and no verdict", [](const row& r) { return r.method; }},
+        {"answers", "radii given, of series with a radius between 0 and infinity",
+         [](const row& r) { return r.reached.answers(); }},
+        {"covered", "share of them whose error is within the uncertainty",
+         [](const row& r) { return r.reached.coverage(); }},
+        {"median_uncertainty_over_error", "of them", [](const row& r) { return r.reached.median_ratio(); }},
+    };
+    return all;
+}
+
+table coverage(const std::vector<judged_answer>& answers) {
+    std::map<std::tuple<std::string, std::string, std::string>, score> groups;
+    for (const auto& each : answers) {
+        groups[{each.half, each.scalar, each.method}].add(each);
+        if (each.method != "verdict") {
+            groups[{each.half, each.scalar, "all"}].add(each);
+        }
+    }
+    std::vector<coverage_row> all;
+    for (const auto& [group, reached] : groups) {
+        const auto& [half, scalar, method] = group;
+        all.push_back({half, scalar, method, reached});
+    }
+    return make_table(coverage_columns(), all);
+}
+
+// The problems in the precision of each scalar, made once.
+std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, const pendulum_sweep& sweep) {
+    std::vector<problem_list> all;
+    for (const scalar_spec& scalar : scalars) {
+        const precision_scope scope(scalar.digits + guard_digits);
+        all.push_back(problems_of(sweep));
+    }
+    return all;
+}
+
+std::vector<study_table> run(const study_request& request) {
+    const pendulum_sweep sweep(request.values);
+    const std::vector<int> orders = sorted_orders(request, 0, "");
+    const std::vector<scalar_spec> scalars =
+        request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
+    const auto problems = problems_in(scalars, sweep);
+    const std::size_t steps = problems.front().size() * scalars.size();
+    progress shown("radius_tournament, problems", steps, request.shown);
+    const auto found = parallel_map(steps, request.jobs, shown, [&](std::size_t i) {
+        const std::size_t in = i % scalars.size();
+        const std::size_t which = i / scalars.size();
+        const precision_scope scope(scalars[in].digits + guard_digits);
+        return answers_of(problems[in][which], which % 2 == 0 ? "calibration" : "judged", orders, scalars[in]);
+    });
+    const precision_scope scope(digits_of_errors + guard_digits);
+    std::vector<judged_answer> answers;
+    for (const auto& each : found) {
+        answers.insert(answers.end(), each.begin(), each.end());
+    }
+    return {{"", scalars.back(), make_table(columns(), answers)},
+            {"ranking", scalars.back(), ranking(answers)},
+            {"coverage", scalars.back(), coverage(answers)}};
+}
+
+}  // namespace
+}  // namespace radius_tournament_study
+
+const study& radius_tournament() {
+    using namespace radius_tournament_study;
+    static const study result{
+        .name = "radius_tournament",
+        .title = "A tournament of radius tests",
+        .label = "",
+        .question = "Which radius test can be trusted, on series whose radius is known?",
+        .reading =
+            "Every test sees a list of coefficients and nothing else: theta of the pendulum about several points, and "
+            "functions with poles, logarithms, branch points, several singularities on or near the circle, none at "
+            "all, or a natural boundary. Left: correct digits of the radius, mean over all series that have one, no "
+            "answer counted as none; each further mark is twice the coefficients. The textbook tests of ratios and "
+            "roots gain a digit for ten times the coefficients; fitted recurrences (poles, differential approximants) "
+            "take what the arithmetic holds. Right: how often the error was within the uncertainty that came with it, "
+            "on the half of the series by which nothing was calibrated, and how much larger than the error the "
+            "uncertainty was at the median. No test gave a radius to an entire or a divergent series. All of it is "
+            "heuristic: coefficients prove no radius.",
+        .of = &pendulum_problem(),
+        .parameters = {{"--energies", "0.01,0.5,1,1.5,1.71,1.9998,2.02,2.5,4,10",
+                        "energies E of the pendulum, in m g l"},
+                       {"--gaps", "1e-10,-1e-10", "energies as 2 - E"},
+                       {"--points", "0,2/5,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
+                       {"--orders", "25,50,100,200", "N, last powers of the lists"},
+                       {"--scalar", "", "arithmetic of coefficients and tests; without it double and mpfr:60"}},
+        .quick = {{"--energies", "1.71", ""},
+                  {"--orders", "20", ""},
+                  {"--points", "0", ""},
+                  {"--scalar", "double", ""}},
+        .seconds = 16,
+        .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
+        .run = run};
+    return result;
+}
+
+}  // namespace libration::studies

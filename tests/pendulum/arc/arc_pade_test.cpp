@@ -1,0 +1,66 @@
+// Pade approximants of theta from the top.
+#include "libration/pendulum/arc/arc_pade.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "libration/pendulum/error/error_norm.hpp"
+#include "pendulum/typed.hpp"
+#include "scalars.hpp"
+
+namespace pendulum_descent_pade_test {
+
+using namespace libration;
+using namespace libration::series;
+using namespace libration::pendulum;
+using namespace libration::tests;
+
+TEST_CASE("a Pade approximant has the coefficients of theta that it was made of", "[descent_pade]") {
+    const precision_scope precision(120);
+    for (const std::string energy : {"0.5", "1", "1.71", "2.02", "4"}) {
+        INFO("E = " << energy);
+        const fundamental_arc<mpfr> arc = arc_of<mpfr>(with_energy(energy));
+        const int parity = arc.level.regime == regime::rotation ? 1 : 0;
+        for (const int count : {1, 2, 5, 8}) {
+            const auto f = pade_from_top(arc, count);
+            // At x = 1e-6 what the two leave of each other is the first power beyond them.
+            const mpfr x("1e-6");
+            const int next = 2 * count - parity + 2;
+            const auto series = series_from_top(arc, next + 20);
+            CHECK(abs(f(x).value - series(x).value) < pow(x, next) * 10);
+            CHECK(abs(f(x).slope - series(x).slope) < pow(x, next - 1) * 10 * next);
+        }
+    }
+}
+
+TEST_CASE("its slope is that of its value", "[descent_pade]") {
+    const precision_scope precision(60);
+    for (const std::string energy : {"0.5", "4"}) {
+        const auto f = pade_from_top(arc_of<mpfr>(with_energy(energy)), 6);
+        const mpfr x("0.7");
+        const mpfr h("1e-20");
+        CHECK(abs((f(mpfr(x + h)).value - f(mpfr(x - h)).value) / (h * 2) - f(x).slope) < mpfr("1e-35"));
+    }
+}
+
+TEST_CASE("away from E = 2 it gains digits on the series with every coefficient", "[descent_pade]") {
+    const precision_scope precision(120);
+    for (const std::string energy : {"0.5", "1.71", "4"}) {
+        INFO("E = " << energy);
+        arc_errors errors(with_energy(energy));
+        const int parity = errors.bounds().parity;
+        const auto gain = [&](int count) {
+            const mpfr series = errors.norm(arc_method::series, 2 * count - parity).norm;
+            return mpfr(series / errors.norm_of(pade_from_top(errors.arc(), count), 2 * count).norm);
+        };
+        CHECK(gain(16) > 100);
+        CHECK(gain(28) > gain(16) * 100);
+    }
+}
+
+TEST_CASE("no coefficient makes no approximant", "[descent_pade]") {
+    const precision_scope precision(30);
+    CHECK_THROWS_AS(pade_from_top(arc_of<mpfr>(with_energy("1")), 0), libration::error);
+}
+
+}  // namespace pendulum_descent_pade_test

@@ -1,0 +1,94 @@
+#include "run/progress.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "command/temporary_folder.hpp"
+
+namespace sweep_progress_test {
+
+using namespace libration;
+using libration::tests::temporary_folder;
+using libration::tests::text_of_file;
+
+namespace {
+
+// Sends stderr of this process elsewhere until the end of the scope.
+class redirected_stderr {
+public:
+    explicit redirected_stderr(int descriptor) : before_((std::fflush(stderr), ::dup(STDERR_FILENO))) {
+        ::dup2(descriptor, STDERR_FILENO);
+    }
+    redirected_stderr(const redirected_stderr&) = delete;
+    redirected_stderr& operator=(const redirected_stderr&) = delete;
+    ~redirected_stderr() {
+        std::fflush(stderr);
+        ::dup2(before_, STDERR_FILENO);
+        ::close(before_);
+    }
+
+private:
+    int before_;
+};
+
+void run_five_steps(int descriptor) {
+    const redirected_stderr elsewhere(descriptor);
+    progress shown("five", 5);
+    for (int i = 0; i < 5; ++i) {
+        shown.step();
+    }
+}
+
+// What has been written to a terminal so far.
+std::string text_on(int terminal) {
+    std::array<char, 4096> buffer{};
+    ::fcntl(terminal, F_SETFL, O_NONBLOCK);
+    const auto size = ::read(terminal, buffer.data(), buffer.size());
+    return {buffer.data(), static_cast<std::size_t>(size > 0 ? size : 0)};
+}
+
+}  // namespace
+
+TEST_CASE("progress writes nothing when stderr is a file", "[sweep][progress]") {
+    const temporary_folder folder;
+    const std::string path = (folder.path() / "err").string();
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT, 0600);
+    REQUIRE(file >= 0);
+    run_five_steps(file);
+    ::close(file);
+    CHECK(text_of_file(path).empty());
+}
+
+TEST_CASE("progress writes nothing when stderr is a pipe", "[sweep][progress]") {
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    run_five_steps(ends[1]);
+    ::close(ends[1]);
+    CHECK(text_on(ends[0]).empty());
+    ::close(ends[0]);
+}
+
+TEST_CASE("on a terminal progress says how far it is and takes its line away", "[sweep][progress]") {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+    if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) {
+        WARN("no pseudo-terminal here: not tested");
+        return;
+    }
+    const int own_side = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
+    REQUIRE(own_side >= 0);
+    run_five_steps(own_side);
+    const std::string text = text_on(terminal);
+    CHECK(text.find("five: 5 of 5") != std::string::npos);
+    CHECK(text.find('\n') == std::string::npos);
+    CHECK(text.ends_with("\r\033[K"));
+    ::close(own_side);
+    ::close(terminal);
+}
+
+}  // namespace sweep_progress_test
