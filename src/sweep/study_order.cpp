@@ -134,10 +134,10 @@ bool coordinate_chosen(const study& what, const axis& along, const study_words& 
     });
 }
 
-void add_left_out(study_order& order, const std::string& option, const axis_reading& read) {
+void add_left_out(study_order& order, const axis& along, const axis_reading& read) {
     for (const auto& [reason, values] : read.left_out) {
-        order.left_out +=
-            fmt::format("{}{} of {}, where {}", order.left_out.empty() ? "" : "; ", values, option, reason);
+        order.left_out += fmt::format("{}the {} {} of {}, where {}", order.left_out.empty() ? "" : "; ", along.name,
+                                      values, along.option, reason);
     }
 }
 
@@ -155,7 +155,7 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
     const axis& along = axis_of(what, own.option);
     if (said != words.end()) {
         axis_reading read = read_axis(what, along, said->second);
-        add_left_out(order, own.option, read);
+        add_left_out(order, along, read);
         order.request.values.set(along.name, std::move(read.kept));
     } else if (!own.usual.empty() && !coordinate_chosen(what, along, words)) {
         order.request.values.set(along.name, read_axis(what, along, own.usual).kept);

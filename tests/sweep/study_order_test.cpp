@@ -112,9 +112,10 @@ TEST_CASE("every list takes ranges, and those of whole numbers come out whole", 
 TEST_CASE("a range leaves out where there is no answer and says so, a typed value is refused", "[sweep][study]") {
     const study_order order = order_of(with_all(), {{"--energies", "1.5:2.5:11"}}, 1);
     CHECK(pendulum_sweep(order.request.values).energies.size() == 10);
-    CHECK(order.left_out == "2 of --energies, where the period is infinite");
+    CHECK(order.left_out == "the energy 2 of --energies, where the period is infinite");
     CHECK(order.command == "libration study all --energies 1.5:2.5:11");
-    CHECK(order_of(with_all(), {{"--gaps", "-1:1:3"}}, 1).left_out == "0 of --gaps, where the period is infinite");
+    CHECK(order_of(with_all(), {{"--gaps", "-1:1:3"}}, 1).left_out ==
+          "the gap 0 of --gaps, where the period is infinite");
     CHECK(order_of(with_all(), {{"--energies", "1,1.5"}}, 1).left_out.empty());
     CHECK_THROWS_WITH(order_of(with_all(), {{"--energies", "1:3:2,2"}}, 1),
                       Contains("has the energy 2, where the period is infinite"));
