@@ -34,7 +34,35 @@ std::string content_of(std::FILE* from) {
     return content;
 }
 
+// Starts a program by its path, or by its name as a shell finds it, and waits: its exit code, 127 where there is none.
+// Files that are there become its stdin and stdout.
+int code_of_program(const std::vector<std::string>& words, std::FILE* in, std::FILE* out) {
+    std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
+    for (const std::string& word : words) {
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    }
+    arguments.push_back(nullptr);
+    std::fflush(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const bool connected = (in == nullptr || ::dup2(::fileno(in), STDIN_FILENO) >= 0) &&
+                               (out == nullptr || ::dup2(::fileno(out), STDOUT_FILENO) >= 0);
+        if (connected) {
+            ::execvp(arguments.front(), arguments.data());
+        }
+        ::_exit(127);
+    }
+    int status = 0;
+    if (child < 0 || ::waitpid(child, &status, 0) != child) {
+        throw std::runtime_error("cannot start " + words.front());
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
 }  // namespace
+
+int run_program(const std::vector<std::string>& words) { return code_of_program(words, nullptr, nullptr); }
 
 std::string output_of_program(const std::string& path, const std::string& input) {
     const open_file in = nameless_file();
@@ -43,21 +71,7 @@ std::string output_of_program(const std::string& path, const std::string& input)
         throw std::runtime_error("cannot write a temporary file");
     }
     std::rewind(in.get());
-    std::string program = path;
-    const std::array<char*, 2> arguments{program.data(), nullptr};
-    std::fflush(nullptr);
-    const pid_t child = ::fork();
-    if (child == 0) {
-        if (::dup2(::fileno(in.get()), STDIN_FILENO) >= 0 && ::dup2(::fileno(out.get()), STDOUT_FILENO) >= 0) {
-            ::execv(program.c_str(), arguments.data());
-        }
-        ::_exit(127);
-    }
-    int status = 0;
-    if (child < 0 || ::waitpid(child, &status, 0) != child) {
-        throw std::runtime_error("cannot start " + path);
-    }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    if (code_of_program({path}, in.get(), out.get()) != 0) {
         throw std::runtime_error(path + " failed");
     }
     return content_of(out.get());

@@ -1,7 +1,6 @@
 #include "sweep/study_files.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 
 #include "option/options.hpp"
+#include "run/child_program.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"
@@ -59,27 +59,6 @@ std::string description_of(const study_order& order, const std::vector<study_tab
         description["made with"][name] = version;
     }
     return description.dump(2) + '\n';
-}
-
-// Runs a program without a shell; its exit code, 127 when it is not found.
-int run_program(const std::vector<std::string>& words) {
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (const std::string& word : words) {
-        arguments.push_back(const_cast<char*>(word.c_str()));
-    }
-    arguments.push_back(nullptr);
-    std::fflush(nullptr);
-    const pid_t child = ::fork();
-    if (child == 0) {
-        ::execvp(arguments.front(), arguments.data());
-        ::_exit(127);
-    }
-    int status = 0;
-    if (child < 0 || ::waitpid(child, &status, 0) != child) {
-        throw std::runtime_error("cannot start " + words.front());
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
 // gnuplot string literals in single quotes double the quote.

@@ -20,4 +20,10 @@ TEST_CASE("a child program that is not there or fails is an error", "[sweep][chi
     CHECK_THROWS_AS(output_of_program("/bin/false", ""), std::runtime_error);
 }
 
+TEST_CASE("a program is run by its name with its words, and its exit code is told", "[sweep]") {
+    CHECK(run_program({"true"}) == 0);
+    CHECK(run_program({"/bin/sh", "-c", "exit 3"}) == 3);
+    CHECK(run_program({"/no/such/program"}) == 127);
+}
+
 }  // namespace sweep_child_program_test
