@@ -60,7 +60,7 @@ target_compile_options(libration-sweep PUBLIC ${cold_code})
 add_dependencies(libration-sweep libration-version)
 target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
 target_link_libraries(libration-sweep
-    PUBLIC libration::libration libration::proved fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
+    PUBLIC libration::libration libration::proved CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE libration-warnings)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
@@ -84,7 +84,7 @@ add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
 set_target_properties(libration-command PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(libration-command
-    PRIVATE libration-studies libration-claims libration-sweep CLI11::CLI11 libration-warnings)
+    PRIVATE libration-studies libration-claims libration-sweep libration-warnings)
 target_precompile_headers(libration-command PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
 if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
