@@ -139,8 +139,9 @@ int run_period(const period_options& options) {
                        chosen.energy_typed, chosen.gap_typed, chosen.theta0_typed, chosen.omega0_typed}});
     std::string text;
     for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        const std::string& name = data.columns()[i].name;
         if (!data.rows()[0][i].is_empty()) {
-            text += fmt::format("{:<14}{}\n", data.columns()[i].name, data.rows()[0][i].text());
+            text += fmt::format("{:<8}{}{}\n", name, name.size() < 8 ? "" : "  ", data.rows()[0][i].text());
         }
     }
     options.output.write(data, text);
