@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Write scalar/ball_arctangent_table.hpp, relations between the angles of the
+"""Write scalar/ball/arctangent_table.hpp, relations between the angles of the
 Gaussian primes, without any code of Libration.
 
     /usr/bin/python3 tests/scalar/ball_arctangent.py    (under a second)
