@@ -46,15 +46,14 @@ file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
 file(GLOB claim_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/claims/*.cpp)
 file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${command_rooms})
 
-# Libraries of their own, so that tests can run a study or a sweep without starting the program. What studies stand on is
-# compiled source by source: names in an anonymous namespace are its own. Studies keep theirs in namespaces with their
-# names, and functions of claims have the names of their claims, so that a clean build may compile several as one.
+# Libraries of their own, so that tests can run a study or a sweep without starting the program. A clean build compiles
+# several sources as one, the preset `dev` each by itself: both build, so no name depends on what stands beside it.
 # Two thirds of the time of -O2: what takes long in a run is in the library, which is compiled with it.
 add_library(libration-sweep STATIC ${sweep_sources})
 add_library(libration-studies OBJECT ${study_sources} ${generated_dir}/registry.cpp)
 add_library(libration-claims OBJECT ${claim_sources})
 set(cold_code $<$<CONFIG:Release>:-O1>)
-set_target_properties(libration-sweep PROPERTIES UNITY_BUILD OFF)
+set_target_properties(libration-sweep PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
 set_target_properties(libration-studies PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
 target_compile_options(libration-sweep PUBLIC ${cold_code})
 add_dependencies(libration-sweep libration-version)
@@ -82,7 +81,7 @@ endif()
 
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
-set_target_properties(libration-command PROPERTIES UNITY_BUILD OFF)
+set_target_properties(libration-command PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
 target_link_libraries(libration-command
     PRIVATE libration-studies libration-claims libration-sweep libration-warnings)
 target_precompile_headers(libration-command PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)

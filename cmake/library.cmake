@@ -45,7 +45,7 @@ add_library(libration STATIC ${library_sources})
 add_library(libration::libration ALIAS libration)
 # The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
-set_target_properties(libration PROPERTIES UNITY_BUILD OFF)
+set_target_properties(libration PROPERTIES UNITY_BUILD_BATCH_SIZE 9)
 target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/precompiled.hpp)
 target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 
@@ -56,7 +56,7 @@ if(FLINT_FOUND)
     add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
-    set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved UNITY_BUILD OFF)
+    set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved)
     target_link_libraries(libration-proved
         PUBLIC libration FLINT::FLINT
         PRIVATE $<BUILD_INTERFACE:libration-warnings>)

@@ -39,7 +39,7 @@ const std::vector<column> period_columns{{"energy", ""},    {"gap", ""},        
                                          {"error", ""},     {"regime", ""},       {"energy_typed", ""},
                                          {"gap_typed", ""}, {"theta0_typed", ""}, {"omega0_typed", ""}};
 
-period_method read_method(const std::string& name) {
+period_method read_period_method(const std::string& name) {
     if (name == "agm") {
         return period_method::agm;
     }
@@ -50,7 +50,7 @@ period_method read_method(const std::string& name) {
 }
 
 period_request choose(const period_options& options) {
-    const period_method method = read_method(options.method);
+    const period_method method = read_period_method(options.method);
     std::optional<int> order;
     if (options.order) {
         order = order_of("--order", *options.order);

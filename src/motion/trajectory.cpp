@@ -23,7 +23,7 @@ struct trajectory_options {
     std::string step = "1e-5";
 };
 
-trajectory_method read_method(const std::string& name) {
+trajectory_method read_trajectory_method(const std::string& name) {
     if (name == "exact" || name == "rk4") {
         return name == "exact" ? trajectory_method::exact : trajectory_method::rk4;
     }
@@ -43,7 +43,7 @@ bool is_partial_sum(trajectory_method method) {
 }
 
 trajectory_request choose(const trajectory_options& options) {
-    const trajectory_method method = read_method(options.method);
+    const trajectory_method method = read_trajectory_method(options.method);
     const exact step = number_of("--step", options.step);
     if (sign_of_exact(step) <= 0) {
         throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");

@@ -16,7 +16,7 @@ namespace libration {
 
 namespace {
 
-constexpr const char* pendulum = "pendulum";
+constexpr const char* motions = "pendulum";
 constexpr std::array<const char*, 8> motion_names{"--energies",  "--gaps",   "--theta0",  "--omega0",
                                                   "--direction", "--length", "--gravity", "--times"};
 constexpr std::array<const char*, 5> function_names{"--u", "--phi", "--k", "--m", "--m1"};
@@ -25,8 +25,8 @@ constexpr const char* rigour = "proved to one unit in the last place";
 
 std::vector<std::string> comment_lines(const table_order& order, const table& data, const std::string& command) {
     std::vector<std::string> lines{
-        order.what == pendulum ? "Reference values of the pendulum theta'' + sin theta = 0."
-                               : "Reference values of the elliptic functions " + order.what + ".",
+        order.what == motions ? "Reference values of the pendulum theta'' + sin theta = 0."
+                              : "Reference values of the elliptic functions " + order.what + ".",
         "Made by: " + command, fmt::format("{} significant digits, {}.", order.digits, rigour),
         fmt::format("Typed numbers that no decimal holds, such as T/8 or pi/3, stand with {} digits.",
                     order.digits + more_input_digits)};
@@ -57,7 +57,7 @@ void require_own_options(const table_order& order) {
             }
         }
     };
-    if (order.what == pendulum) {
+    if (order.what == motions) {
         refuse(function_names);
     } else {
         refuse(motion_names);
@@ -66,8 +66,8 @@ void require_own_options(const table_order& order) {
 
 table table_for(const table_order& order, const std::string& format, int jobs) {
     const input_style style = has_comments(format) ? input_style::decimals : input_style::typed;
-    return order.what == pendulum ? motion_table(order.said, order.digits, style, jobs)
-                                  : function_table(functions_of(order.what), order.said, order.digits, style, jobs);
+    return order.what == motions ? motion_table(order.said, order.digits, style, jobs)
+                                 : function_table(functions_of(order.what), order.said, order.digits, style, jobs);
 }
 
 bool has_comments(const std::string& format) { return format == "cpp" || format == "ipp" || format == "numpy"; }

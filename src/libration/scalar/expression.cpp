@@ -24,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, elementary>, 12> elementary_nam
                                                                                     {"cosh", elementary::cosh},
                                                                                     {"tanh", elementary::tanh}}};
 
-constexpr long deepest = 200;
+constexpr long deepest_expression = 200;
 
 std::size_t mixed(std::size_t seed, std::size_t more) {
     return seed ^ (more + 0x9e3779b97f4a7c15ULL + (seed << 6U) + (seed >> 2U));
@@ -183,7 +183,7 @@ expression expression::of_atom(atom a) {
     require_no_period(a.left);
     require_no_period(a.right);
     a.depth = 1 + std::max(a.left.depth(), a.right.depth());
-    if (a.depth > deepest) {
+    if (a.depth > deepest_expression) {
         refuse_number("is nested too deeply");
     }
     const bool costly = a.kind == atom_kind::function || a.kind == atom_kind::power;

@@ -13,9 +13,9 @@ namespace libration {
 namespace {
 
 constexpr long largest_scale = 100'000;
-constexpr std::size_t most_digits = 200'000;
+constexpr std::size_t most_significant_digits = 200'000;
 
-[[noreturn]] void refuse_range() {
+[[noreturn]] void refuse_scale() {
     throw error(error_kind::argument, "number", "", "is beyond the range 1e-100000 .. 1e100000");
 }
 
@@ -51,7 +51,7 @@ long take_exponent(std::string_view& rest, radix base) {
     long value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (problem != std::errc() || value > 2 * largest_scale) {
-        refuse_range();
+        refuse_scale();
     }
     return negative ? -value : value;
 }
@@ -90,8 +90,8 @@ std::optional<lexed_number> take_number(std::string_view& rest, radix base) {
     }
     const long exponent = take_exponent(tail, base);
     const long scale = exponent - (base == radix::decimal ? places : 4 * places);
-    if (std::labs(scale) > largest_scale || digits.size() > most_digits) {
-        refuse_range();
+    if (std::labs(scale) > largest_scale || digits.size() > most_significant_digits) {
+        refuse_scale();
     }
     rest = tail;
     // A leading 0 would mean octal.
