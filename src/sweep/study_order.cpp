@@ -15,7 +15,7 @@ namespace libration {
 
 namespace {
 
-constexpr long largest_order = 100'000;
+constexpr long largest_study_order = 100'000;
 constexpr long largest_digits = 10'000;
 constexpr const char* scalar_option = "--scalar";
 constexpr std::string_view typed_ending = "_typed";
@@ -204,7 +204,7 @@ const std::vector<axis>& study_axes() {
                                         .check = {},
                                         .coordinate = "order",
                                         .to_coordinate = {},
-                                        .largest = largest_order},
+                                        .largest = largest_study_order},
                                        {.name = "digits",
                                         .option = "--digits",
                                         .help = "numbers of correct digits: LIST or a:b:count",
