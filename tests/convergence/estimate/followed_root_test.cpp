@@ -8,6 +8,7 @@
 namespace convergence_followed_root_test {
 
 using namespace libration;
+using namespace libration::convergence;
 using namespace libration::series;
 using namespace libration::tests;
 
