@@ -49,7 +49,7 @@ inline std::vector<table_row> read_table(const std::string& path) {
 }
 
 inline std::vector<table_row> reference_table(const std::string& name) {
-    return read_table(std::string(LIBRATION_REFERENCE_DIR) + "/" + name);
+    return read_table(LIBRATION_REFERENCE_DIR "/" + name);
 }
 
 }  // namespace libration::tests

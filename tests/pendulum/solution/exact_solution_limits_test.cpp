@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "libration/pendulum/taylor/coefficients.hpp"
+#include "libration/series/arithmetic.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

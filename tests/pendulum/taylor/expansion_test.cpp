@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "libration/series/arithmetic.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
