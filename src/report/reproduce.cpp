@@ -1,17 +1,25 @@
-// libration reproduce: every study with its own parameters, the claims, the reference values, then the report.
+// libration reproduce: the studies of a set with their own parameters, the claims, the reference values and the report,
+// in a folder of their own, compared with what is published.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <memory>
-#include <sstream>
+#include <mutex>
+#include <thread>
 
 #include "claims/claim.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "report/comparison.hpp"
+#include "report/publish.hpp"
 #include "report/reference_set.hpp"
 #include "report/report.hpp"
+#include "report/reproduce_set.hpp"
+#include "report/unfinished_run.hpp"
+#include "run/shared_cores.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
@@ -20,113 +28,199 @@ namespace libration {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct reproduce_options {
-    std::string out = "results";
+    std::string set = "paper";
+    std::string out = "reproduced";
+    std::string results = "results";
+    bool results_given = false;
+    bool publish = false;
     std::optional<std::string> only, skip, jobs;
 };
 
-// What a run of reproduce consists of: studies, the claims and the reference values, which --only and --skip call by
-// name.
-struct work {
-    std::vector<const study*> studies;
-    bool claims = true;
-    bool references = true;
+// A piece of the work: its files are made by one call.
+struct part {
+    std::string name;
+    double seconds;  // expected on two cores
+    bool alone;      // nothing runs beside it
+    std::function<void(const progress_context&)> make;
 };
 
-constexpr const char* claims_name = "claims";
-constexpr const char* references_name = "reference";
-
-work named(const char* option, const std::string& list) {
-    work result{{}, false, false};
-    std::istringstream names(list);
-    for (std::string name; std::getline(names, name, ',');) {
-        if (name == claims_name) {
-            result.claims = true;
-        } else if (name == references_name) {
-            result.references = true;
-        } else {
-            result.studies.push_back(&study_named(option, name));
-        }
-    }
-    if (result.studies.empty() && !result.claims && !result.references) {
-        throw input_error(option, list, "names no study", "write names with commas between them");
-    }
-    return result;
-}
-
-work chosen(const reproduce_options& options) {
-    work result = options.only ? named("--only", *options.only) : work{all_studies()};
-    if (options.skip) {
-        const work left_out = named("--skip", *options.skip);
-        for (const study* each : left_out.studies) {
-            std::erase(result.studies, each);
-        }
-        result.claims = result.claims && !left_out.claims;
-        result.references = result.references && !left_out.references;
-    }
-    return result;
-}
-
-// Their orders, each knowing its place in the whole work.
-std::vector<study_order> orders_of(const std::vector<const study*>& studies, int jobs) {
-    std::vector<study_order> orders;
-    orders.reserve(studies.size());
-    double seconds_after = 0;
-    for (const study* each : studies) {
-        seconds_after += each->seconds;
-    }
-    for (const study* each : studies) {
-        orders.push_back(order_of(*each, {}, jobs));
-        seconds_after -= each->seconds;
-        orders.back().request.shown = {fmt::format("study {} of {}, ", orders.size(), studies.size()), seconds_after};
-    }
-    return orders;
-}
-
-// Runs one part; its failure becomes a line and does not stop the others.
-template <class Part>
-void attempt(const std::string& name, std::vector<std::string>& failures, const Part& part) {
-    try {
-        part();
-    } catch (const std::exception& problem) {
-        failures.push_back(name + ": " + problem.what());
-    }
-}
+constexpr double seconds_of_claims = 3;
+constexpr double seconds_of_references = 0.5;
 
 void make_claims(const std::string& folder, int jobs) {
     const auto claims = all_claims();
-    write_into((std::filesystem::path(folder) / "claims.csv").string(), to_csv(claims_table(judge(claims, jobs))));
+    write_into((fs::path(folder) / "claims.csv").string(), to_csv(claims_table(judge(claims, jobs))));
+}
+
+// All parts, the longest first, so that short ones fill the cores at the end.
+std::vector<part> parts_of(const reproduce_set& set, const std::string& out, int jobs) {
+    std::vector<part> parts;
+    for (const study* each : set.studies) {
+        parts.push_back({each->name, each->seconds, each->alone, [each, out, jobs](const progress_context& shown) {
+                             study_order order = order_of(*each, {}, jobs);
+                             order.request.shown = shown;
+                             write_study(order, out);
+                             draw_study(*each, out);
+                         }});
+    }
+    if (set.claims) {
+        parts.push_back({claims_name, seconds_of_claims, false,
+                         [out, jobs](const progress_context& /*shown*/) { make_claims(out, jobs); }});
+    }
+    if (set.references) {
+        parts.push_back({references_name, seconds_of_references, false,
+                         [out, jobs](const progress_context& /*shown*/) { write_reference_set(out, jobs); }});
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const part& a, const part& b) { return a.seconds > b.seconds; });
+    return parts;
+}
+
+std::vector<std::string> names_of(const std::vector<part>& parts) {
+    std::vector<std::string> names;
+    names.reserve(parts.size());
+    std::transform(parts.begin(), parts.end(), std::back_inserter(names), [](const part& each) { return each.name; });
+    return names;
+}
+
+std::vector<double> seconds_of(const std::vector<part>& parts) {
+    std::vector<double> seconds;
+    seconds.reserve(parts.size());
+    std::transform(parts.begin(), parts.end(), std::back_inserter(seconds),
+                   [](const part& each) { return each.seconds; });
+    return seconds;
+}
+
+// Makes parts side by side on shared cores. A failure becomes a line and does not stop the others.
+class workshop {
+public:
+    workshop(const std::vector<part>& parts, unfinished_run& record, int cores)
+        : parts_(parts), record_(record), cores_(cores), whole_(std::make_shared<work_estimate>(seconds_of(parts))) {}
+
+    /// The failures, in the order of the parts.
+    std::vector<std::string> make_all() {
+        std::vector<std::string> failures(parts_.size());
+        make_those(false, failures);
+        make_those(true, failures);
+        std::erase(failures, "");
+        return failures;
+    }
+
+private:
+    // A part begins when a core is free for it; one that is to be alone waits for the one before it.
+    void make_those(bool alone, std::vector<std::string>& failures) {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            if (parts_[i].alone != alone) {
+                continue;
+            }
+            cores_.take(static_cast<int>(i));
+            threads.emplace_back([this, i, &failures] { make(i, failures[i]); });
+            if (alone) {
+                threads.back().join();
+            }
+        }
+    }
+
+    // In a thread of its own, which was given a core.
+    void make(std::size_t i, std::string& failure) {
+        const part& own = parts_[i];
+        const core_share share(cores_, static_cast<int>(i), core_share::taken);
+        const std::string before = fmt::format("part {} of {}, ", i + 1, parts_.size());
+        say_line(fmt::format("{}{} (about {:.1f} s)", before, own.name, own.seconds));
+        try {
+            own.make({before, whole_, i});
+            const std::lock_guard lock(mutex_);
+            record_.add(own.name);
+        } catch (const std::exception& problem) {
+            failure = own.name + ": " + problem.what();
+        }
+        whole_->reached(i, 1);
+    }
+
+    const std::vector<part>& parts_;
+    unfinished_run& record_;
+    shared_cores cores_;
+    std::shared_ptr<work_estimate> whole_;
+    std::mutex mutex_;
+};
+
+// The published folder to compare with, if there is one.
+bool has_published(const reproduce_options& options) {
+    std::error_code error;
+    const bool there = fs::is_directory(options.results, error);
+    const bool same = there && fs::exists(options.out, error) && fs::equivalent(options.out, options.results, error);
+    if (options.publish && same) {
+        throw input_error("--publish", options.results, "is replaced by the folder of --out, and is that",
+                          "leave --out away or name another folder");
+    }
+    if (options.results_given && !there && !options.publish) {
+        throw input_error("--results", options.results, "is no folder", "name the published folder");
+    }
+    return there && !same;
+}
+
+void say_all(const std::vector<std::string>& lines) { std::for_each(lines.begin(), lines.end(), say_line); }
+
+// The parts that an interrupted run has not made.
+std::vector<part> left_of(std::vector<part> parts, const unfinished_run& record) {
+    const auto all = parts.size();
+    std::erase_if(parts, [&](const part& each) { return record.has(each.name); });
+    if (parts.size() < all) {
+        say_line(fmt::format("goes on with an interrupted run: {} of {} parts are made", all - parts.size(), all));
+    }
+    return parts;
+}
+
+// Compares and publishes; whether what has to be the same is.
+bool judge_by_published(const reproduce_options& options, const std::vector<std::string>& names, bool complete) {
+    bool same = true;
+    if (has_published(options)) {
+        const comparison found = compared(options.out, options.results, names);
+        say_all(found.lines(options.results));
+        same = found.same() || options.publish;
+    }
+    if (options.publish && complete) {
+        publish(options.out, options.results, names);
+        say_line("published in " + options.results);
+    }
+    return same;
 }
 
 int run_reproduce(const reproduce_options& options) {
-    const work chosen_work = chosen(options);
+    const reproduce_set set = chosen_of(set_named(options.set), options.only, options.skip);
     const int jobs = jobs_of(options.jobs);
-    const auto orders = orders_of(chosen_work.studies, jobs);
+    has_published(options);  // refuses
+    const auto parts = parts_of(set, options.out, jobs);
     output_folder into("--out", options.out);
-    std::vector<std::string> failures;
-    for (const study_order& order : orders) {
-        const study* each = order.what;
-        fmt::print(stderr, "libration: {}{} (about {:.1f} s)\n", order.request.shown.before, each->name, each->seconds);
-        attempt(each->name, failures, [&] {
-            write_study(order, options.out);
-            draw_study(*each, options.out);
-        });
-    }
+    unfinished_run record(options.out);
+    const auto left = left_of(parts, record);
+    std::vector<std::string> failures = workshop(left, record, jobs).make_all();
     into.keep();
-    if (chosen_work.claims) {
-        fmt::print(stderr, "libration: claims\n");
-        attempt(claims_name, failures, [&] { make_claims(options.out, jobs); });
+    const auto attempt = [&](const char* name, const auto& step) {
+        try {
+            return step();
+        } catch (const std::exception& problem) {
+            failures.push_back(std::string(name) + ": " + problem.what());
+            return false;
+        }
+    };
+    attempt("report", [&] {
+        write_report(options.out);
+        return true;
+    });
+    const bool complete = failures.empty();
+    const bool same = attempt("comparison", [&] { return judge_by_published(options, names_of(parts), complete); });
+    if (failures.empty()) {
+        record.finish();
     }
-    if (chosen_work.references) {
-        fmt::print(stderr, "libration: reference values\n");
-        attempt(references_name, failures, [&] { write_reference_set(options.out, jobs); });
-    }
-    attempt("report", failures, [&] { write_report(options.out); });
     for (const std::string& failure : failures) {
-        fmt::print(stderr, "libration: failed: {}\n", failure);
+        say_line("failed: " + failure);
     }
-    fmt::print(stderr, "libration: wrote {0}; open {0}/index.html\n", options.out);
-    return failures.empty() ? 0 : 1;
+    say_line(fmt::format("wrote {0}; open {0}/index.html", options.out));
+    return failures.empty() && same ? 0 : 1;
 }
 
 }  // namespace
@@ -135,13 +229,25 @@ subcommand reproduce_command(CLI::App& program) {
     const auto options = std::make_shared<reproduce_options>();
     CLI::App* command = program.add_subcommand(
         "reproduce",
-        "run every study with its own parameters, judge the claims, make the reference values, write the report");
-    command->add_option("--out", options->out, "the folder to write")->type_name("DIR")->capture_default_str();
+        "make the paper's studies, claims and reference values again, write the report, compare with results/");
+    command->add_option("SET", options->set, "paper, problems, proved or all")->capture_default_str();
+    command->add_option("--out", options->out, "the folder to write; an interrupted run there is gone on with")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command
+        ->add_option("--results", options->results,
+                     "the published folder: a table of mpfr or of balls that differs from it is exit code 1")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command->add_flag("--publish", options->publish, "then replace the published folder by what was made");
     command->add_option("--only", options->only, "these studies only (and 'claims', 'reference')")->type_name("NAMES");
     command->add_option("--skip", options->skip, "all but these studies (or 'claims', 'reference')")
         ->type_name("NAMES");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
-    return {command, [options] { return run_reproduce(*options); }};
+    return {command, [options, command] {
+                options->results_given = command->count("--results") > 0;
+                return run_reproduce(*options);
+            }};
 }
 
 }  // namespace libration

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -46,6 +47,8 @@ int code_of_program(const std::vector<std::string>& words, std::FILE* in, std::F
     std::fflush(nullptr);
     const pid_t child = ::fork();
     if (child == 0) {
+        // Who started us may ignore it; its pipes would complain of readers that have seen enough.
+        ::signal(SIGPIPE, SIG_DFL);
         const bool connected = (in == nullptr || ::dup2(::fileno(in), STDIN_FILENO) >= 0) &&
                                (out == nullptr || ::dup2(::fileno(out), STDOUT_FILENO) >= 0);
         if (connected) {

@@ -3,18 +3,23 @@
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <string>
 
+#include "run/work_estimate.hpp"
+
 namespace libration {
 
-/// What a progress line says around its own part: the steps of a larger work.
+/// What a progress line says around its own part: the larger work that its steps belong to.
 struct progress_context {
-    std::string before;        ///< "study 3 of 15, "
-    double seconds_after = 0;  ///< expected for what comes later
+    std::string before;                    ///< "study 3 of 15, "
+    std::shared_ptr<work_estimate> whole;  ///< nullptr for a work by itself
+    std::size_t part = 0;                  ///< of the whole
 };
 
-/// Counts finished steps of a known number and shows how far and how long still. Safe to call from several threads.
+/// Counts finished steps of a known number and shows how far and how long still. Safe to call from several threads, and
+/// several of a work may be counted at once: they share the line.
 class progress {
 public:
     progress(std::string what, std::size_t steps, progress_context context = {});
@@ -38,5 +43,8 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_shown_ = start_;
 };
+
+/// A line of its own on stderr, "libration: ...", in place of a progress line that stands there.
+void say_line(const std::string& line);
 
 }  // namespace libration

@@ -58,6 +58,7 @@ struct study {
     std::vector<without_answer> excluded;  ///< where it has no answer
     std::function<std::vector<study_table>(const study_request&)> run;
     arithmetics offers = arithmetics::rounding;  ///< proved_too where it has proofs
+    bool alone = false;                          ///< it measures times: nothing is to run beside it
 };
 
 /// All studies, by name (generated at build time from the files in studies/).

@@ -355,7 +355,8 @@ const study& cost() {
         .seconds = 1.5,
         .excluded =
             no_answer_at_limits("the series from the top is the constant 0", "the series from the top is not defined"),
-        .run = run};
+        .run = run,
+        .alone = true};
     return result;
 }
 

@@ -32,7 +32,7 @@ TEST_CASE("reproduce makes the chosen studies, the claims, and pages of both", "
     INFO(done.err);
     REQUIRE(done.exit_code == 0);
     CHECK(done.out.empty());
-    CHECK(lines_of(done.err).front().starts_with("libration: study 1 of 1, period_error"));
+    CHECK(lines_of(done.err).front().starts_with("libration: part 1 of 2, claims"));
     CHECK(lines_of(done.err).back() == "libration: wrote out; open out/index.html");
     const auto out = folder.path() / "out";
 

@@ -1,8 +1,10 @@
 // Other programs as parts of a study.
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <stdexcept>
 #include <string>
 
+#include "command/temporary_folder.hpp"
 #include "run/child_program.hpp"
 
 namespace sweep_child_program_test {
@@ -24,6 +26,17 @@ TEST_CASE("a program is run by its name with its words, and its exit code is tol
     CHECK(run_program({"true"}) == 0);
     CHECK(run_program({"/bin/sh", "-c", "exit 3"}) == 3);
     CHECK(run_program({"/no/such/program"}) == 127);
+}
+
+TEST_CASE("the pipes of a child program end in silence where its parent ignores broken ones",
+          "[sweep][child_program]") {
+    const libration::tests::temporary_folder folder;
+    const std::string said = (folder.path() / "said").string();
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    const int code = run_program({"sh", "-c", "yes 2>'" + said + "' | head -n 1 >/dev/null"});
+    std::signal(SIGPIPE, before);
+    CHECK(code == 0);
+    CHECK(libration::tests::text_of_file(said).empty());
 }
 
 }  // namespace sweep_child_program_test

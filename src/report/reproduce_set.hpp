@@ -1,0 +1,36 @@
+// The sets of work that `libration reproduce` knows by name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sweep/study.hpp"
+
+namespace libration {
+
+/// What is made again: studies, and whether the claims are judged and the reference values made.
+struct reproduce_set {
+    std::vector<const study*> studies;
+    bool claims = false;
+    bool references = false;
+};
+
+/// The names of claims and reference values beside those of the studies.
+inline constexpr const char* claims_name = "claims";
+inline constexpr const char* references_name = "reference";
+
+/// A set by its name:
+///   paper      the paper's studies, its claims and the reference values; studies that come later are not in it
+///   problems   the studies of other problems
+///   proved     what has proofs: the studies that offer balls, and the reference values
+///   all        everything
+/// Throws input_error for another name, and for a set that holds nothing.
+reproduce_set set_named(const std::string& name);
+
+/// Those of --only, if given, in place of the set's, without those of --skip. Throws input_error for a name that is none
+/// and where nothing is left.
+reproduce_set chosen_of(reproduce_set set, const std::optional<std::string>& only,
+                        const std::optional<std::string>& skip);
+
+}  // namespace libration
