@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "libration/digits/agreed_values.hpp"
@@ -204,6 +205,14 @@ const std::optional<std::string>& motion_options::given(std::string_view option)
 std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits) {
     std::vector<std::string> decimals;
     decimals.reserve(times.size());
+    std::map<long, mpfr> periods;  // by digits
+    const auto period_of = [&](long own_digits) {
+        const auto [place, missing] = periods.try_emplace(own_digits);
+        if (missing) {
+            place->second = effective_period(energy_level_of<mpfr>(of)) * quarters_per_period(of.regime());
+        }
+        return place->second;
+    };
     for (const exact& time : times) {
         if (!time.has_periods() || time.is_zero()) {
             decimals.push_back(decimal_of(time, digits));
@@ -211,8 +220,7 @@ std::vector<std::string> times_in_decimals(const motion& of, const std::vector<e
         }
         const auto value = [&](long guard) {
             const precision_scope scope(digits + guard);
-            const mpfr period = effective_period(energy_level_of<mpfr>(of)) * quarters_per_period(of.regime());
-            const mpfr multiple = period * from_rational<mpfr>(time.periods()) * time_unit<mpfr>(of);
+            const mpfr multiple = period_of(digits + guard) * from_rational<mpfr>(time.periods()) * time_unit<mpfr>(of);
             return std::vector<mpfr>{multiple + from_exact<mpfr>(time.without_periods())};
         };
         decimals.push_back(to_decimal(agreed_values(digits, value).front(), digits));

@@ -5,6 +5,7 @@
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -21,6 +22,7 @@ struct trajectory_options {
     std::optional<std::string> order;
     std::string times;
     std::string step = "1e-5";
+    std::optional<std::string> jobs;
 };
 
 trajectory_method read_trajectory_method(const std::string& name) {
@@ -69,7 +71,7 @@ trajectory_request choose(const trajectory_options& options) {
                           "use exact, series or resummed");
     }
     const int order = options.order ? order_of("--order", *options.order) : 0;
-    return {std::move(chosen), numbers, method, order, step, times_of(options.times, r)};
+    return {std::move(chosen), numbers, method, order, step, times_of(options.times, r), jobs_of(options.jobs)};
 }
 
 int run_trajectory(const trajectory_options& options) {
@@ -103,6 +105,7 @@ subcommand trajectory_command(CLI::App& program) {
         ->type_name("LIST")
         ->required();
     command->add_option("--step", options->step, "step of rk4 in dimensionless time")->capture_default_str();
+    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_trajectory(*options); }};
 }
 

@@ -10,11 +10,9 @@
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
-#include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
-#include "libration/pendulum/solution/separatrix_sum.hpp"
 #include "run/digits.hpp"
-#include "run/progress.hpp"
+#include "run/parallel.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -44,40 +42,58 @@ jet<wide_t<T>> widened(const pendulum_state<T>& at) {
     return {widen(at.theta), widen(at.omega)};
 }
 
-// theta and omega, in the motion's units, at every time, one after the other; omega is divided in more digits where
-// they round.
+// Calls work(i) for every time, on all threads; blocks of them, so that a thread is not asked for every single one.
+template <class Work>
+void at_every_time(const trajectory_request& request, const std::string& what, const Work& work) {
+    constexpr std::size_t block = 64;
+    const std::size_t count = request.times.size();
+    const std::size_t blocks = (count + block - 1) / block;
+    progress shown("trajectory, " + what + ", blocks of times", blocks);
+    on_threads(blocks, blocks > 1 ? request.jobs : 1, [&](std::size_t number) {
+        for (std::size_t i = number * block; i < std::min(count, (number + 1) * block); ++i) {
+            work(i);
+        }
+        shown.step();
+    });
+}
+
+// theta and omega, in the motion's units, at every time, one after the other, from function(i) at the i-th; omega is
+// divided in more digits where they round.
 template <class T, class Function>
 std::vector<wide_t<T>> follow(const trajectory_request& request, const Function& function) {
     const long own_digits = working_digits();
+    const long more_digits = rounding_scalar<T> ? decimal_digits(digits<T>()) + 25 : own_digits;
     const wide_t<T> seconds = widen(time_unit<T>(request.chosen.of));
-    const precision_scope more(rounding_scalar<T> ? decimal_digits(digits<T>()) + 25 : own_digits);
-    std::vector<wide_t<T>> values;
-    values.reserve(2 * request.times.size());
-    for (const exact& time : request.times) {
+    std::vector<wide_t<T>> values(2 * request.times.size());
+    at_every_time(request, "values", [&](std::size_t i) {
+        const precision_scope more(more_digits);
         jet<wide_t<T>> at = [&] {
             const precision_scope scope(own_digits);
-            return widened(function(time));
+            return widened(function(i));
         }();
-        values.push_back(std::move(at.value));
-        values.push_back(at.slope / seconds);
-    }
+        values[2 * i] = std::move(at.value);
+        values[2 * i + 1] = at.slope / seconds;
+    });
     return values;
 }
 
 template <class T, class Function>
 std::vector<wide_t<T>> follow_extension(const trajectory_request& request, Function on_arc) {
-    return follow<T>(request, periodic_extension<T, Function>(request.chosen.of, std::move(on_arc)));
+    const periodic_extension<T, Function> function(request.chosen.of, std::move(on_arc));
+    return follow<T>(request, [&](std::size_t i) { return function(request.times[i]); });
 }
 
-std::vector<ball> followed_exactly(const trajectory_request& request) {
+// The exact solution in balls.
+std::vector<ball> enclosed(const trajectory_request& request, const std::string& what = "values") {
+    const long own_digits = working_digits();
     const proved_motion solution(request.chosen.of);
-    std::vector<ball> values;
-    values.reserve(2 * request.times.size());
-    for (const exact& time : request.times) {
-        enclosed_state at = solution.at(time);
-        values.push_back(std::move(at.theta));
-        values.push_back(std::move(at.omega));
-    }
+    std::vector<ball> values(2 * request.times.size());
+    at_every_time(request, what, [&](std::size_t i) {
+        const precision_scope scope(own_digits);
+        enclosed_state at = solution.at(request.times[i]);
+        values[2 * i] = std::move(at.theta);
+        values[2 * i + 1] = std::move(at.omega);
+    });
     return values;
 }
 
@@ -119,8 +135,7 @@ std::vector<mpfr> follow_runge_kutta(const trajectory_request& request) {
         shown.step();
         return state;
     });
-    std::size_t next = 0;
-    return follow<T>(request, [&](const exact& /*time*/) { return states[next++]; });
+    return follow<T>(request, [&](std::size_t i) { return states[i]; });
 }
 
 template <class T>
@@ -144,41 +159,31 @@ std::vector<wide_t<T>> values_in(const trajectory_request& request) {
         if (request.method == trajectory_method::rk4) {
             throw std::logic_error("a march of steps has no proof");
         }
-        return followed_exactly(request);
+        return enclosed(request);
     } else if (request.method == trajectory_method::rk4) {
         return follow_runge_kutta<T>(request);
     } else {
-        return follow<T>(request, exact_solution<T>(m));
+        const exact_solution<T> solution(m);
+        return follow<T>(request, [&](std::size_t i) { return solution(request.times[i]); });
     }
-}
-
-// theta by a route other than the Jacobi functions, in more digits.
-mpfr second_route(const motion& m, const exact& time, const std::optional<separatrix_sum<mpfr>>& sum,
-                  const exact_solution<mpfr>& solution) {
-    if (sum) {
-        return (*sum)(time).value;
-    }
-    return m.regime() == regime::separatrix ? critical_formula(m, from_exact<mpfr>(time) / time_unit<mpfr>(m))
-                                            : solution(time).theta;
 }
 
 // What symmetry makes 0: omega at the turning points, by every method, because each is even about the top; theta at the
 // bottom by the exact solution.
 std::vector<bool> vanishing(const trajectory_request& request) {
-    const proved_motion solution(request.chosen.of);
     const auto is_zero = [](const ball& x) { return is_exact(x) && contains_zero(x); };
+    const auto values = enclosed(request);
     std::vector<bool> zeros;
-    zeros.reserve(2 * request.times.size());
-    for (const exact& time : request.times) {
-        const enclosed_state at = solution.at(time);
-        zeros.push_back(request.method == trajectory_method::exact && is_zero(at.theta));
-        zeros.push_back(is_zero(at.omega));
+    zeros.reserve(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_theta = i % 2 == 0;
+        zeros.push_back((!is_theta || request.method == trajectory_method::exact) && is_zero(values[i]));
     }
     return zeros;
 }
 
-// theta where it is known to be a fraction: that of the start, and of opposite sign half a period of libration later.
-// Elsewhere it is no decimal, as far as anybody knows.
+// theta where it is known to be a fraction: that of the start, again after whole periods of libration, and of opposite
+// sign about the bottom theta = 0 half a period later. Elsewhere it is no decimal, as far as anybody knows.
 std::optional<rational> rational_theta(const motion& m, const exact& time) {
     const auto& start = m.theta0();
     if (!start || start->measure != unit::one) {
@@ -188,81 +193,64 @@ std::optional<rational> rational_theta(const motion& m, const exact& time) {
         return start->coefficient;
     }
     const rational halves = time.coefficient * 2;
-    if (m.regime() != regime::libration || m.turns() != 0 || time.measure != unit::period || denominator(halves) != 1) {
+    if (m.regime() != regime::libration || !time.only_periods() || denominator(halves) != 1) {
         return std::nullopt;
     }
-    return numerator(halves) % 2 == 0 ? start->coefficient : rational(-start->coefficient);
+    const bool whole = numerator(halves) % 2 == 0;
+    if (!whole && m.turns() != 0) {
+        return std::nullopt;
+    }
+    return whole ? start->coefficient : rational(-start->coefficient);
 }
 
-// The errors of rounded thetas: the truth by another route than theirs, in so many digits.
-std::vector<std::string> rounded_errors(const trajectory_request& request, const std::vector<printed_number>& printed,
-                                        long digits) {
-    const motion& m = request.chosen.of;
-    const precision_scope more(digits);
-    const exact_solution<mpfr> truth(m);
-    const bool judges_exact = request.method == trajectory_method::exact;
-    std::optional<separatrix_sum<mpfr>> sum;
-    if (judges_exact && !at_critical_energy(m.regime()) && m.regime() != regime::stable_equilibrium) {
-        sum.emplace(m);
-    }
-    std::vector<std::string> errors;
+// |theta as printed - the exact solution| at every time, six proved digits of it, in as many digits as it takes.
+std::vector<printed_number> errors_of(const trajectory_request& request, const std::vector<printed_number>& printed,
+                                      long before) {
+    std::vector<exact> thetas;
+    thetas.reserve(request.times.size());
     for (std::size_t i = 0; i < request.times.size(); ++i) {
-        const exact& time = request.times[i];
-        const mpfr theta = judges_exact ? second_route(m, time, sum, truth) : truth(time).theta;
-        const precision_scope own(decimal_digits(mpfr_get_prec(handle(theta))));
-        const mpfr difference = abs(from_exact<mpfr>(read_exact(printed[2 * i].text)) - theta);
-        errors.push_back(to_decimal(difference, error_digits));
+        thetas.push_back(read_exact(printed[2 * i].text));
     }
-    return errors;
-}
-
-// The errors of all proved thetas, in as many digits as it takes.
-std::vector<std::string> proved_errors(const trajectory_request& request, const std::vector<printed_number>& printed,
-                                       long before) {
-    const motion& m = request.chosen.of;
-    const auto errors = proved_decimals(error_digits, [&] {
+    return proved_decimals(error_digits, [&] {
         const precision_scope wider(working_digits() - error_digits + request.numbers.digits + before);
-        const proved_motion solution(m);
+        const auto truth = enclosed(request, "errors");
         std::vector<ball> differences;
-        for (std::size_t i = 0; i < request.times.size(); ++i) {
-            const exact theta = read_exact(printed[2 * i].text);
-            const bool is_exact = rational_theta(m, request.times[i]) == theta.coefficient;
-            differences.push_back(is_exact ? ball(0)
-                                           : abs(from_exact<ball>(theta) - solution.at(request.times[i]).theta));
+        differences.reserve(thetas.size());
+        for (std::size_t i = 0; i < thetas.size(); ++i) {
+            const bool is_exact = rational_theta(request.chosen.of, request.times[i]) == thetas[i].coefficient;
+            differences.push_back(is_exact ? ball(0) : abs(from_exact<ball>(thetas[i]) - truth[2 * i]));
         }
         return differences;
     });
-    std::vector<std::string> texts;
-    for (const printed_number& error : errors) {
-        texts.push_back(error.text);
+}
+
+// theta and omega at every time as they are printed.
+std::vector<printed_number> values_of(const trajectory_request& request, long before) {
+    const auto& [scalar, digits] = request.numbers;
+    const auto compute = [&]<class T>() {
+        const precision_scope wider(working_digits() + (proved_scalar<T> ? before : 0));
+        return values_in<T>(request);
+    };
+    // A march of millions of steps is not repeated; its rounding is far below its error.
+    if (request.method == trajectory_method::rk4) {
+        return printed(one_run(scalar, compute), digits);
     }
-    return texts;
+    // The right digits that mpfr stands for are those of enclosures, which need one run where rounding needs two.
+    const bool right = scalar.kind == scalar_kind::arbitrary;
+    return printed(right ? scalar_spec{scalar_kind::proved, scalar.digits} : scalar, digits, compute,
+                   [&] { return vanishing(request); });
 }
 
 }  // namespace
 
 std::vector<trajectory_point> trajectory_points(const trajectory_request& request) {
-    const auto& [scalar, digits] = request.numbers;
-    const bool proved = scalar.kind == scalar_kind::proved;
-    const long before = proved ? digits_before_point(request) : 0;
-    long digits_of_truth = 0;
-    const auto compute = [&]<class T>() {
-        const precision_scope wider(working_digits() + before);
-        if constexpr (rounding_scalar<T>) {
-            digits_of_truth = decimal_digits(libration::digits<T>()) + 25;
-        }
-        return values_in<T>(request);
-    };
-    // A march of millions of steps is not repeated; its rounding is far below its error.
-    const auto values = request.method == trajectory_method::rk4
-                            ? printed(one_run(scalar, compute), digits)
-                            : printed(scalar, digits, compute, [&] { return vanishing(request); });
-    const auto errors =
-        proved ? proved_errors(request, values, before) : rounded_errors(request, values, digits_of_truth);
+    const long before = digits_before_point(request);
+    const auto values = values_of(request, before);
+    const auto errors = errors_of(request, values, before);
     std::vector<trajectory_point> points;
     points.reserve(errors.size());
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        points.push_back({values[2 * i].text, values[2 * i + 1].text, errors[i]});
+        points.push_back({values[2 * i].text, values[2 * i + 1].text, errors[i].text});
     }
     return points;
 }

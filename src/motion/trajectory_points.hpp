@@ -16,9 +16,8 @@ struct trajectory_point {
     std::string error;
 };
 
-/// All times, in the scalar of request.numbers: as a fixed scalar computes them, in mpfr by two runs that agree (one
-/// for rk4), in balls proved. The exact solution judges every method, and another route the exact one where it is
-/// rounded. Throws input_error for what the scalar cannot hold, std::logic_error for rk4 in balls, which proves
+/// All times, on request.jobs threads, in the scalar of request.numbers: as a fixed scalar computes them, in balls proved,
+/// and in mpfr right, by enclosures too, which give the digits in one run (rk4 is one run of mpfr). Proved enclosures judge every method. Throws input_error for what the scalar cannot hold, std::logic_error for rk4 in balls, which proves
 /// nothing, and error of the kind undecided where the precision ends before the digits are right.
 std::vector<trajectory_point> trajectory_points(const trajectory_request& request);
 

@@ -17,6 +17,7 @@ struct trajectory_request {
     int order;   ///< of a partial sum
     exact step;  ///< of rk4
     std::vector<exact> times;
+    int jobs = 1;  ///< threads
 };
 
 }  // namespace libration
