@@ -44,6 +44,9 @@ exact read_typed(std::string_view text) {
 }
 
 rational nearest_double(const rational& q) {
+    if (q == 0) {
+        return q;
+    }
     const double below = mpq_get_d(q.backend().data());  // towards 0
     const double above = std::nextafter(below, q.sign() * std::numeric_limits<double>::infinity());
     if (!std::isfinite(above)) {
