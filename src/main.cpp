@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "option/subcommand.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace {
 
@@ -18,12 +20,21 @@ constexpr int failed = 1;
 constexpr int bad_input = 2;
 
 // One line, whatever the message quotes, and no control characters.
-int complain(std::string message, int code) {
-    for (char& c : message) {
-        c = (c >= '\0' && c < ' ') || c == '\x7f' ? ' ' : c;
-    }
-    fmt::print(stderr, "libration: {}\n", message);
+int complain(const std::string& message, int code) {
+    fmt::print(stderr, "libration: {}\n", libration::shortened(message));
     return code;
+}
+
+// CLI11 quotes words of any length.
+std::string with_short_words(std::string message, int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const auto at = word.size() > libration::longest_quotation ? message.find(word) : std::string::npos;
+        if (at != std::string::npos) {
+            message.replace(at, word.size(), libration::without_controls(word, libration::longest_quotation));
+        }
+    }
+    return message;
 }
 
 // The first word that nothing in the program expects.
@@ -38,13 +49,39 @@ std::string unexpected_word(const CLI::App& program) {
 }
 
 // CLI11's own complaint as one line with a remedy.
-int complain_of_usage(const CLI::App& program, const CLI::ParseError& problem) {
+int complain_of_usage(const CLI::App& program, const std::string& problem) {
     const std::string unexpected = unexpected_word(program);
-    const std::string line = unexpected.empty() ? problem.what() : "'" + unexpected + "' is not understood";
+    const std::string line = unexpected.empty() ? problem : libration::quotation(unexpected) + " is not understood";
     const auto chosen = program.get_subcommands();
     const std::string help =
         chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
     return complain(fmt::format("{}: see {}", line, help), bad_input);
+}
+
+// What is beyond the range of a scalar, with the advice that the subcommand takes.
+int complain_of_range(const CLI::App& command, const libration::error& problem) {
+    const bool chooses = command.get_option_no_throw("--scalar") != nullptr;
+    return complain(fmt::format("{}{}", libration::message_of(problem), chooses ? ": use --scalar mpfr:DIGITS" : ""),
+                    bad_input);
+}
+
+// Runs a subcommand; what it throws becomes a line and an exit code.
+int run(const libration::subcommand& command) {
+    try {
+        return command.run();
+    } catch (const libration::input_error& problem) {
+        return complain(problem.what(), bad_input);
+    } catch (const libration::error& problem) {
+        switch (problem.kind()) {
+            case libration::error_kind::undecided: return complain(libration::message_of(problem), failed);
+            case libration::error_kind::range: return complain_of_range(*command.options, problem);
+            default: return complain(libration::message_of(problem), bad_input);
+        }
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory: ask for fewer digits, powers or times", failed);
+    } catch (const std::exception& problem) {
+        return complain(problem.what(), failed);
+    }
 }
 
 }  // namespace
@@ -66,27 +103,10 @@ int main(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        return problem.get_exit_code() == 0 ? program.exit(problem) : complain_of_usage(program, problem);
+        return problem.get_exit_code() == 0 ? program.exit(problem)
+                                            : complain_of_usage(program, with_short_words(problem.what(), argc, argv));
     }
-    try {
-        for (const auto& command : commands) {
-            if (command.options->parsed()) {
-                return command.run();
-            }
-        }
-    } catch (const libration::input_error& problem) {
-        return complain(problem.what(), bad_input);
-    } catch (const libration::error& problem) {
-        switch (problem.kind()) {
-            case libration::error_kind::undecided: return complain(problem.what(), failed);
-            case libration::error_kind::range:
-                return complain(fmt::format("{}: use --scalar mpfr:DIGITS", problem.what()), bad_input);
-            default: return complain(problem.what(), bad_input);
-        }
-    } catch (const std::bad_alloc&) {
-        return complain("out of memory: ask for fewer digits, powers or times", failed);
-    } catch (const std::exception& problem) {
-        return complain(problem.what(), failed);
-    }
-    return failed;
+    const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                     [](const libration::subcommand& each) { return each.options->parsed(); });
+    return chosen != commands.end() ? run(*chosen) : failed;
 }

@@ -22,6 +22,7 @@
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -57,24 +58,13 @@ std::string content_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// What a complaint may quote of a line.
-std::string quotable(std::string text) {
-    constexpr std::size_t longest = 60;
-    if (text.size() > longest) {
-        text = text.substr(0, longest) + "...";
-    }
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-    return text;
-}
-
 std::vector<exact> coefficients_in_file(const std::string& path) {
     std::vector<exact> list;
     try {
         list = read_coefficients(content_of(path));
     } catch (const malformed_line& problem) {
         throw input_error("--coefficients", path,
-                          fmt::format("line {}: '{}' {}", problem.number(), quotable(problem.text()), problem.reason()),
+                          fmt::format("line {}: {} {}", problem.number(), quotation(problem.text()), problem.reason()),
                           "write one number a line such as 0.25, 1/3 or 1e-30, or n,coefficient with growing n");
     }
     if (list.empty()) {
@@ -85,8 +75,8 @@ std::vector<exact> coefficients_in_file(const std::string& path) {
 
 judged_list list_of_file(const radius_options& options, const arithmetic& numbers) {
     if (const auto motion = options.motion.first_given()) {
-        throw input_error(fmt::format("--coefficients '{}' comes together with {}: give a list or a motion, not both",
-                                      *options.file, *motion));
+        throw input_error(fmt::format("--coefficients {} comes together with {}: give a list or a motion, not both",
+                                      quotation(*options.file), *motion));
     }
     if (options.at) {
         throw input_error("--at", *options.at, "is a point of a motion, and --coefficients have none",
@@ -96,10 +86,10 @@ judged_list list_of_file(const radius_options& options, const arithmetic& number
     if (options.order) {
         const auto order = static_cast<std::size_t>(order_of("--order", *options.order));
         if (order >= written.size()) {
-            throw input_error(
-                "--order", *options.order,
-                fmt::format("is more than '{}' has, whose last power is {}", *options.file, written.size() - 1),
-                "write a smaller order or leave it out");
+            throw input_error("--order", *options.order,
+                              fmt::format("is more than {} has, whose last power is {}", quotation(*options.file),
+                                          written.size() - 1),
+                              "write a smaller order or leave it out");
         }
         written.resize(order + 1);
     }

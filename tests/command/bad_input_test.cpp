@@ -298,7 +298,44 @@ TEST_CASE("a time or a step that the scalar rounds to 0 or infinity is refused",
 }
 
 TEST_CASE("a line end in a value does not break the one line of the message", "[command][bad input]") {
-    check_refused({"period", "--energy", "1\n2"}, {"--energy '1 2'"});
+    check_refused({"period", "--energy", "1\n2"}, {"--energy '1\\n2'"});
+}
+
+TEST_CASE("inputs are quoted without control characters and to 60 characters", "[command][bad input]") {
+    check_refused({"period", "--energy", "\x1b[2J\t\x7f\xff\xc2\x9b"}, {"--energy '\\x1b[2J\\t\\x7f\\xff\\xc2\\x9b'"});
+    check_refused({"period", "--energy", "1µ"}, {"--energy '1µ'"});
+    const std::string cut = "'" + std::string(60, '7') + "...'";
+    const std::string seven(100'000, '7');
+    check_refused({"period", "--energy", seven + "x"}, {"--energy " + cut});
+    check_refused({"period", "--gap", seven}, {"--gap " + cut});
+    check_refused({"trajectory", "--energy", "1", "--times", "1," + seven + "x"}, {"the item " + cut});
+    check_refused({"period", "--energy", "1", "--format", seven}, {"--format " + cut});
+    check_refused({"period", "--energy", "1", "--out", seven}, {"--out " + cut});
+    check_refused({"study", seven}, {cut});
+    check_refused({seven}, {cut});
+    check_refused({"period", "--" + seven, "1"}, {"'--" + std::string(58, '7') + "...'"});
+    for (const words& command : {words{"period", "--energy"}, words{"period", "--energy", "1", "--gap"}, words{"cite"},
+                                 words{"table"}, words{"elliptic"}, words{"claims"}, words{"studies"}, words{"figure"},
+                                 words{"reproduce", "--only"}, words{"verify"}, words{"radius", "--coefficients"}}) {
+        const auto done = run_libration(command + words{seven + "x"});
+        INFO(command_line(command));
+        CHECK(done.exit_code == 2);
+        CHECK(done.err.size() < 1000);
+    }
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "list", std::ios::binary) << std::string("1\n1\0\x1b[2J\n", 10);
+    check_refused({"radius", "--coefficients", "list"}, {"line 2: '1\\0\\x1b[2J' is not"}, folder);
+}
+
+TEST_CASE("advice names options that the subcommand has", "[command][bad input]") {
+    for (const std::string function : {"cn", "dn"}) {
+        const auto done = run_libration({"elliptic", function, "--u", "1e20", "--m", "1"});
+        INFO(done.err);
+        CHECK(done.exit_code == 2);
+        CHECK(done.err.find("--scalar") == std::string::npos);
+        CHECK(done.err.find("u '1e20' makes " + function + " too large or too small to be printed: choose") !=
+              std::string::npos);
+    }
 }
 
 TEST_CASE("reproduce refuses its parameters before it says what it runs", "[command][bad input]") {
