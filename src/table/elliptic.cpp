@@ -1,5 +1,6 @@
-// libration elliptic: proved digits of am, sn, cn, dn, K and F.
+// libration elliptic: proved digits of elliptic functions and integrals.
 #include <memory>
+#include <utility>
 
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -19,22 +20,30 @@ struct elliptic_options {
 
 int run_elliptic(const elliptic_options& options) {
     options.output.check();
-    const std::string& function = options.function;
-    if (!is_elliptic_function(function)) {
-        throw input_error("elliptic", function, "is no function", "write am, sn, cn, dn, K or F");
+    const elliptic::named_function* const function = elliptic::find_function(options.function);
+    if (function == nullptr) {
+        throw input_error("elliptic", options.function, "is no function", "write " + elliptic_names());
     }
     const long digits = digits_of(options.digits);
     const elliptic_request request = read_elliptic({function}, options.said, elliptic_grid::one);
-    const typed_parameter& parameter = request.parameters.front();
-    table data({{"function", ""},
-                {"argument", ""},
-                {request.option.substr(2), ""},
-                {"value", ""},
-                {"digits", ""},
-                {"rigour", ""}});
-    for (const exact& argument : request.arguments) {
-        data.add_row({function, read_cell(argument.text), read_cell(parameter.typed.text),
-                      number_cell(function_text(function, argument, parameter.value(), digits)), digits, "proved"});
+    std::vector<column> columns{{"function", ""}, {"argument", ""}, {request.option.substr(2), ""},
+                                {"value", ""},    {"digits", ""},   {"rigour", ""}};
+    if (request.characteristic) {
+        columns.push_back({"n", ""});
+    }
+    table data(std::move(columns));
+    for (std::size_t i = 0; i < request.arguments.size(); ++i) {
+        const elliptic_point at = request.at(i, 0);
+        table_row_cells row{options.function,
+                            at.argument ? read_cell(at.argument->text) : cell(),
+                            read_cell(at.parameter.typed.text),
+                            number_cell(function_text(*function, at, digits)),
+                            digits,
+                            "proved"};
+        if (at.characteristic) {
+            row.push_back(read_cell(at.characteristic->text));
+        }
+        data.add_row(std::move(row));
     }
     options.output.write(data);
     return 0;
@@ -45,8 +54,8 @@ int run_elliptic(const elliptic_options& options) {
 subcommand elliptic_command(CLI::App& program) {
     const auto options = std::make_shared<elliptic_options>();
     CLI::App* command =
-        program.add_subcommand("elliptic", "proved digits of am, sn, cn, dn, K and F at any modulus from 0 to 1");
-    command->add_option("function", options->function, "am, sn, cn, dn, K or F")->type_name("FUNCTION")->required();
+        program.add_subcommand("elliptic", "proved digits of elliptic functions and integrals at any real parameter");
+    command->add_option("function", options->function, elliptic_names())->type_name("FUNCTION")->required();
     offer_elliptic(options->said, *command);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");

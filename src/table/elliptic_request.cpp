@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <stdexcept>
 
-#include "libration/digits/proved/proved_decimals.hpp"
 #include "option/options.hpp"
 #include "run/grid.hpp"
 #include "text/input_error.hpp"
@@ -16,8 +16,10 @@ using namespace elliptic;
 
 namespace {
 
-constexpr const char* modulus_remedy = "write a number from 0 to 1 such as 0.8, 4/5 or 1e-30";
+constexpr const char* modulus_remedy = "write a number such as 0.8, 4/5, 1e-30 or, for --m and --m1, -3";
 constexpr const char* argument_remedy = "write a number such as 1.5, 3/2 or pi/4, or several with commas between them";
+constexpr std::array<const char*, 3> argument_options{"--u", "--phi", "--x"};
+constexpr std::array<const char*, 3> modulus_options{"--k", "--m", "--m1"};
 
 std::vector<exact> read_moduli(const std::string& option, const std::string& typed, elliptic_grid grid) {
     if (grid == elliptic_grid::one) {
@@ -33,11 +35,7 @@ std::vector<exact> read_moduli(const std::string& option, const std::string& typ
 }
 
 void read_parameters(elliptic_request& request, const option_words& said, elliptic_grid grid) {
-    using make = exact_parameter (*)(const exact&);
-    constexpr std::array<std::pair<const char*, make>, 3> ways{{{"--k", &exact_parameter::from_modulus},
-                                                                {"--m", &exact_parameter::from_parameter},
-                                                                {"--m1", &exact_parameter::from_complement}}};
-    for (const auto& [option, from] : ways) {
+    for (const std::string option : modulus_options) {
         const auto& typed = said[option];
         if (!typed) {
             continue;
@@ -49,9 +47,8 @@ void read_parameters(elliptic_request& request, const option_words& said, ellipt
         }
         request.option = option;
         for (const exact& modulus : read_moduli(option, *typed, grid)) {
-            const typed_parameter parameter{modulus, from};
-            reading(option, *typed, modulus_remedy, [&] { return parameter.value(); });
-            request.parameters.push_back(parameter);
+            request.parameters.push_back(
+                reading(option, *typed, modulus_remedy, [&] { return parameter_of(option.substr(2), modulus); }));
         }
     }
     if (request.option.empty()) {
@@ -59,88 +56,96 @@ void read_parameters(elliptic_request& request, const option_words& said, ellipt
     }
 }
 
-void refuse_argument(const char* option, const option_words& said, const std::string& function, const char* remedy) {
+void refuse(const char* option, const option_words& said, std::string_view function, const std::string& remedy) {
     if (said[option]) {
-        throw input_error(option, *said[option], "has no meaning for " + function, remedy);
+        throw input_error(option, *said[option], fmt::format("has no meaning for {}", function), remedy);
     }
 }
-
-// The name of a function's argument; nothing for K.
-std::string argument_name(const std::string& function) { return function == "K" ? "" : function == "F" ? "phi" : "u"; }
 
 void read_arguments(elliptic_request& request, const option_words& said) {
-    const std::string& function = request.functions.front();
-    if (function == "K") {
-        refuse_argument("--u", said, "K", "leave it out");
-        refuse_argument("--phi", said, "K", "leave it out");
-        request.arguments = {exact{0, unit::one, ""}};
+    const named_function& function = *request.functions.front();
+    const std::string wanted = function.argument.empty() ? "" : "--" + std::string(function.argument);
+    for (const char* const option : argument_options) {
+        if (option != wanted) {
+            refuse(option, said, function.name, wanted.empty() ? "leave it out" : "write " + wanted);
+        }
+    }
+    if (wanted.empty() || (function.may_be_complete && !said[wanted])) {
+        request.arguments = {std::nullopt};
         return;
     }
-    const bool integral = function == "F";
-    refuse_argument(integral ? "--u" : "--phi", said, function, integral ? "write --phi" : "write --u");
-    const char* const option = integral ? "--phi" : "--u";
-    const auto& value = said[option];
+    request.argument = std::string(function.argument);
+    const auto& value = said[wanted];
     if (!value) {
-        throw input_error(fmt::format("{} has no argument: add {} {}", function, option, integral ? "A" : "U"));
+        throw input_error(fmt::format("{} has no argument: add {} {}", function.name, wanted,
+                                      request.argument == "phi" ? "A"
+                                      : request.argument == "u" ? "U"
+                                                                : "X"));
     }
-    request.arguments = reading(option, *value, argument_remedy, [&] { return read_grid(*value); });
-    for (const exact& argument : request.arguments) {
-        if (argument.has_periods() || (argument.measure == unit::degree && !integral)) {
-            throw input_error(option, *value, "has '" + argument.text + "', which is no number", argument_remedy);
-        }
+    for (const exact& argument : reading(wanted, *value, argument_remedy, [&] { return read_grid(*value); })) {
+        reading(wanted, *value, argument_remedy, [&] { return require_argument(request.argument, argument), 0; });
+        request.arguments.emplace_back(argument);
     }
 }
 
-std::optional<jacobi_function> jacobi_of(const std::string& name) {
-    if (name == "am" || name == "sn") {
-        return name == "am" ? jacobi_function::am : jacobi_function::sn;
+void read_characteristic(elliptic_request& request, const option_words& said) {
+    const named_function& function = *request.functions.front();
+    if (!function.has_characteristic) {
+        refuse("--n", said, function.name, "leave it out");
+        return;
     }
-    if (name == "cn" || name == "dn") {
-        return name == "cn" ? jacobi_function::cn : jacobi_function::dn;
+    if (!said["--n"]) {
+        throw input_error(fmt::format("{} has no characteristic: add --n N", function.name));
     }
-    return std::nullopt;
+    request.characteristic = number_of("--n", *said["--n"]);
 }
 
 }  // namespace
+
+void require_argument(const std::string& name, const exact& argument) {
+    const bool angle = argument.measure == unit::degree && name != "phi";
+    if (argument.has_periods() || angle || (name == "x" && !argument.is_number())) {
+        throw error(error_kind::argument, name, argument.text, "has '" + argument.text + "', which is no number");
+    }
+}
+
+typed_parameter parameter_of(const std::string& quantity, const exact& typed) {
+    const typed_parameter parameter{typed, quantity == "k"    ? &real_parameter::from_modulus
+                                           : quantity == "m"  ? &real_parameter::from_parameter
+                                           : quantity == "m1" ? &real_parameter::from_complement
+                                                              : throw std::logic_error("no modulus: " + quantity)};
+    static_cast<void>(parameter.value());
+    return parameter;
+}
+
+std::string elliptic_names() {
+    std::string names;
+    for (const named_function& each : named_functions()) {
+        names += (names.empty() ? "" : ", ") + std::string(each.name);
+    }
+    return names;
+}
 
 void offer_elliptic(option_words& said, CLI::App& command) {
     const auto offer = [&](const char* option, const char* type_name, const char* help) {
         said.offer(command, option, type_name, help);
     };
-    offer("--u", "U", "argument of am, sn, cn, dn: 1.5, 3/2, pi/4, or a list");
-    offer("--phi", "A", "amplitude of F: 1.5, 3pi/4, 60deg, or a list");
+    offer("--u", "U", "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list");
+    offer("--phi", "A", "amplitude of F, E, D, Pi, Zeta: 1.5, 3pi/4, 60deg, or a list");
+    offer("--x", "X", "argument of the inverses arcsn, arccn, ...: 0.5, 1/3, or a list");
+    offer("--n", "N", "the characteristic of Pi");
     offer("--k", "K", "the modulus k");
-    offer("--m", "M", "the parameter m = k^2");
+    offer("--m", "M", "the parameter m = k^2, any real number");
     offer("--m1", "M1", "the complementary parameter m1 = 1 - m: 1e-30 keeps its digits");
 }
 
-bool is_elliptic_function(const std::string& name) { return jacobi_of(name) || name == "K" || name == "F"; }
-
-elliptic_request read_elliptic(const std::vector<std::string>& functions, const option_words& said,
+elliptic_request read_elliptic(const std::vector<const named_function*>& functions, const option_words& said,
                                elliptic_grid grid) {
-    elliptic_request request{functions, "", {}, argument_name(functions.front()), {}};
+    elliptic_request request{functions, "", {}, "", {}, std::nullopt};
     read_parameters(request, said, grid);
     read_arguments(request, said);
+    read_characteristic(request, said);
     return request;
-}
-
-bool is_infinite(const std::string& function, const exact& at, const exact_parameter& p) {
-    return (function == "K" && p.complement().is_zero()) || (function == "F" && infinite_sign(at, p) != 0);
-}
-
-ball function_ball(const std::string& function, const exact& at, const exact_parameter& p) {
-    const precision_scope wider(working_digits() + digits_before_point(at));
-    const auto jacobi = jacobi_of(function);
-    return jacobi            ? jacobi_value(*jacobi, at, p)
-           : function == "K" ? complete_integral(p.shape<ball>())
-                             : incomplete_value(at, p);
-}
-
-std::string function_text(const std::string& function, const exact& at, const exact_parameter& p, long digits) {
-    if (is_infinite(function, at, p)) {
-        return function == "F" && infinite_sign(at, p) < 0 ? "-inf" : "inf";
-    }
-    return proved_value(digits, [&] { return function_ball(function, at, p); }).text;
 }
 
 }  // namespace libration

@@ -1,53 +1,46 @@
-// What `elliptic` and `table` are asked about am, sn, cn, dn, K and F: functions, arguments and moduli, and the proved
-// values.
+// What `elliptic` and `table` are asked about elliptic functions: functions, arguments and moduli.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "libration/elliptic/proved/proved_functions.hpp"
 #include "option/option_words.hpp"
+#include "table/elliptic_values.hpp"
 
 namespace libration {
 
-/// A modulus k, parameter m or complementary parameter m1 as typed.
-struct typed_parameter {
-    exact typed;
-    elliptic::exact_parameter (*from)(const exact&);
-
-    elliptic::exact_parameter value() const { return from(typed); }
-};
-
 /// Every function at every argument and every parameter.
 struct elliptic_request {
-    std::vector<std::string> functions;
+    std::vector<const elliptic::named_function*> functions;
     std::string option;  ///< --k, --m or --m1
     std::vector<typed_parameter> parameters;
-    std::string argument;          ///< u or phi; empty for K
-    std::vector<exact> arguments;  ///< for K, one without a text
+    std::string argument;                         ///< u, phi or x; empty where the functions have none
+    std::vector<std::optional<exact>> arguments;  ///< where they have none, one that is nothing
+    std::optional<exact> characteristic;          ///< --n
+
+    elliptic_point at(std::size_t argument_at, std::size_t parameter_at) const {
+        return {arguments[argument_at], parameters[parameter_at], characteristic};
+    }
 };
 
-/// --u, --phi, --k, --m, --m1.
+/// --u, --phi, --x, --n, --k, --m, --m1.
 void offer_elliptic(option_words& said, CLI::App& command);
 
-/// Whether a name is one of am, sn, cn, dn, K, F.
-bool is_elliptic_function(const std::string& name);
+/// The names of all functions: "am, sn, ...".
+std::string elliptic_names();
 
 /// Whether one parameter may be given, or lists and ranges of them.
 enum class elliptic_grid { one, lists };
 
 /// Reads what was said for functions that take the same argument. Throws input_error.
-elliptic_request read_elliptic(const std::vector<std::string>& functions, const option_words& said, elliptic_grid grid);
+elliptic_request read_elliptic(const std::vector<const elliptic::named_function*>& functions, const option_words& said,
+                               elliptic_grid grid);
 
-/// The function as a ball, in the working precision and as many digits more as the argument has before its point.
-/// Throws precision_exhausted as jacobi_value does, and error where the function is infinite.
-ball function_ball(const std::string& function, const exact& at, const elliptic::exact_parameter& p);
+/// The parameter of --k, --m or --m1, without the dashes, from a number; throws error where there is none.
+typed_parameter parameter_of(const std::string& quantity, const exact& typed);
 
-/// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0.
-std::string function_text(const std::string& function, const exact& at, const elliptic::exact_parameter& p,
-                          long digits);
-
-/// Whether K or F is infinite there.
-bool is_infinite(const std::string& function, const exact& at, const elliptic::exact_parameter& p);
+/// A number that an argument of this name may be: an angle for phi. Throws error.
+void require_argument(const std::string& name, const exact& argument);
 
 }  // namespace libration

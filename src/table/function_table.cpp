@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <sstream>
+#include <utility>
 
-#include "libration/digits/agreed_values.hpp"
-#include "libration/elliptic/proved/function_condition.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
 #include "run/grid.hpp"
 #include "run/parallel.hpp"
@@ -22,110 +19,119 @@ using namespace elliptic;
 
 namespace {
 
-// Three digits of the condition: computed with twice the digits until they stay.
-std::string condition_text(const std::string& function, const exact& at, const typed_parameter& parameter) {
-    if (is_infinite(function, at, parameter.value())) {
-        return "inf";
-    }
-    const auto value = [&](const exact& u, const exact& x) { return function_ball(function, u, parameter.from(x)); };
-    const auto compute = [&](const precision_run& /*run*/) -> std::optional<std::string> {
-        const auto condition = function_condition(value, at, parameter.typed);
-        return condition ? to_decimal(*condition, 3) : "inf";
-    };
-    return until_two_agree({0, 40 + digits_before_point(at), most_agreement_digits},
-                           fmt::format("the condition of {}({})", function, at.text), compute, std::equal_to<>());
-}
-
 std::vector<column> columns_of(const elliptic_request& request, input_style style) {
     const std::string parameter = request.option.substr(2);
-    const std::string condition = "(|u df/du| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits";
+    const bool third = request.characteristic.has_value();
+    const std::string condition =
+        third ? "(|phi df/dphi| + |n df/dn| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits"
+              : "(|u df/du| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits";
     if (style == input_style::typed) {
-        return {{"function", ""},         {"argument", "as typed"},         {parameter, "as typed"},   {"value", ""},
-                {"condition", condition}, {"digits", "significant digits"}, {"rigour", "of the value"}};
+        std::vector<column> columns{
+            {"function", ""},         {"argument", "as typed"},         {parameter, "as typed"},   {"value", ""},
+            {"condition", condition}, {"digits", "significant digits"}, {"rigour", "of the value"}};
+        if (third) {
+            columns.push_back({"n", "as typed"});
+        }
+        return columns;
     }
     std::vector<column> columns;
-    columns.reserve(2 + 2 * request.functions.size());
     if (!request.argument.empty()) {
         columns.push_back({request.argument, "argument"});
     }
-    columns.push_back({parameter, ""});
-    for (const std::string& function : request.functions) {
-        columns.push_back({function, ""});
+    if (third) {
+        columns.push_back({"n", "characteristic"});
     }
-    for (const std::string& function : request.functions) {
-        columns.push_back({"condition_" + function, condition});
+    columns.push_back({parameter, ""});
+    for (const named_function* const function : request.functions) {
+        columns.push_back({std::string(function->name), ""});
+    }
+    for (const named_function* const function : request.functions) {
+        columns.push_back({"condition_" + std::string(function->name), condition});
     }
     return columns;
 }
 
-// The rows of one argument at one parameter.
+// The rows of one point.
 class function_rows {
 public:
-    function_rows(const elliptic_request& request, const typed_parameter& parameter, const exact& at, long digits)
-        : request_(request), parameter_(parameter), at_(at), digits_(digits) {}
+    function_rows(const elliptic_request& request, elliptic_point at, long digits)
+        : request_(request), at_(std::move(at)), digits_(digits) {}
 
     std::vector<table_row_cells> typed() const {
         std::vector<table_row_cells> rows;
         rows.reserve(request_.functions.size());
-        for (const std::string& function : request_.functions) {
-            rows.push_back({function, read_cell(at_.text), read_cell(parameter_.typed.text), value_of(function),
-                            number_cell(condition_text(function, at_, parameter_)), digits_, "proved"});
+        for (const named_function* const function : request_.functions) {
+            table_row_cells row{std::string(function->name),
+                                at_.argument ? read_cell(at_.argument->text) : cell(),
+                                read_cell(at_.parameter.typed.text),
+                                value_of(*function),
+                                condition_of(*function),
+                                digits_,
+                                "proved"};
+            if (at_.characteristic) {
+                row.push_back(read_cell(at_.characteristic->text));
+            }
+            rows.push_back(std::move(row));
         }
         return rows;
     }
 
     std::vector<table_row_cells> decimals() const {
         table_row_cells row;
-        if (!request_.argument.empty()) {
-            row.push_back(number_cell(decimal_text(at_, digits_ + more_input_digits)));
+        for (const auto& input : {at_.argument, at_.characteristic, std::optional(at_.parameter.typed)}) {
+            if (input) {
+                row.push_back(number_cell(decimal_text(*input, digits_ + more_input_digits)));
+            }
         }
-        row.push_back(number_cell(decimal_text(parameter_.typed, digits_ + more_input_digits)));
-        for (const std::string& function : request_.functions) {
-            row.push_back(value_of(function));
+        for (const named_function* const function : request_.functions) {
+            row.push_back(value_of(*function));
         }
-        for (const std::string& function : request_.functions) {
-            row.push_back(number_cell(condition_text(function, at_, parameter_)));
+        for (const named_function* const function : request_.functions) {
+            row.push_back(condition_of(*function));
         }
         return {row};
     }
 
 private:
-    cell value_of(const std::string& function) const {
-        return number_cell(function_text(function, at_, parameter_.value(), digits_));
-    }
+    cell value_of(const named_function& function) const { return number_cell(function_text(function, at_, digits_)); }
+    cell condition_of(const named_function& function) const { return number_cell(condition_text(function, at_)); }
 
     const elliptic_request& request_;
-    const typed_parameter& parameter_;
-    const exact& at_;
+    elliptic_point at_;
     long digits_;
 };
 
 }  // namespace
 
-std::vector<std::string> functions_of(const std::string& list) {
-    std::vector<std::string> functions;
+std::vector<const named_function*> functions_of(const std::string& list) {
+    std::vector<const named_function*> functions;
     std::istringstream names(list);
+    const std::string remedy = "write pendulum, " + elliptic_names();
     for (std::string name; std::getline(names, name, ',');) {
-        if (!is_elliptic_function(name)) {
-            throw input_error("table", list, "is no function", "write pendulum, am, sn, cn, dn, K or F");
+        const named_function* const function = find_function(name);
+        if (function == nullptr) {
+            throw input_error("table", list, "is no function", remedy);
         }
-        if (std::find(functions.begin(), functions.end(), name) != functions.end()) {
+        if (std::find(functions.begin(), functions.end(), function) != functions.end()) {
             throw input_error("table", list, "names " + name + " twice", "name each function once");
         }
-        functions.push_back(name);
+        functions.push_back(function);
     }
-    const bool alone = std::any_of(functions.begin(), functions.end(),
-                                   [](const std::string& name) { return name == "K" || name == "F"; });
     if (functions.empty() || list.ends_with(',')) {
-        throw input_error("table", list, "has an empty item", "write pendulum, am, sn, cn, dn, K or F");
+        throw input_error("table", list, "has an empty item", remedy);
     }
-    if (alone && functions.size() > 1) {
-        throw input_error("table", list, "mixes functions of different arguments", "name K and F alone");
+    const named_function& first = *functions.front();
+    for (const named_function* const each : functions) {
+        if (each->argument != first.argument || each->has_characteristic != first.has_characteristic ||
+            each->may_be_complete != first.may_be_complete) {
+            throw input_error("table", list, "mixes functions of different arguments",
+                              "name functions of u, of phi, of x, or K and nome alone");
+        }
     }
     return functions;
 }
 
-table function_table(const std::vector<std::string>& functions, const option_words& said, long digits,
+table function_table(const std::vector<const named_function*>& functions, const option_words& said, long digits,
                      input_style style, int jobs) {
     const auto request = read_elliptic(functions, said, elliptic_grid::lists);
     const std::size_t cells = request.parameters.size() * request.arguments.size();
@@ -135,8 +141,7 @@ table function_table(const std::vector<std::string>& functions, const option_wor
     }
     progress shown("table", cells);
     const auto parts = parallel_map(cells, jobs, shown, [&](std::size_t i) {
-        const function_rows at(request, request.parameters[i / request.arguments.size()],
-                               request.arguments[i % request.arguments.size()], digits);
+        const function_rows at(request, request.at(i % request.arguments.size(), i / request.arguments.size()), digits);
         return style == input_style::typed ? at.typed() : at.decimals();
     });
     table data(columns_of(request, style));

@@ -342,11 +342,14 @@ TEST_CASE("tables refuse what is no grid, no function and no name", "[command][t
     for (const std::string name : {"", "1a", "a-b", "class", "_a", "a__b"}) {
         check_refused(motion + words{"--format", "cpp", "--name", name}, "--name '" + name + "'");
     }
-    check_refused({"sc", "--u", "1", "--m", "0.5"}, "'sc'");
+    check_refused({"sm", "--u", "1", "--m", "0.5"}, "'sm'");
+    check_refused({"sn,E", "--u", "1", "--m", "0.5"}, "'sn,E'");
+    check_refused({"Pi", "--m", "0.5"}, "--n");
+    check_refused({"K", "--m", "0.5,1.5"}, "'1.5' is above 1");
     check_refused({"sn,", "--u", "1", "--m", "0.5"}, "'sn,'");
     check_refused({"sn,K", "--u", "1", "--m", "0.5"}, "'sn,K'");
     check_refused({"sn", "--u", "1", "--m", "0.5", "--times", "1"}, "--times '1'");
-    check_refused({"sn", "--u", "1", "--m", "0.5,1.5"}, "--m '0.5,1.5'");
+    check_refused({"sn", "--u", "1", "--k", "0.5,-1.5"}, "--k '0.5,-1.5'");
     check_refused({"sn", "--u", "1", "--m", "pi"}, "--m 'pi'");
     check_refused({"sn", "--u", "1"}, "--m1");
 }

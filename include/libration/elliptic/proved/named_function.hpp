@@ -1,0 +1,47 @@
+// The elliptic functions and integrals that libraries have, by their names, at any real parameter, in balls.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "libration/elliptic/proved/real_parameter.hpp"
+#include "libration/scalar/ball/comparison.hpp"
+
+namespace libration::elliptic {
+
+/// Where a function is asked, exactly.
+struct function_arguments {
+    std::optional<exact> argument;  ///< u, phi or x; nothing for complete integrals and the nome
+    real_parameter parameter;
+    std::optional<exact> characteristic = std::nullopt;  ///< n of Pi
+};
+
+/// A function under its name:
+///   am, and pq for p, q of s, c, d, n: am(u|m), pq(u|m), the twelve functions of Jacobi    [DLMF 22.16(i), 22.2]
+///   arcpq(x|m): their inverses, from 0 to K where x >= 0                                       [DLMF 22.15]
+///   K, E, D, Pi: the complete integrals, E, D and Pi with phi the incomplete ones, and F       [DLMF 19.2(ii)]
+///   Zeta: E(phi|m) - E(m)/K(m) F(phi|m)                                                        [DLMF 22.16.32]
+///   nome: exp(-pi K(1-m)/K(m))                                                                 [DLMF 22.2.1]
+/// m = k^2, D = (F - E)/m, Pi(n; phi|m) = int_0^phi dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)).
+struct named_function {
+    std::string_view name;
+    std::string_view argument;     ///< "u", "phi", "x", or nothing
+    bool may_be_complete = false;  ///< whether the argument may be left out
+    bool has_characteristic = false;
+    /// The value at the working precision; `exactly` where it is a fraction for exact reasons, `infinite` at poles and
+    /// where an integral diverges (+1 at a pole of either sign). Any real m where the value is real.
+    /// Throws error of the kind argument where it is not real, precision_exhausted where the precision does not decide.
+    true_value (*value)(std::string_view name, const function_arguments& at);
+
+    true_value operator()(const function_arguments& at) const { return value(name, at); }
+};
+
+/// All of them.
+std::span<const named_function> named_functions();
+
+/// The one of this name; nullptr for none.
+const named_function* find_function(std::string_view name);
+
+}  // namespace libration::elliptic

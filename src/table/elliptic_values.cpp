@@ -1,0 +1,82 @@
+#include "table/elliptic_values.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "libration/digits/agreed_values.hpp"
+#include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/elliptic/proved/function_condition.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration {
+
+using namespace elliptic;
+
+namespace {
+
+constexpr long first_condition_digits = 40;
+
+long digits_lost(const elliptic_point& at) { return at.argument ? elliptic::digits_before_point(*at.argument) : 0; }
+
+// Whether the value is infinite: a matter of exact numbers, so that any precision tells where it is one.
+int infinite_at(const named_function& function, const elliptic_point& at) {
+    return with_growing_precision(
+        {0, 20, most_guard_digits}, std::string(function.name),
+        [&](const precision_run& /*run*/) { return std::optional(value_at(function, at).infinite); });
+}
+
+}  // namespace
+
+true_value value_at(const named_function& function, const elliptic_point& at) {
+    const precision_scope wider(working_digits() + digits_lost(at));
+    return function(at.exactly());
+}
+
+std::string function_text(const named_function& function, const elliptic_point& at, long digits) {
+    if (const int infinite = infinite_at(function, at); infinite != 0) {
+        return infinite < 0 ? "-inf" : "inf";
+    }
+    try {
+        return proved_value(digits, [&] { return value_at(function, at).value(); }).text;
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::range) {
+            throw;
+        }
+        throw error(error_kind::argument, std::string(function.argument), at.argument ? at.argument->text : "",
+                    fmt::format("makes {} too large or too small to be printed: choose an argument nearer to 0",
+                                function.name));
+    }
+}
+
+std::string condition_text(const named_function& function, const elliptic_point& at) {
+    if (infinite_at(function, at) != 0) {
+        return "inf";
+    }
+    std::vector<exact> inputs;
+    for (const auto& input : {at.argument, at.characteristic, std::optional(at.parameter.typed)}) {
+        if (input) {
+            inputs.push_back(*input);
+        }
+    }
+    const auto value = [&](const std::vector<exact>& moved) {
+        elliptic_point there = at;
+        auto next = moved.begin();
+        for (std::optional<exact>* const input : {&there.argument, &there.characteristic}) {
+            if (*input) {
+                *input = *next++;
+            }
+        }
+        there.parameter.typed = *next;
+        return value_at(function, there).value();
+    };
+    const auto compute = [&](const precision_run& /*run*/) -> std::optional<std::string> {
+        const auto condition = function_condition(value, inputs);
+        return condition ? to_decimal(*condition, 3) : "inf";
+    };
+    const std::string at_text = at.argument ? at.argument->text : at.parameter.typed.text;
+    return until_two_agree({0, first_condition_digits + digits_lost(at), most_agreement_digits},
+                           fmt::format("the condition of {}({})", function.name, at_text), compute, std::equal_to<>());
+}
+
+}  // namespace libration

@@ -1,0 +1,41 @@
+// Values of elliptic functions as text, and how well conditioned they are.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/elliptic/proved/named_function.hpp"
+
+namespace libration {
+
+/// A modulus k, parameter m or complementary parameter m1 as typed.
+struct typed_parameter {
+    exact typed;
+    elliptic::real_parameter (*from)(const exact&);
+
+    elliptic::real_parameter value() const { return from(typed); }
+};
+
+/// Where a function is asked, as typed.
+struct elliptic_point {
+    std::optional<exact> argument;  ///< nothing where the function has none
+    typed_parameter parameter;
+    std::optional<exact> characteristic = std::nullopt;
+
+    elliptic::function_arguments exactly() const { return {argument, parameter.value(), characteristic}; }
+};
+
+/// The value in the working precision and as many digits more as the argument has before its point.
+/// Throws as the function does.
+true_value value_at(const elliptic::named_function& function, const elliptic_point& at);
+
+/// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0. Throws error where the function
+/// is not real, where the digits are not decided, and where no exponent holds the value.
+std::string function_text(const elliptic::named_function& function, const elliptic_point& at, long digits);
+
+/// Three digits of the condition number, computed with twice the digits until they stay: heuristic. inf where it is
+/// infinite, or the function is.
+std::string condition_text(const elliptic::named_function& function, const elliptic_point& at);
+
+}  // namespace libration
