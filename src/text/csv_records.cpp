@@ -10,11 +10,14 @@ constexpr std::size_t longest_record = std::size_t{1} << 16;
 
 }  // namespace
 
-std::optional<std::vector<std::string>> cells_of(const std::string& record) {
+split_record split_cells(const std::string& record, separator between) {
+    const bool blanks = between == separator::blanks;
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    const auto ends_cell = [&](char c) { return blanks ? is_blank(c) : c == static_cast<char>(between); };
     std::vector<std::string> cells{""};
     bool quoted = false;
     bool at_start = true;
-    for (std::size_t i = 0; i < record.size(); ++i) {
+    for (std::size_t i = blanks ? record.find_first_not_of(" \t") : 0; i < record.size(); ++i) {
         const char c = record[i];
         if (quoted && c == '"') {
             const bool doubled = i + 1 < record.size() && record[i + 1] == '"';
@@ -24,7 +27,13 @@ std::optional<std::vector<std::string>> cells_of(const std::string& record) {
         } else if (!quoted && at_start && c == '"') {
             quoted = true;
             at_start = false;
-        } else if (!quoted && c == ',') {
+        } else if (!quoted && ends_cell(c)) {
+            while (blanks && i + 1 < record.size() && is_blank(record[i + 1])) {
+                ++i;
+            }
+            if (blanks && i + 1 == record.size()) {
+                break;
+            }
             cells.emplace_back();
             at_start = true;
         } else {
@@ -32,7 +41,12 @@ std::optional<std::vector<std::string>> cells_of(const std::string& record) {
             at_start = false;
         }
     }
-    return quoted ? std::nullopt : std::optional<std::vector<std::string>>(std::move(cells));
+    return {std::move(cells), !quoted};
+}
+
+std::optional<std::vector<std::string>> cells_of(const std::string& record, separator between) {
+    split_record split = split_cells(record, between);
+    return split.closed ? std::optional(std::move(split.cells)) : std::nullopt;
 }
 
 std::string written_cell(const std::string& cell) {
@@ -77,7 +91,7 @@ std::optional<csv_record> csv_records::next() {
         }
     } while (trimmed(record.text).empty());
     record.line = line_;
-    if (record.text.find('"') == std::string::npos || cells_of(record.text)) {
+    if (record.text.find('"') == std::string::npos || cells_of(record.text, between_)) {
         return record;
     }
     std::string joined = record.text;
@@ -86,7 +100,7 @@ std::optional<csv_record> csv_records::next() {
     while (joined.size() < longest_record && take_line(line)) {
         ahead.push_back(line);
         joined += '\n' + line;
-        if (line.find('"') != std::string::npos && cells_of(joined)) {
+        if (line.find('"') != std::string::npos && cells_of(joined, between_)) {
             record.text = std::move(joined);
             return record;
         }

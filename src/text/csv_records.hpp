@@ -1,4 +1,4 @@
-// A CSV file as a stream of records: one at a time, in constant memory, with the line on which each starts.
+// A file of cells as a stream of records: one at a time, in constant memory, with the line on which each starts.
 #pragma once
 
 #include <deque>
@@ -15,24 +15,37 @@ struct csv_record {
     std::string text;
 };
 
+/// What stands between the cells of a record: one of these characters, or any number of blanks.
+enum class separator : char { comma = ',', semicolon = ';', tabulator = '\t', blanks = ' ' };
+
 /// Splits a stream into records: lines, joined where a quoted cell holds a line end. A quote that nothing closes within
 /// 64 KiB spoils its own line only. Blank lines are left out, line ends are LF or CRLF, a byte-order mark is dropped.
 class csv_records {
 public:
     explicit csv_records(std::istream& in) : in_(in) {}
     std::optional<csv_record> next();
+    /// From the next record on; commas before.
+    void separate_by(separator between) { between_ = between; }
 
 private:
     bool take_line(std::string& line);
 
     std::istream& in_;
     std::deque<std::string> pending_;  // lines that were read ahead
+    separator between_ = separator::comma;
     long line_ = 0;
 };
 
-/// The cells of a record; nothing where a quote is not closed. Quotes count at the start of a cell and are doubled
-/// within.
-std::optional<std::vector<std::string>> cells_of(const std::string& record);
+/// The cells of a record, and whether the quote of the last one is closed. Quotes count at the start of a cell and are
+/// doubled within.
+struct split_record {
+    std::vector<std::string> cells;
+    bool closed;
+};
+split_record split_cells(const std::string& record, separator between);
+
+/// The cells alone; nothing where a quote is not closed.
+std::optional<std::vector<std::string>> cells_of(const std::string& record, separator between = separator::comma);
 
 /// A cell as it is written, quoted where CSV needs it.
 std::string written_cell(const std::string& cell);

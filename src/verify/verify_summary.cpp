@@ -5,12 +5,14 @@
 #include <cstdio>
 
 #include "libration/scalar/text/decimal.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
 namespace {
 
 constexpr long most_named = 10;
+constexpr std::size_t longest_reason = 400;
 constexpr long exact_digits = 1L << 40;
 
 void print_more(long count, const char* what) {
@@ -21,7 +23,7 @@ void print_more(long count, const char* what) {
 
 }  // namespace
 
-void verify_summary::add(const judged_row& row) {
+void verify_summary::add(const compared_row& row) {
     ++rows_;
     if (row.verdict == row_verdict::malformed) {
         name(row, ++malformed_, malformed_named_);
@@ -39,12 +41,13 @@ void verify_summary::add(const judged_row& row) {
 void verify_summary::print() const {
     print_more(misses_ - misses_named_, "that miss");
     print_more(malformed_ - malformed_named_, "malformed");
-    fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed\n", file_, rows_, rows_ - misses_ - malformed_,
-               misses_, malformed_);
+    fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed\n", without_controls(file_, longest_quotation), rows_,
+               rows_ - misses_ - malformed_, misses_, malformed_);
     if (worst_) {
         const precision_scope scope(20);
-        fmt::print(stderr, "worst row: line {}, error {}, {} times the tolerance, condition {}\n", worst_->line,
-                   worst_->error, to_decimal(worst_->of_tolerance, 3), worst_->condition);
+        fmt::print(stderr, "worst row: line {}, {}: error {}, {} times the tolerance, condition {}\n", worst_->line,
+                   without_controls(worst_->column, longest_quotation), worst_->error,
+                   to_decimal(worst_->of_tolerance, 3), worst_->condition);
     }
     for (const auto& [digits, count] : digits_) {
         fmt::print(stderr, "{:>6} correct digits: {:>9}\n", digits == exact_digits ? "all" : std::to_string(digits),
@@ -52,10 +55,11 @@ void verify_summary::print() const {
     }
 }
 
-void verify_summary::name(const judged_row& row, long count, long& named) const {
+void verify_summary::name(const compared_row& row, long count, long& named) const {
     if (count <= most_named) {
         ++named;
-        fmt::print(stderr, "{}:{}: {}\n", file_, row.line, row.reason);
+        fmt::print(stderr, "{}:{}: {}\n", without_controls(file_, longest_quotation), row.line,
+                   without_controls(row.reason, longest_reason));
     }
 }
 

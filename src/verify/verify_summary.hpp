@@ -15,7 +15,7 @@ class verify_summary {
 public:
     explicit verify_summary(std::string file) : file_(std::move(file)) {}
 
-    void add(const judged_row& row);
+    void add(const compared_row& row);
     /// To stderr.
     void print() const;
 
@@ -24,7 +24,7 @@ public:
     int exit_code() const { return malformed_ > 0 ? 2 : misses_ > 0 ? 1 : 0; }
 
 private:
-    void name(const judged_row& row, long count, long& named) const;
+    void name(const compared_row& row, long count, long& named) const;
 
     std::string file_;
     long rows_ = 0;
@@ -32,7 +32,7 @@ private:
     long malformed_ = 0;
     long misses_named_ = 0;
     long malformed_named_ = 0;
-    std::optional<judged_row> worst_;
+    std::optional<compared_row> worst_;
     std::map<long, long> digits_;  ///< how many rows have so many correct digits
 };
 

@@ -1,6 +1,7 @@
 // `libration verify`: verdicts against mpmath and closed forms, what it reads, and what it refuses.
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "command/printed.hpp"
@@ -23,7 +24,7 @@ finished_process verify(const std::string& csv, const words& options = {}) {
     return run_libration(words{"verify", "f.csv"} + options, folder.path());
 }
 
-// The judged rows of a file without quotes.
+// The compared rows of a file without quotes.
 verified verify_rows(const std::string& csv, const words& options = {}) {
     const auto done = verify(csv, options);
     INFO(done.err);
@@ -81,9 +82,9 @@ TEST_CASE("verify reads the motion by state, else gap, else energy", "[command][
     // The gap 2 - 1.71; the state at rest at the right angle and the energy 1; both columns in one file.
     CHECK(verdict_of("time,theta,gap\n0.7," + theta_at_seven_tenths + ",0.29\n") == "ok");
     const std::string head = "energy,gap,theta0,omega0,time,theta\n";
-    const auto by_gap = verify_rows(head + "1,0.29,,,0.7," + theta_at_seven_tenths + "\n");
+    const auto by_gap = verify_rows(head + "1.71,0.29,,,0.7," + theta_at_seven_tenths + "\n");
     CHECK(by_gap.rows.at(0).at("verdict") == "ok");
-    const auto state = verify_rows(head + "1.71,0.29,90deg,0,0.7,1.33\n").rows.at(0);
+    const auto state = verify_rows(head + "1,1,90deg,0,0.7,1.33\n").rows.at(0);
     const auto energy = verify_rows("time,theta,energy\n0.7,1.33,1\n").rows.at(0);
     CHECK(state.at("reference") == energy.at("reference"));
     CHECK(state.at("verdict") == energy.at("verdict"));
@@ -99,7 +100,7 @@ TEST_CASE("verify serves files without a motion by options", "[command][verify]"
                      {"--gap", "0.29", "--length", "0.25", "--gravity", "1"}) == "ok");
 }
 
-TEST_CASE("verify knows the direction of a rotation and judges omega", "[command][verify]") {
+TEST_CASE("verify knows the direction of a rotation and compares omega", "[command][verify]") {
     // theta(t) + theta'(t) clockwise from (pi, -sqrt 2) at E = 3, t = 0.7, by mpmath (mp.dps = 40):
     // k = sqrt(mpf(2)/3); u = mpf('0.7')*sqrt(mpf(3)/2); K = ellipk(k**2)
     // 2*pi - 2*(asin(ellipfun('sn', K - u, k=k))) ... theta = 2*asin(sn(K - u)), omega = -2*sqrt(3/2)*dn(K - u)
@@ -140,10 +141,10 @@ TEST_CASE("verify names malformed rows, marks them and goes on", "[command][veri
     CHECK(says(done, "f.csv:4: has 2 cells, the header has 3"));
     CHECK(says(done, "f.csv:6: time 'T/0' divides by zero"));
     CHECK(says(done, "f.csv:7: energy '-1' is a negative energy"));
-    CHECK(says(done, "f.csv:8: has no motion"));
-    CHECK(says(done, "f.csv:9: a quote is not closed"));
+    CHECK(says(done, "f.csv:8: the row has no motion"));
+    CHECK(says(done, "f.csv:9: 'theta': a quote is not closed"));
     CHECK(says(done, "f.csv:10: theta misses by 0.997"));
-    CHECK(says(done, "f.csv:11: has no theta"));
+    CHECK(says(done, "f.csv:11: theta is empty"));
     CHECK(says(done, "f.csv:12: theta '1/2' is not a number"));
     CHECK(says(done, "11 rows, 2 ok, 1 miss, 8 malformed"));
     const auto lines = lines_of(done.out);
@@ -155,15 +156,15 @@ TEST_CASE("verify names malformed rows, marks them and goes on", "[command][veri
 }
 
 TEST_CASE("verify says which columns are missing", "[command][verify]") {
-    const auto done = verify("t,angle\n1,2\n", {"--energy", "1"});
+    const auto done = verify("when,where\n1,2\n", {"--energy", "1"});
     CHECK(done.exit_code == 2);
     CHECK(done.out.empty());
-    CHECK(says(done, "f.csv has no column 'time', 'theta': its columns are 't', 'angle'"));
+    CHECK(says(done, "f.csv has no column 'time', 'theta': its columns are 'when', 'where'"));
     CHECK(says(verify("time,theta\n1,2\n"), "f.csv has no motion: its columns are 'time', 'theta'"));
     CHECK(says(verify("time,theta,theta\n1,2,2\n"), "f.csv has two columns 'theta'"));
     CHECK(verify("").exit_code == 2);
     CHECK(says(verify(""), "f.csv has no header"));
-    CHECK(says(verify("time,theta,energy\n"), "f.csv has no row to judge"));
+    CHECK(says(verify("time,theta,energy\n"), "f.csv has no row to compare"));
     CHECK(run_libration({"verify", "none.csv"}).exit_code == 2);
     CHECK(verify("time,theta,energy\n0,1,1\n", {"--ulp", "1", "--tolerance", "1"}).exit_code == 2);
     CHECK(verify("time,theta,energy\n0,1,1\n", {"--inputs", "float"}).exit_code == 2);
@@ -196,7 +197,7 @@ TEST_CASE("verify tells inputs as typed from the doubles that a library received
     CHECK(number_of(verify_rows(by_gap).rows.at(0).at("condition")) < 30);
 }
 
-TEST_CASE("verify judges in units in the last place of doubles", "[command][verify]") {
+TEST_CASE("verify compares in units in the last place of doubles", "[command][verify]") {
     // The double of theta: 2.1828878715176877; one unit is 2^-51 = 4.4e-16 from 2 on.
     const std::string head = "time,theta,energy\n0.7,";
     CHECK(verdict_of(head + "2.1828878715176877,1.71\n", {"--ulp", "0.5"}) == "ok");
@@ -234,7 +235,212 @@ TEST_CASE("verify takes nan for a miss and counts it as the worst", "[command][v
     CHECK(done.exit_code == 1);
     CHECK(rows.at(0).at("verdict") == "miss");
     CHECK(rows.at(0).at("error") == "inf");
-    CHECK(says(done, "worst row: line 2, error inf"));
+    CHECK(says(done, "worst row: line 2, theta: error inf"));
+}
+
+TEST_CASE("verify refuses motions that contradict each other", "[command][verify]") {
+    const auto refused = [](const std::string& csv, const words& options, const std::string& reason) {
+        const auto done = verify(csv, options);
+        INFO(csv);
+        CHECK(done.exit_code == 2);
+        CHECK(says(done, "f.csv:2: " + reason));
+        CHECK(says(done, "1 rows, 0 ok, 0 miss, 1 malformed"));
+    };
+    refused("time,theta,gap,energy\n0.7,2.18,0.3,1.71\n", {}, "gap '0.3' contradicts energy '1.71'");
+    refused("time,theta,theta0,omega0\n0.7,2.18,1,0\n", {"--gap", "0.5"}, "--gap '0.5' contradicts omega0 '0'");
+    refused("time,theta,theta0,omega0,energy\n0.7,2.18,90deg,0,1.01\n", {}, "energy '1.01' contradicts omega0 '0'");
+    refused("time,theta,energy\n0.7,2.18,1\n", {"--energy", "1.1"}, "energy '1' contradicts --energy '1.1'");
+    refused("time,theta,energy\n0.7,2.18,1\n", {"--gap", "1.1"}, "--gap '1.1' contradicts energy '1'");
+    refused("time,theta,theta0,omega0,direction\n0.7,2.18,1,-2,+\n", {}, "direction '+' contradicts omega0 '-2'");
+    refused("time,theta,energy,length,gravity\n0.7,2.18,1,2,1\n", {"--length", "1", "--gravity", "1"},
+            "length '2' contradicts --length '1'");
+    // What agrees is taken: exactly, or as doubles hold it. A gap of 1e-30 leaves the energy 2 to them.
+    CHECK(verdict_of("time,theta,theta0,omega0,energy\n0,1.5707963267948966,90deg,0,1\n", {"--gap", "1.0"}) == "ok");
+    CHECK(verdict_of("time,theta,theta0,omega0,energy,gap\n0,2.5,2.5,-0.3,1.8461436155469336,0.1538563844530664\n") ==
+          "ok");
+    const auto next_to_2 = verify_rows("time,theta,energy,gap\n10,0,2.0,1e-30\n").rows.at(0);
+    CHECK(next_to_2.at("reference") == verify_rows("time,theta,gap\n10,0,1e-30\n").rows.at(0).at("reference"));
+}
+
+TEST_CASE("verify takes the nearest double of 0 for 0", "[command][verify]") {
+    CHECK(verdict_of("time,theta,theta0,omega0\n0,2.5,2.5,0\n", {"--inputs", "double"}) == "ok");
+    CHECK(verdict_of("time,theta,energy\n0,0,0.0\n", {"--inputs", "double"}) == "ok");
+    CHECK(verdict_of("time,theta,energy\n-0e5,1.0,0x0p0\n", {"--inputs", "double"}) == "miss");
+    const auto [done, rows] = verify_rows("time,theta,gap\n0,3.14,1e400\n", {"--inputs", "double"});
+    CHECK(says(done, "f.csv:2: gap '1e400' is beyond the largest double"));
+}
+
+TEST_CASE("verify uses columns of length and gravity", "[command][verify]") {
+    // Gravity/length = 4 halves times, another row of the same file doubles them.
+    const std::string head = "time,theta,energy,length,gravity\n";
+    const std::string theta = theta_at_seven_tenths;
+    const auto [done, rows] =
+        verify_rows(head + "0.35," + theta + ",1.71,0.25,1\n1.4," + theta + ",1.71,4,1\n0.7," + theta + ",1.71,,\n");
+    REQUIRE(rows.size() == 3);
+    for (const table_row& row : rows) {
+        CHECK(row.at("verdict") == "ok");
+    }
+    CHECK(says(verify(head + "0.35,1,1.71,0.25,\n"), "f.csv:2: length '0.25' comes without gravity"));
+    CHECK(says(verify(head + "0.35,1,1.71,0,1\n"), "f.csv:2: length '0' is not positive"));
+}
+
+TEST_CASE("verify knows columns by common spellings and by --columns", "[command][verify]") {
+    const std::string row = "0.7," + theta_at_seven_tenths + ",1.71\n";
+    for (const std::string header : {"t,Theta,E", "Time [s],theta (rad),ENERGY", " T , \xCE\xB8 , energy"}) {
+        INFO(header);
+        CHECK(verdict_of(header + "\n" + row) == "ok");
+    }
+    CHECK(verdict_of("when,where,what\n" + row, {"--columns", "when=time,where=theta,what=energy"}) == "ok");
+    // One that is not needed: the energy is wrong, the gap is right.
+    const std::string both = "time,theta,energy,gap\n0.7," + theta_at_seven_tenths + ",1,0.29\n";
+    CHECK(verify(both).exit_code == 2);
+    CHECK(verdict_of(both, {"--columns", "energy=-"}) == "ok");
+    const auto refused = [&](const std::string& header, const std::string& mapping, const std::string& reason) {
+        const auto done = verify(header + "\n" + row, {"--columns", mapping});
+        CHECK(done.exit_code == 2);
+        CHECK(done.out.empty());
+        CHECK(says(done, reason));
+    };
+    refused("a,b,c", "x=time", "--columns 'x=time' has 'x', which is no column of 'f.csv': choose among 'a', 'b', 'c'");
+    refused("a,b,c", "a=tme", "has 'tme', which is no quantity: write time, ");
+    refused("a,b,c", "a", "has 'a', which is not THEIRS=OURS");
+    refused("t,T,theta", "theta=theta", "f.csv has two columns 'time': 't' and 'T'");
+    // A complaint names the column as the file does.
+    CHECK(says(verify("t,phi,E\n0.7,x,1.71\n", {"--columns", "phi=theta"}), "f.csv:2: phi 'x' is not a number"));
+    CHECK(says(verify("t (s),theta,E\n1..0,1,1.71\n"), "f.csv:2: t (s) '1..0'"));
+    CHECK(says(verify("t,theta,E\n1,2,-3\n"), "f.csv:2: E '-3' is a negative energy"));
+    CHECK(says(verify("t,theta,E,th0\n1,2,1,3\n", {"--columns", "th0=theta0"}), "f.csv:2: th0 '3' is not reached"));
+}
+
+TEST_CASE("verify reads what radius reads, and what numpy.savetxt writes", "[command][verify]") {
+    const std::string t = "7.000000000000000000e-01";
+    const std::string theta = "2.182887871517687738e+00";
+    for (const std::string csv :
+         {"time;theta;energy\n0.7;2.18;1.71\n", "time\ttheta\tenergy\n0.7\t2.18\t1.71\n",
+          "\xEF\xBB\xBF"
+          "time theta  energy\r\n  0.7   2.18 \t 1.71\r\n",
+          "# time theta energy\n0.7 2.18 1.71\n", "# made by us\n# time, theta, energy\n0.7 2.18 1.71\n# the end\n"}) {
+        INFO(csv);
+        const auto [done, rows] = verify_rows(csv);
+        REQUIRE(rows.size() == 1);
+        CHECK(rows[0].at("verdict") == "ok");
+        CHECK(rows[0].at("theta") == "2.18");
+    }
+    const words named{"--columns", "time,theta", "--energy", "1.71"};
+    CHECK(verdict_of(t + " " + theta + "\n", named) == "ok");
+    CHECK(verdict_of(t + ";" + theta + "\n", named) == "ok");
+    CHECK(says(verify(t + " " + theta + "\n", {"--energy", "1.71"}), "f.csv has no header: name its 2 columns"));
+    CHECK(says(verify(t + " " + theta + "\n", {"--columns", "time"}), "has 1 names, and f.csv has 2 columns"));
+}
+
+TEST_CASE("verify takes theta modulo 2 pi where that is asked for", "[command][verify]") {
+    // A rotation at E = 3 after a turn and a bit; the same less 2 pi, and more by 4 pi.
+    const std::string head = "time,theta,energy\n";
+    const precision_scope scope(60);
+    const auto unwrapped = verify_rows(head + "5,0,3\n").rows.at(0).at("reference");
+    for (const int turns : {-1, 0, 2}) {
+        const std::string value = to_decimal(mpfr(number_of(unwrapped) + pi<mpfr>() * 2 * turns), 18);
+        INFO(value);
+        const auto row = verify_rows(head + "5," + value + ",3\n", {"--modulo-2pi"}).rows.at(0);
+        CHECK(row.at("verdict") == "ok");
+        CHECK_THAT(row.at("reference"), right_to_the_last_digit(value));
+        CHECK(verdict_of(head + "5," + value + ",3\n") == (turns == 0 ? "ok" : "miss"));
+    }
+}
+
+TEST_CASE("an exact value has all digits", "[command][verify]") {
+    const auto [done, rows] = verify_rows(
+        "time,theta,omega,theta0,omega0\n0,0.3,-0.7,0.3,-0.7\nT,0.3,-0.7,0.3,-0.7\n3T/2,-0.3,0.7,0.3,-0.7\n"
+        "0,0.2,-0.7,0.3,-0.7\n0,0.30001,-0.7,0.3,-0.7\n");
+    REQUIRE(rows.size() == 5);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK((rows[i].at("error") == "0" && rows[i].at("omega_error") == "0"));
+        CHECK((rows[i].at("correct_digits") == "inf" && rows[i].at("omega_correct_digits") == "inf"));
+    }
+    CHECK(rows[3].at("verdict") == "ok");  // one unit of its last digit, no less
+    CHECK((rows[4].at("error") == "0.0000100" && rows[4].at("correct_digits") == "4.4"));
+    CHECK(says(done, "all correct digits:         3"));
+    // E = 2 starts at the bottom with omega 2; 3 with sqrt 2.
+    const auto at_start = verify_rows("time,theta,omega,energy\n0,0,2.0,2\n0,3.14,1.5,3.125\n").rows;
+    CHECK((at_start.at(0).at("omega_correct_digits") == "inf" && at_start.at(1).at("omega_correct_digits") == "inf"));
+}
+
+TEST_CASE("where 0 is exact a scale takes the place of the value", "[command][verify]") {
+    // A quarter period after rest; 3.3e-3 is an ordinary miss.
+    const std::string csv =
+        "time,theta,omega,energy\nT/4,6.123233995736766e-17,-1.849324200890693,1.71\n"
+        "T/2,-2.3602945,-1.2246467991473532e-16,1.71\n0.7,2.1795,-0.61876,1.71\n";
+    const auto [done, rows] = verify_rows(csv);
+    REQUIRE(rows.size() == 3);
+    // 6.1e-17 of 2.36 and 1.2e-16 of sqrt(2 * 1.71): -log10 is 16.58 and 16.17.
+    CHECK((rows[0].at("verdict") == "ok" && rows[0].at("reference") == "0" && rows[0].at("correct_digits") == "16.5"));
+    CHECK((rows[1].at("verdict") == "ok" && rows[1].at("omega_correct_digits") == "16.1"));
+    CHECK(rows[2].at("verdict") == "miss");
+    CHECK(says(done, "worst row: line 4, "));
+    CHECK(verdict_of("time,theta,energy\nT/4,1e-3,1.71\n", {"--relative", "1e-3"}) == "ok");
+    CHECK(verdict_of("time,theta,energy\nT/4,1e-2,1.71\n", {"--relative", "1e-3"}) == "miss");
+    CHECK(verdict_of("time,theta,energy\nT/4,0.061232,1.71\n") == "miss");
+}
+
+TEST_CASE("verify has a relative tolerance, alone and beside an absolute one", "[command][verify]") {
+    const std::string head = "time,theta,energy\n0.7,";
+    // 2.18 is 0.00289 away, 1.32e-3 of the value.
+    CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1.33e-3"}) == "ok");
+    CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1.32e-3"}) == "miss");
+    CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1e-9", "--tolerance", "0.003"}) == "ok");
+    CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1e-2", "--tolerance", "1e-9"}) == "ok");
+    CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1e-9", "--tolerance", "1e-9"}) == "miss");
+    CHECK(says(verify(head + "2.18,1.71\n", {"--relative", "1e-9", "--ulp", "1"}), "--ulp '1' comes together with"));
+}
+
+TEST_CASE("verify writes JSON", "[command][verify]") {
+    const auto done =
+        verify("time,theta,energy,note\n0.7,2.18,1.71,\"a \"\"b\"\"\"\n0.7,two,1.71,\n", {"--format", "json"});
+    CHECK(done.exit_code == 2);
+    const auto rows = nlohmann::json::parse(done.out);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("note") == "a \"b\"");
+    CHECK((rows[0].at("verdict") == "ok" && rows[0].at("error") == "0.00289"));
+    CHECK((rows[1].at("verdict") == "malformed" && rows[1].at("error").is_null()));
+    CHECK(verify("time,theta,energy\n", {"--format", "json"}).exit_code == 2);
+    CHECK(says(verify("time,theta,energy\n0,0,1\n", {"--format", "xml"}), "--format 'xml' is no format"));
+}
+
+TEST_CASE("verify compares elliptic functions", "[command][verify]") {
+    // mpmath, mp.dps = 40: ellipfun('sn', 0.7, m=0.3), 'cd'; ellipk(0.3), ellipe(-3), ellippi(0.25, 0.3),
+    // ellipe(2, 0.3), asin(ellipfun('sn', ...)).
+    const auto jacobi =
+        verify_rows("u,m,sn,cd,am\n0.7,0.3,0.63230477631086454908,0.825827174402893594,0.6845246\n").rows;
+    CHECK(jacobi.at(0).at("verdict") == "ok");
+    CHECK_THAT(jacobi.at(0).at("reference"), right_to_the_last_digit("0.6845245936612939594588310516786254909193"));
+    CHECK_THAT(jacobi.at(0).at("cd_reference"), right_to_the_last_digit("0.8258271744028935938916755988440416300621"));
+    CHECK(verdict_of("k,K\n0.54772255750516611346,1.71388944817879\n") == "ok");
+    CHECK(verdict_of("m1,E\n4,2.422112055136919050\n") == "ok");
+    CHECK(verdict_of("m,n,Pi\n0.3,0.25,1.99173885354569\n") == "ok");
+    CHECK(verdict_of("m,phi,E\n0.3,2,1.808964725363331\n") == "ok");
+    CHECK(verdict_of("m,phi,E\n0.3,2,1.808964725363332\n", {"--relative", "1e-16"}) == "miss");
+    CHECK(verdict_of("m,K\n1,inf\n") == "ok");
+    CHECK(verdict_of("m,K\n1,1e300\n") == "miss");
+    CHECK(verdict_of("parameter,K\n0.3,1.71388944817879\n", {"--columns", "parameter=m"}) == "ok");
+    CHECK(verdict_of("u,m,sn\n0,0.3,1e-17\n", {"--relative", "1e-15"}) == "ok");
+    CHECK(verify_rows("u,m,am\n0.7,0,0.7\n").rows.at(0).at("correct_digits") == "inf");
+    CHECK(says(verify("m,sn\n0.3,0.6\n"), "f.csv has no column 'u', the argument of sn"));
+    CHECK(says(verify("m,Pi\n0.3,0.6\n"), "f.csv has no column 'n'"));
+    CHECK(says(verify("m,k,K\n0.3,0.6,1\n"), "f.csv has both 'k' and 'm'"));
+    CHECK(says(verify("m,K\n2,1\n"), "f.csv:2: m '2' is above 1, where K is not real"));
+    CHECK(says(verify("m,K\n0.3,1\n", {"--energy", "1"}), "--energy '1' has no meaning for elliptic functions"));
+    CHECK(says(verify("u,m,sn\nx,0.3,1\n"), "f.csv:2: u 'x' is not a number"));
+    CHECK(says(verify("u,m,sn\n1,0.3,?\n"), "f.csv:2: sn '?' is not a number"));
+}
+
+TEST_CASE("verify shows what it quotes short and without control characters", "[command][verify]") {
+    const std::string head = "time,theta,energy\n";
+    CHECK(says(verify(head + "0.7,\x1b[2J" + std::string(1, '\0') + "x,1.71\n"),
+               "f.csv:2: theta '\\x1b[2J\\0x' is not a number"));
+    const auto done = verify(head + "0.7,2.18," + std::string(100'000, '9') + "x\n");
+    CHECK(says(done, "f.csv:2: energy '" + std::string(60, '9') + "...' "));
+    CHECK(done.err.size() < 1000);
+    CHECK(verify(std::string(1'000'000, 'a') + "\n1\n").err.size() < 1000);
 }
 
 TEST_CASE("verify writes the same bytes with any number of threads", "[command][verify]") {

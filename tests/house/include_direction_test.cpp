@@ -104,7 +104,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/claims", study},
         {"src/motion", study},
         {"src/table", command},
-        {"src/verify", command},
+        {"src/verify", command + rooms{"src/table"}},
         {"src/report", command + rooms{"src/claims", "src/table"}},
         {"src", command + rooms{"src/claims", "src/table", "src/verify", "src/report"}},
         {"studies/problem", study},

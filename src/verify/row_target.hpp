@@ -1,26 +1,11 @@
-// The files of `libration verify`: where the rows come from and where they go.
+// Where the rows of `libration verify` go.
 #pragma once
 
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <string>
 
-#include "text/csv_records.hpp"
-
 namespace libration {
-
-/// A CSV file, or stdin for "-", as records.
-class row_source {
-public:
-    /// Throws input_error where the file cannot be read.
-    explicit row_source(const std::string& path);
-    csv_records& records() { return records_; }
-
-private:
-    std::ifstream file_;
-    csv_records records_;
-};
 
 /// stdout, or a file that is written beside and renamed when it is whole. What exists and is no regular file (a pipe, a
 /// device) is written to as it is.

@@ -1,4 +1,4 @@
-#include "verify/verify_files.hpp"
+#include "verify/row_target.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 #include <system_error>
 
@@ -19,22 +18,6 @@ namespace {
 constexpr const char* target_remedy = "choose a file in a folder that you may write in";
 
 }  // namespace
-
-row_source::row_source(const std::string& path) : records_(path == "-" ? std::cin : file_) {
-    if (path == "-") {
-        return;
-    }
-    const char* const remedy = "name a readable CSV file, or - for stdin";
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw input_error("FILE", path, "is a folder", remedy);
-    }
-    errno = 0;
-    file_.open(path, std::ios::binary);
-    if (!file_) {
-        throw input_error("FILE", path, fmt::format("cannot be read ({})", std::strerror(errno)), remedy);
-    }
-}
 
 row_target::row_target(const std::optional<std::string>& path) : path_(path.value_or("")) {
     if (!path) {

@@ -1,0 +1,93 @@
+// A motion in the cells of a row: which columns give it, and what they say, read exactly.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/pendulum/motion/typed_motion.hpp"
+#include "motion/motion_options.hpp"
+#include "text/column_names.hpp"
+
+namespace libration {
+
+/// What stands in a cell or behind an option, with the name that the user knows it by.
+struct named_text {
+    std::string text = {};
+    std::string name = {};
+};
+
+/// A text for each number of a motion, empty where there is none.
+struct motion_cells {
+    named_text theta0 = {}, omega0 = {}, gap = {}, energy = {}, direction = {}, length = {}, gravity = {};
+
+    /// Those of a command line.
+    static motion_cells of(const motion_options& options);
+    bool names_a_motion() const {
+        return (!theta0.text.empty() && !omega0.text.empty()) || !gap.text.empty() || !energy.text.empty();
+    }
+    /// Takes from another what is empty here. Throws error where both say something and differ.
+    void complete_from(const motion_cells& other);
+    /// All texts: what tells motions apart.
+    std::string key() const;
+    /// theta0 and omega0, else the gap, else the energy, these two from theta0 where it is there; in the nearest doubles
+    /// of them where that is asked for. Throws error of the name of a cell where it cannot be read, where there is no
+    /// motion, and where the cells contradict each other: where the energies that they give differ by more than doubles
+    /// round, 2^-50 of their size, or the direction is not the sign of omega0.
+    pendulum::typed_motion read(bool as_doubles = false) const;
+    /// The motion of what was read. Throws error of the name of a cell, as where an energy is negative.
+    pendulum::motion motion_of(const pendulum::typed_motion& typed) const;
+};
+
+/// Where the cells of a motion are. A table of ours says behind how its numbers were typed: what stands there is exact.
+class motion_columns {
+public:
+    /// The quantities, for column_names.
+    static std::vector<known_column> known();
+    explicit motion_columns(const column_names& names);
+
+    bool names_a_motion() const { return (at(0) && at(1)) || at(2) || at(3); }
+    bool has_angle() const { return at(0).has_value(); }
+    bool has_speed() const { return at(1).has_value(); }
+    bool has_direction() const { return at(4).has_value(); }
+    bool has_length() const { return at(5).has_value(); }
+    motion_cells in(const std::vector<std::string>& cells) const;
+
+private:
+    const std::optional<std::size_t>& at(std::size_t i) const { return places_[i]; }
+
+    const column_names* names_;
+    std::array<std::optional<std::size_t>, 7> places_;
+    std::array<std::optional<std::size_t>, 4> typed_;  ///< theta0, omega0, gap, energy
+};
+
+/// The columns of a time, as numbers and as typed.
+class time_columns {
+public:
+    static std::vector<known_column> known();
+    explicit time_columns(const column_names& names)
+        : names_(&names), at_(names.find("time")), typed_(names.find("time_typed")) {}
+
+    bool there() const { return at_.has_value(); }
+    named_text in(const std::vector<std::string>& cells) const;
+
+private:
+    const column_names* names_;
+    std::optional<std::size_t> at_, typed_;
+};
+
+/// A time such as 0.7 or T/4; throws error.
+exact time_in(const std::string& text);
+
+/// read(cell.text); what is wrong with it is said of the cell's name.
+template <class Read>
+auto reading_cell(const named_text& cell, const Read& read) {
+    try {
+        return read(cell.text);
+    } catch (const error& problem) {
+        throw error(problem.kind(), cell.name, cell.text, problem.reason());
+    }
+}
+
+}  // namespace libration

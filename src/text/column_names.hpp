@@ -1,0 +1,51 @@
+// Which column of a file is which quantity: by its name, by a common spelling of it, or as the user maps it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace libration {
+
+/// A quantity under its name here, with other spellings: lower-case, without blanks, underscores and units.
+struct known_column {
+    std::string_view name;
+    std::vector<std::string_view> spellings = {};
+};
+
+/// The columns of a file. A mapped column is what the user says; of the others one of exactly our name comes first, then
+/// one that is spelled so: "Time", "t [s]", "theta_0 (rad)".
+class column_names {
+public:
+    /// `mapping` is --columns: t=time,E=energy, with a name of `known` or - (no column of ours) on the right; or, where
+    /// the file has no names, theirs in its order. Throws input_error.
+    column_names(std::string file, std::vector<std::string> own, std::size_t count,
+                 const std::optional<std::string>& mapping, std::vector<known_column> known);
+
+    /// The place of the quantity; nothing where the file lacks it. Throws input_error where two columns are it, and
+    /// std::logic_error for a name that is not known.
+    std::optional<std::size_t> find(std::string_view name) const;
+    std::size_t count() const { return own_.size(); }
+    /// What the file calls a column.
+    const std::string& own(std::size_t at) const { return own_[at]; }
+    const std::vector<std::string>& own() const { return own_; }
+    const std::string& file() const { return file_; }
+    /// 'time', 'theta': what a message says of the columns that there are.
+    std::string listed() const;
+
+private:
+    void name_by_place(const std::string& mapping, const std::vector<std::string>& items, std::size_t count);
+    void map(const std::string& mapping, const std::string& item);
+    void require_known(const std::string& mapping, const std::string& name) const;
+
+    std::string file_;
+    std::vector<std::string> own_;
+    std::vector<std::string> mapped_;  ///< what the user says of each column; empty where nothing
+    std::vector<known_column> known_;
+};
+
+/// 'a', 'b' of names; of more than 20 the first ones and how many more.
+std::string listed(const std::vector<std::string>& names);
+
+}  // namespace libration

@@ -1,0 +1,66 @@
+// Rows of motions under `verify`: theta, and perhaps omega, at a time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/pendulum/proved/condition.hpp"
+#include "motion/motion_cells.hpp"
+#include "verify/compare_rules.hpp"
+#include "verify/row_question.hpp"
+
+namespace libration {
+
+/// Where the columns of a file of motions are, and what its rows have in common.
+class motion_layout {
+public:
+    /// The quantities, for column_names.
+    static std::vector<known_column> known();
+    /// Whether the names are those of motions: a time and a theta.
+    static bool fits(const column_names& names);
+    /// `usual` is what a row takes that does not say it. Throws input_error for a column or a motion that is missing.
+    motion_layout(const column_names& names, motion_cells usual);
+
+    const std::vector<compared_column>& compared() const { return compared_; }
+    exact time(const std::vector<std::string>& cells, bool as_double) const;
+    motion_cells motion(const std::vector<std::string>& cells) const;
+
+private:
+    time_columns time_;
+    motion_columns motion_;
+    motion_cells usual_;
+    std::vector<compared_column> compared_;
+};
+
+/// Motions met lately are kept, so that rows of one motion share its work; what a row becomes does not depend on the
+/// rows before.
+class motion_questions : public question_reader {
+public:
+    motion_questions(const motion_layout& layout, const compare_rules& rules) : layout_(layout), rules_(rules) {}
+    const std::vector<compared_column>& columns() const override { return layout_.compared(); }
+    row_question read(const std::vector<std::string>& cells) override;
+
+private:
+    struct known_motion {
+        std::string key;
+        pendulum::typed_motion typed;
+        pendulum::motion exactly;
+        mpfr theta_scale;
+        mpfr omega_scale;
+        std::vector<std::pair<long, std::unique_ptr<pendulum::conditioned_motion>>> by_digits = {};
+
+        const pendulum::conditioned_motion& in_precision(long digits);
+        std::vector<true_value> at(const exact& time, long digits);
+    };
+
+    known_motion& motion_for(const motion_cells& cells);
+
+    const motion_layout& layout_;
+    const compare_rules& rules_;
+    std::vector<std::unique_ptr<known_motion>> known_ = {};  // latest first
+};
+
+}  // namespace libration
