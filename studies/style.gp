@@ -1,20 +1,103 @@
-# The one style of all figures. A script is called with `data` (folder of the CSV), `target` (folder for the drawings) and
-# `scripts` (this folder), loads this file, and draws once for each name in `terminals`.
+# The one style of all figures, and what their scripts ask of tables. A script is called with `data` (folder of the CSV),
+# `target` (folder for the drawings) and `scripts` (this folder), loads this file, and draws once for each name in
+# `terminals`. Axes, panels and keys follow from the tables: nothing in a script is right for the usual parameters alone.
+#
+# The same everywhere: energies, times and orders grow to the right; log10 |2 - E| falls to the right, towards the
+# separatrix; errors are log10 of radians and grow upwards. The series is dashed, its resummation solid, what is proved
+# or predicted dotted, and the key says so.
 
-set datafile separator ','
-set datafile missing NaN          # a filtered-out row does not break a line
-set datafile columnheaders
+# How every figure begins; `eval restart` between two. A row that was filtered out does not break a line.
+restart = "reset; set encoding utf8; set minussign; set datafile separator ','; set datafile missing NaN; set datafile columnheaders; set border 3 lc rgb '#444444'; set tics nomirror out textcolor rgb '#222222'; set grid ytics lc rgb '#dddddd' lw 0.7; set key textcolor rgb '#222222' samplen 2.2 spacing 1.1"
+eval restart
 
-terminals = 'svg png'
+if (!exists('terminals')) { terminals = 'svg pdf png' }
+# Lengths are in points of the screen, 160 of them an inch on paper: a figure of 1180 points is as wide as a page, and
+# its letters have 6.3 points of print. PNG has 300 dots an inch.
+per_inch = 160.0
+if (!exists('dots')) { dots = 300 / per_inch }
+print = 72 / per_inch
 # use_terminal(kind, file, width, height)
 use_terminal(kind, file, w, h) = kind eq 'svg' \
-    ? sprintf("set terminal svg size %d,%d dynamic enhanced font 'Helvetica,13' background 'white'; set output '%s.svg'", w, h, file) \
-    : sprintf("set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,12' background 'white'; set output '%s.png'", w, h, file)
+    ? sprintf("set terminal svg size %d,%d dynamic enhanced font 'Helvetica,14' background 'white'; set output '%s.svg'", w, h, file) \
+    : kind eq 'pdf' \
+    ? sprintf("set terminal pdfcairo size %.4fin,%.4fin enhanced font 'DejaVu Sans,13' fontscale %.4f linewidth %.4f pointscale %.4f dashlength 1.2 background 'white'; set output '%s.pdf'", w / per_inch, h / per_inch, print, print, print, file) \
+    : sprintf("set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,13' fontscale %.4f linewidth %.4f pointscale %.4f background 'white'; set output '%s.png'", w * dots, h * dots, dots, dots, dots, file)
 
 # Okabe and Ito's colours in an order that also darkens in grey, so that neighbours differ without colour.
 array shade[6] = ['#E69F00', '#56B4E9', '#009E73', '#D55E00', '#0072B2', '#000000']
+array mark[6] = [4, 6, 8, 2, 12, 10]
 
-set border 3 lc rgb '#444444'
-set tics nomirror out textcolor rgb '#222222'
-set grid ytics lc rgb '#dddddd' lw 0.7
-set key textcolor rgb '#222222' samplen 2.2 spacing 1.1
+soft = '#555555'
+
+# --- curves: at most six have colours of their own; more of them a scale from light green to dark violet, of which the
+# key names eight.
+ramp_red(k) = word('143 53 33 49 68 68', k) + 0
+ramp_green(k) = word('200 183 144 104 57 1', k) + 0
+ramp_blue(k) = word('60 121 141 142 131 84', k) + 0
+between(a, b, t) = int(a + (b - a) * t + 0.5)
+ramp_at(x, k) = sprintf('#%02x%02x%02x', between(ramp_red(k), ramp_red(k + 1), x - k), between(ramp_green(k), ramp_green(k + 1), x - k), between(ramp_blue(k), ramp_blue(k + 1), x - k))
+ramp(t) = ramp_at(1 + 5 * t, t >= 1 ? 5 : 1 + int(5 * t))
+colour(i, n) = n <= 6 ? shade[i] : ramp((i - 1.0) / (n - 1))
+mark_of(i) = mark[(i - 1) % 6 + 1]
+in_key(i, n) = n <= 8 || i == 1 || i == n || int((i - 1) * 7.0 / (n - 1)) != int((i - 2) * 7.0 / (n - 1))
+dash_of(method) = method eq 'series' ? 2 : 1
+
+# --- what a table holds. `where` is a condition of awk on the cells $1, $2, ...; v() reads a number or a fraction.
+awk_v = 'BEGIN { CONVFMT = OFMT = "%.15g" } function v(s, f) { return split(s, f, "/") == 2 ? f[1] / f[2] : s + 0 } '
+# gnuplot reads 1e-6 as the whole number 1 with something behind it.
+number(s) = (strstrt(s, 'e') > 0 && strstrt(s, '.') == 0 ? s[1:strstrt(s, 'e') - 1].'.0'.s[strstrt(s, 'e'):*] : s) + 0.0
+exists_file(file) = system("test -f '".file."' && echo 1 || echo 0") + 0
+# The values of a column as written, in the order of the table; or by size.
+seen(file, c, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print $".c." }' '".file."'")
+sorted(file, c, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print v($".c."), $".c." }' '".file."' | sort -g | cut -d' ' -f2")
+count_of(file, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") { ++n } END { print n + 0 }' '".file."'") + 0
+first_of(file, c, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") { print $".c."; exit }' '".file."'")
+# The least and the greatest finite number of the columns 'c c ...'; `otherwise` where there is none.
+extreme(file, cs, where, sign, otherwise) = number(system("awk -F, '".awk_v."BEGIN { k = split(\"".cs."\", c, \" \") } NR > 1 && (".where.") { for (i = 1; i <= k; ++i) if ($c[i] != \"\" && $c[i] !~ /inf|nan/) { y = ".sign." * v($c[i]); if (!n++ || y < m) m = y } } END { print n ? ".sign." * m : ".sprintf('%.9g', otherwise)." }' '".file."'"))
+least(file, cs, where, otherwise) = extreme(file, cs, where, 1, otherwise)
+greatest(file, cs, where, otherwise) = extreme(file, cs, where, -1, otherwise)
+# Columns x and y of the rows that a condition picks, behind a blank line a point out of sight: gnuplot warns of a file
+# without points, and for [i=1:0] runs once.
+rows(file, x, y, where) = "< awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && (".where.") && $".y." != \"\" && $".y." !~ /inf|nan/ { print v($".x.") \",\" $".y." } END { print \"\\n1e99,1e99\" }' '".file."'"
+pick(list, most, j) = words(list) <= most ? word(list, j) : word(list, 1 + int((j - 1) * (words(list) - 1) / (most - 1.0) + 0.5))
+smaller(a, b) = a < b ? a : b
+larger(a, b) = a > b ? a : b
+
+# --- numbers as a reader writes them: 2e-7 is 2·10^{-7}; 1.99999999999999999999 is 2 - 10^{-20} by its gap.
+tens(m, e) = (m eq '1' ? '' : m.'·').'10^{'.(e[1:1] eq '-' ? '−'.e[2:*] : e).'}'
+number_name(s) = strstrt(s, 'e') ? tens(s[1:strstrt(s, 'e') - 1], s[strstrt(s, 'e') + 1:*]) : strlen(s) > 9 ? s[1:8].'…' : s
+tidy(s) = system("printf '%.6g' '".s."' | sed 's/e\\([+-]\\)0*/e\\1/; s/e+/e/'")
+from_two(g) = g[1:1] eq '-' ? '2 + '.number_name(tidy(g[2:*])) : '2 − '.number_name(tidy(g))
+energy_name(e, g) = strlen(e) <= 9 && !strstrt(e, 'e') ? e : strlen(g) > 0 && abs(number(g)) < 0.1 ? from_two(g) : number_name(e)
+
+# --- a figure of panels: `across` by `down`, each panel_w by panel_h, with a heading above and the key below them.
+head = 62
+foot = 70
+grid(n, most) = sprintf("across = %d; down = %d", n <= most ? n : n == 4 ? 2 : most, n <= most ? 1 : n == 4 ? 2 : (n + most - 1) / most)
+wide = 0; tall = 0
+figure_of(kind, name) = sprintf("wide = larger(across * panel_w, 620.0); tall = head + down * panel_h + foot + 0.0; eval use_terminal('%s', target.'/%s', wide, tall); set multiplot", kind, name)
+panel(p) = sprintf("set origin %.6f, %.6f; set size %.6f, %.6f", ((p - 1) % across) / (across + 0.0), 1 - (head + panel_h * ((p - 1) / across + 1.0)) / tall, 1.0 / across, panel_h / tall)
+# The heading, smaller where it would not fit, and a line below it.
+font_for(text, most) = smaller(most, int(1.5 * wide / strlen(text)))
+heading(text, below) = sprintf("set label 1001 \"%s\" at screen 0.5, %.6f center font ',%d'; set label 1002 \"%s\" at screen 0.5, %.6f center font ',%d' textcolor rgb soft", text, 1 - 20 / tall, font_for(text, 17), below, 1 - 44 / tall, font_for(below.' ', 13))
+no_heading = 'unset label 1001; unset label 1002'
+# The strip of the key: what is drawn in it is only named.
+key_strip = "unset title; unset xlabel; unset ylabel; unset tics; unset border; unset grid; unset arrow; unset label; unset logscale; unset format; set xrange [0:1]; set yrange [0:1]; set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0; set origin 0, 0; set size 1, foot / tall; set key inside center center horizontal Left reverse samplen 2.6 width 1"
+# --- axes
+e_axis = 'energy E / (m g ℓ)'
+t_axis = 'time t / (ℓ/g)^{1/2}'
+norm_axis = 'log_{10} (max |error| / rad)'
+error_axis = 'log_{10} (|error| / rad)'
+gap_axis = 'log_{10} |2 − E / (m g ℓ)| → E = 2'
+# An axis from a to b, with room at both ends; a single value stands in the middle.
+room(a, b) = b > a ? 0.04 * (b - a) : larger(0.5, 0.1 * abs(a))
+rising(which, a, b) = sprintf("set %srange [%.15g:%.15g]", which, a - room(a, b), b + room(a, b))
+falling(which, a, b) = sprintf("set %srange [%.15g:%.15g]", which, b + room(a, b), a - room(a, b))
+# Energies from a to b: from 0 where a is near it, in powers of ten where b is large.
+energies_on_x(a, b) = b > 30 && a > 0 && b > 3 * a ? sprintf("set logscale x; set format x '10^{%%T}'; set xrange [%.9g:%.9g]", a / 1.2, b * 1.2) : a > 0 && a < 0.1 * b ? sprintf("set xrange [0:%.15g]", b) : rising('x', a, b)
+# E = 2 between them.
+separatrix_on_x(a, b) = a < 2 && b > 2 ? "set arrow 1001 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3; set label 1003 'E = 2' at 2, graph 0.975 offset 0.6, 0 textcolor rgb soft" : ''
+energies_done = "unset arrow 1001; unset label 1003; unset logscale x; set format x '%g'"
+# Room for a key of so many entries of so many letters: eval it when across and panel_w are known.
+shown_in_key(n) = n > 8 ? 8 : n
+foot_for(entries, letters) = 30 + 24 * ceil(entries / floor(larger(across * panel_w, 620.0) / (12 * letters + 95)))

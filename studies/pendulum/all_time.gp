@@ -5,71 +5,76 @@ load scripts.'/style.gp'
 
 file = data.'/all_time.csv'
 reduction = data.'/all_time_reduction.csv'
-distinct(name, column) = system(sprintf("tail -n +2 '%s' | cut -d, -f%d | awk '!seen[$0]++'", name, column))
-edge(name, column, side) = system(sprintf("awk -F, 'NR>1&&$%d!~/inf/&&$%d!=\"\"{if(!n++||$%d>h)h=$%d;if(n==1||$%d<l)l=$%d}END{if(h==l){h+=1;l-=1}print n ? %s : 0}' '%s'", column, column, column, column, column, column, side, name)) + 0
-energies = distinct(file, 1)
-rules = distinct(file, 2)
-panels = words(rules) < 4 ? words(rules) : 4
-first = edge(file, 7, 'l')
-last = edge(file, 7, 'h')
-low = edge(file, 8, 'l')
-low = low < -32 ? -32 : floor(low) - 2
-high = ceil(edge(file, 8, 'h')) + 2
-of(e, way, y) = strcol(1) eq e && strcol(2) eq way ? y : NaN
-by(e, way, how, y) = strcol(3) eq how ? of(e, way, y) : NaN
-colour(i) = shade[(i-1)%6+1]
-shape(i) = word('7 5 9 11 13 6', (i-1)%6+1) + 0
+energies = seen(file, 1, '1')
+rules = seen(file, 2, '1')
+n = words(energies)
+panels = smaller(words(rules), 9)
+first = least(file, '7', '1', 0)
+last = greatest(file, '7', '1', 1)
+of(e, way) = sprintf('$1 == "%s" && $2 == "%s"', e, way)
+by(e, way, how) = of(e, way).sprintf(' && $3 == "%s"', how)
+named(i) = 'E = '.number_name(word(energies, i))
+periods_axis = 'log_{10} p, periods'
 
+eval grid(panels, 4)
+panel_w = panels == 1 ? 800 : panels == 2 ? 520 : panels == 3 ? 400 : across == 2 ? 520 : 310
+panel_h = 440
+foot = foot_for(shown_in_key(n) + 1, 12)
+low = larger(least(file, '8', '1', -16), -40); high = greatest(file, '8 9', '1', 0)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/all_time', 200 + 280*panels, 560)
-    wide = 200.0 + 280*panels
-    set multiplot
-    set label 1 'Error after p periods with an inexact T*'.(words(rules) > panels ? sprintf(' (%d of %d ways)', panels, words(rules)) : '') at screen 0.5, 0.955 center font ',16'
-    set xrange [first-0.3:last+0.3]
-    set yrange [low:high]
-    set tmargin at screen 0.85
-    set bmargin at screen 0.13
-    set xlabel 'log_{10} p, periods'
+    eval figure_of(kind, 'all_time')
+    eval heading('Error after p periods with an inexact T*', 'the title of a panel says how T* was made'.(words(rules) > panels ? sprintf('; %d of %d ways', panels, words(rules)) : ''))
+    eval rising('x', first, last)
+    set yrange [low - room(low, high):high + room(low, high)]
+    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
+    set xlabel periods_axis
     do for [c=1:panels] {
-        set lmargin at screen (75 + (c-1)*280)/wide
-        set rmargin at screen (75 + c*280 - 22)/wide
-        set title 'T* by '.word(rules, c) offset 0,-0.4
-        if (c == 1) { set ylabel 'log_{10} max |error|, radians' offset 0.5; set format y '%g' } else { unset ylabel; set format y '' }
-        if (c == panels) { set key at screen 1 - 12/wide, 0.83 right top title 'energy E' } else { unset key }
-        plot for [i=1:words(energies)] file using 7:(of(word(energies, i), word(rules, c), column(9))) with lines lw 1.4 dt 3 lc rgb colour(i) notitle, \
-             for [i=1:words(energies)] file using 7:(of(word(energies, i), word(rules, c), column(8))) with linespoints lw 1.8 pt shape(i) ps 0.9 lc rgb colour(i) title word(energies, i), \
-             NaN with lines lw 1.4 dt 3 lc rgb '#555555' title 'estimate'
-        unset label 1
+        eval panel(c)
+        set title 'T* by '.pick(rules, panels, c) noenhanced offset 0, -0.5
+        if ((c - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
+        unset key
+        plot for [i=1:n] rows(file, 7, 9, of(word(energies, i), pick(rules, panels, c))) using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
+             for [i=1:n] rows(file, 7, 8, of(word(energies, i), pick(rules, panels, c))) using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n)
+        eval no_heading
     }
+    eval key_strip
+    plot for [i=1:n] NaN with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n) title in_key(i, n) ? named(i) : '', \
+         NaN with lines lw 1.4 dt 3 lc rgb soft title 'estimate'
     unset multiplot
     unset output
+    eval restart
 }
 
-scalars = distinct(reduction, 2)
-n = words(scalars)
-low = floor(edge(reduction, 8, 'l')) - 1
-high = ceil(edge(reduction, 9, 'h')) + 1
+scalars = seen(reduction, 2, '1')
+panels = words(scalars)
+eval grid(panels, 3)
+panel_w = panels == 1 ? 800 : panels == 2 ? 590 : 400
+foot = foot_for(shown_in_key(n) + 3, 12)
+low = least(reduction, '8', '1', -16); high = greatest(reduction, '8 9', '1', 0)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/all_time_reduction', 200 + 340*n, 560)
-    wide = 200.0 + 340*n
-    set multiplot
-    set label 1 'The exact solution after p periods in each scalar' at screen 0.5, 0.955 center font ',16'
-    set xrange [first-0.3:last+0.3]
-    set yrange [low:high]
-    do for [c=1:n] {
-        set lmargin at screen (75 + (c-1)*340)/wide
-        set rmargin at screen (75 + c*340 - 22)/wide
-        set title word(scalars, c) offset 0,-0.4
-        if (c == 1) { set ylabel 'log_{10} max |error|, radians' offset 0.5; set format y '%g' } else { unset ylabel; set format y '' }
-        if (c == n) { set key at screen 1 - 12/wide, 0.83 right top title 'energy E' } else { unset key }
-        plot for [i=1:words(energies)] reduction using 7:(by(word(energies, i), word(scalars, c), 'fmod', column(9))) with lines lw 1.4 dt 3 lc rgb colour(i) notitle, \
-             for [i=1:words(energies)] reduction using 7:(by(word(energies, i), word(scalars, c), 'exact', column(8))) with linespoints lw 1.8 dt 2 pt shape(i) ps 0.6 lc rgb colour(i) notitle, \
-             for [i=1:words(energies)] reduction using 7:(by(word(energies, i), word(scalars, c), 'fmod', column(8))) with linespoints lw 1.8 pt shape(i) ps 0.9 lc rgb colour(i) title word(energies, i), \
-             NaN with lines lw 1.8 lc rgb '#555555' title 'fmod', \
-             NaN with lines lw 1.4 dt 3 lc rgb '#555555' title 'its bound', \
-             NaN with lines lw 1.8 dt 2 lc rgb '#555555' title 'exact'
-        unset label 1
+    eval figure_of(kind, 'all_time_reduction')
+    eval heading('The exact solution after p periods in each arithmetic', 'the time reduced by fmod in that arithmetic, or exactly')
+    eval rising('x', first, last)
+    set yrange [low - room(low, high):high + room(low, high)]
+    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
+    set xlabel periods_axis
+    do for [c=1:panels] {
+        s = word(scalars, c)
+        eval panel(c)
+        set title s offset 0, -0.5
+        if ((c - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
+        unset key
+        plot for [i=1:n] rows(reduction, 7, 9, by(word(energies, i), s, 'fmod')) using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
+             for [i=1:n] rows(reduction, 7, 8, by(word(energies, i), s, 'exact')) using 1:2 with linespoints lw 1.8 dt 2 pt mark_of(i) ps 0.6 lc rgb colour(i, n), \
+             for [i=1:n] rows(reduction, 7, 8, by(word(energies, i), s, 'fmod')) using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n)
+        eval no_heading
     }
+    eval key_strip
+    plot for [i=1:n] NaN with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n) title in_key(i, n) ? named(i) : '', \
+         NaN with lines lw 1.8 lc rgb soft title 'by fmod', \
+         NaN with lines lw 1.4 dt 3 lc rgb soft title 'its bound', \
+         NaN with lines lw 1.8 dt 2 lc rgb soft title 'exactly'
     unset multiplot
     unset output
+    eval restart
 }

@@ -5,48 +5,47 @@
 load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
-typed = system(sprintf("head -n 1 '%s' | tr , '\\n' | grep -nx time_typed | cut -d: -f1", file))
-place = strlen(typed) > 0 ? typed : '2'
-times = system(sprintf("cut -d, -f%s '%s' | tail -n +2 | awk '!seen[$0]++'", place, file))
-smallest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | sed -n 1p | awk '{printf \"%%.3e\", $1}'", file)))
-largest = real(system(sprintf("cut -d, -f1 '%s' | tail -n +2 | sort -g | tail -n 1 | awk '{printf \"%%.3e\", $1}'", file)))
-panels = words(times)
-across = panels < 3 ? panels : 3
-down = (panels + across)/across       # one cell more than panels, for the key
-wide(x) = 360*x + (x == 1 ? 200 : 40)
-
-# -log10 of the gap and y of the rows of a library at a time, behind a blank line a point out of sight: gnuplot warns of a file without
-# points.
-rows(who, t, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && $%s == \"%s\" && $3 == \"%s\" {y = %s; print -log($1)/log(10) \",\" (y > 20 ? 20 : y)} END {print \"\\n1e9,1e9\"}' '%s'", place, t, who, y, file)
+typed = system("head -n 1 '".file."' | tr , '\\n' | grep -nx time_typed | cut -d: -f1")
+place = strlen(typed) > 0 ? int(typed + 0) : 2
+times = seen(file, place, '1')
+panels = smaller(words(times), 9)
+# log10 of the gap and y of the rows of a library at a time, with a point out of sight behind them.
+digits(who, t, y) = "< awk -F, 'BEGIN { print \"x,y\" } NR > 1 && $".place." == \"".t."\" && $3 == \"".who."\" { y = ".y."; print log($1) / log(10) \",\" (y > 20 ? 20 : y) } END { print \"\\n1e99,1e99\" }' '".file."'"
 # The digits that the rounded k has lost before the library begins.
 told = '($10 > 0 ? -log($10*2^-52)/log(10) : 20)'
+nearest = number(system("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x < m) m = x } END { print m }' '".file."'"))
+farthest = number(system("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x > m) m = x } END { print m }' '".file."'"))
 
+eval grid(panels, 3)
+panel_w = panels == 1 ? 860 : panels == 2 ? 590 : 400
+panel_h = panels == 1 ? 520 : 350
+foot = foot_for(4, 24)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/'.name, wide(across), 330*down + 40)
-    set xtics 5 nomirror out textcolor rgb '#222222'
-    set ytics nomirror out textcolor rgb '#222222'
-    set multiplot layout down, across title 'Correct digits of {/Symbol q} in double, from the nearest k and from the exact gap' font ',15' offset 0, -0.3
-    set xrange [-log10(largest) - 0.5:-log10(smallest) + 0.5]
+    eval figure_of(kind, name)
+    eval heading('Correct digits of θ in double, from the nearest k and from the exact gap', 't = 0 at the top'.(words(times) > panels ? sprintf('; %d of %d times', panels, words(times)) : ''))
+    eval falling('x', nearest, farthest)
     set yrange [0:19]
-    set lmargin 8
+    set ytics 0, 5
+    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
     do for [p=1:panels] {
-        set title sprintf('t = %s', word(times, p)) offset 0, -0.5
-        set xlabel '-log_{10} (2 - E)' offset 0, 0.3
-        set ylabel 'correct digits' offset 0.7
+        t = pick(times, panels, p)
+        eval panel(p)
+        set title sprintf('t = %s', t).(strstrt(t, 'T') ? '' : ' (ℓ/g)^{1/2}') offset 0, -0.5
+        set xlabel gap_axis
+        if ((p - 1) % across == 0) { set ylabel 'correct digits' } else { unset ylabel }
         unset key
         plot 15.653559774527 with lines lw 1.3 dt 3 lc rgb '#666666', \
-             rows(library, word(times, p), told) using 1:2 with lines lw 2 dt 2 lc rgb shade[6], \
-             rows(library, word(times, p), '$8') using 1:2 with points pt 7 ps 0.5 lc rgb shade[4], \
-             rows('libration', word(times, p), '$8') using 1:2 with points pt 6 ps 0.6 lc rgb shade[5]
+             digits(library, t, told) using 1:2 with linespoints lw 2 dt 2 pt 0 lc rgb shade[6], \
+             digits(library, t, '$8') using 1:2 with points pt 7 ps 0.5 lc rgb shade[4], \
+             digits('libration', t, '$8') using 1:2 with points pt 6 ps 0.6 lc rgb shade[5]
+        eval no_heading
     }
-    unset title; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
-    set xrange [0:1]
-    set key at graph 0.95, 0.9 right top
+    eval key_strip
     plot NaN with points pt 6 lc rgb shade[5] title 'ours, from the exact gap', \
-         NaN with points pt 7 lc rgb shade[4] title called.', from the nearest k', \
-         NaN with lines lw 2 dt 2 lc rgb shade[6] title 'what the nearest k still tells', \
+         NaN with points pt 7 lc rgb shade[4] title called.', nearest k', \
+         NaN with lines lw 2 dt 2 lc rgb shade[6] title 'what the nearest k tells', \
          NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'one unit of double'
-    set border 3 lc rgb '#444444'
     unset multiplot
     unset output
+    eval restart
 }

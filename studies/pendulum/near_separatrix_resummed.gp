@@ -1,4 +1,4 @@
 # near_separatrix_resummed: the resummation where the pendulum almost stops at the top.
 name = 'near_separatrix_resummed'
-heading = 'The resummation, extended periodically: near the separatrix'
+heading_text = 'The resummation, extended periodically: near the separatrix'
 load scripts.'/pendulum/extension.gp'

@@ -1,4 +1,4 @@
 # rotation_series: the partial sums from the top, extended to two periods of rotation.
 name = 'rotation_series'
-heading = 'The series from the top, extended periodically: rotation'
+heading_text = 'The series from the top, extended periodically: rotation'
 load scripts.'/pendulum/extension.gp'

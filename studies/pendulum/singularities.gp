@@ -12,14 +12,11 @@ count = words(energies)
 across = count > 1 ? 2 : 1
 down = (count + across - 1) / across
 of(e, k) = real(system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"expansion_top\" { print $%d; exit }' '%s'", e, k, file)))
+named(e) = energy_name(e, first_of(data.'/singularities.csv', 16, sprintf('$1 == "%s"', e)))
 regime(e) = system(sprintf("awk -F, '$1 == \"%s\" { print $16 ~ /^-/ ? \"rotation\" : \"libration\"; exit }' '%s'", e, file))
 in_panel(e, kind, y) = (strcol(1) eq e && strcol(2) eq kind) ? y : NaN
 far = 1e9                 # out of every panel: an order may have no pole at all
 pole(e, n, y) = (strcol(1) eq e && strcol(2) eq 'pade_pole' && column(3) == n) ? y : far
-larger(a, b) = a > b ? a : b
-shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
-smaller(a, b) = a < b ? a : b
-array mark[6] = [4, 2, 8, 6, 1, 12]
 high = 430                # of a panel, in points
 head = 36                 # of the title above them
 keys = words(orders) > 6 ? (words(orders) + 5) / 3 : 3
@@ -45,9 +42,9 @@ do for [kind in terminals] {
         set size ratio -1
         set lmargin 8; set rmargin 2; set tmargin 2; set bmargin 3.6
         set xrange [-w:w]; set yrange [-h:h]
-        set title 'E = '.shorter(e).': '.regime(e)
-        set xlabel 'Re t, dimensionless, t = 0 at the top'
-        set ylabel 'Im t'
+        set title 'E = '.named(e).': '.regime(e)
+        set xlabel 'Re t / (ℓ/g)^{1/2}, t = 0 at the top'
+        set ylabel 'Im t / (ℓ/g)^{1/2}'
         set arrow 1 from -w, 0 to w, 0 nohead lc rgb '#888888' lw 0.8 back
         set arrow 2 from 0, -h to 0, h nohead lc rgb '#888888' lw 0.8 dt 3 back
         aside = tstar < 0.25 * larger(w, h) ? -1 : 1
@@ -55,7 +52,7 @@ do for [kind in terminals] {
         if (aside > 0) { set label 2 '-T*' at -tstar, 0 left offset 0.4, 0.7 } else { set label 2 '-T*' at -tstar, 0 right offset -0.4, 0.7 }
         set label 1 point pt 13 ps 0.9 lc rgb '#555555' front
         set label 2 point pt 13 ps 0.9 lc rgb '#555555' front
-        set label 3 "i K~'" at 0, height noenhanced left offset 0.6, 0 point pt 13 ps 0.9 lc rgb '#555555' front
+        set label 3 'i K̃′' at 0, height left offset 0.6, 0 point pt 13 ps 0.9 lc rgb '#555555' front
         set label 4 'top' at 0, 0 left offset 0.6, -0.7 point pt 13 ps 0.9 lc rgb '#555555' front
         plot '+' using (radius * cos(2 * pi * $0 / 360)):(radius * sin(2 * pi * $0 / 360)) with lines lw 2 lc rgb '#0072B2' title 'convergence about the top', \
              '+' using (tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' title 'about the bottoms', \
@@ -71,8 +68,7 @@ do for [kind in terminals] {
 }
 
 # How fast the first singularity is found from the coefficients.
-reset
-load scripts.'/style.gp'
+eval restart
 file = data.'/singularities_convergence.csv'
 at(e, y) = strcol(1) eq e ? y : NaN
 with_poles = system(sprintf("awk -F, 'NR > 1 && $3 != \"\" { print $1 }' '%s' | uniq", file))
@@ -81,15 +77,15 @@ lowest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c 
 highest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c + 0 > l) l = $c + 0 } END { print l + 1 }' '%s'", file)))
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/singularities_convergence', 900, 560)
-    set title "The first singularity, T* + i K~', from N coefficients" font ',16' noenhanced
+    set title 'The first singularity, T* + i K̃′, from N coefficients' font ',16'
     set xlabel 'order N, last power of the series'
-    set ylabel 'log_{10} |error|, dimensionless time'
+    set ylabel 'log_{10} (|error| / (ℓ/g)^{1/2})'
     set key bottom left title 'energy E'
     set lmargin 9
     set xrange [0:last + 2]
     set yrange [lowest:highest]
-    roots = "for [p=1:count] file using 2:(at(word(energies, p), column(4))) with linespoints lw 2 dt 2 pt 2 ps 0.5 lc rgb shade[(p+2)%6+1] title shorter(word(energies, p)).': root test (its radius only)'"
-    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark[(p-1)%6+1] ps 0.8 lc rgb shade[(p+2)%6+1] title shorter(word(with_poles, p)).': nearest pole of the Padé approximant', "
+    roots = "for [p=1:count] file using 2:(at(word(energies, p), column(4))) with linespoints lw 2 dt 2 pt 2 ps 0.5 lc rgb shade[(p+2)%6+1] title named(word(energies, p)).': root test (its radius only)'"
+    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark[(p-1)%6+1] ps 0.8 lc rgb shade[(p+2)%6+1] title named(word(with_poles, p)).': nearest pole of the Padé approximant', "
     eval 'plot '.(words(with_poles) > 0 ? poles : '').roots
     unset output
 }

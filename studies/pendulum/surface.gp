@@ -16,7 +16,7 @@ first = edge(2, 'l'); last = edge(2, 'h')
 low = edge(1, 'l'); high = edge(1, 'h')
 top = highest > 12 ? 12 : (highest > 1.2 ? highest : 1.2)
 dash(i) = (i-1)%5+1
-colour(i) = shade[(3+2*i)%6+1]
+hue(i) = shade[(3+2*i)%6+1]
 is(regime, y) = strcol(4) eq regime ? y : NaN
 
 do for [kind in terminals] {
@@ -29,9 +29,9 @@ do for [kind in terminals] {
     set view 58, 328, 1.0, 1.15
     set xyplane 0
     set border 4095 lc rgb '#bbbbbb'
-    set xlabel 'time t' offset 0,-0.5
-    set ylabel 'energy E' offset 1,-0.5
-    set zlabel 'angle θ / π' rotate by 90 offset 1.5
+    set xlabel 't / (ℓ/g)^{1/2}' offset 0,-0.5
+    set ylabel 'E / (m g ℓ)' offset 1,-0.5
+    set zlabel 'angle θ / (π rad)' rotate by 90 offset 1.5
     set zrange [-1:top]
     set xrange [first:last]
     set yrange [low:high]
@@ -51,16 +51,15 @@ do for [kind in terminals] {
     set origin 0.64, 0
     set size 0.36, 0.90
     set lmargin 8
-    set xlabel 'energy E'
-    set ylabel 'log_{10} max |error|, radians' rotate by 90 offset 0
+    set xlabel e_axis
+    set ylabel norm_axis rotate by 90 offset 0
     set title 'Error of the resummation' offset 0,-0.5
     set key at graph 0.98, 0.03 right bottom noreverse Right title 'N, T* by'
     if (low < 2 && high > 2) { set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3 }
-    plot for [i=1:words(ways)] '<'.worst(word(ways, i)) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb colour(i) title word(ways, i)
+    plot for [i=1:words(ways)] '<'.worst(word(ways, i)) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title word(ways, i)
     unset arrow
     }
     unset multiplot
     unset output
-    reset
-    load scripts.'/style.gp'
+    eval restart
 }

@@ -1,52 +1,93 @@
-# uniform: digits of the uniform resummation against the energy: E < 1, 1 < E < 2, E > 2.
+# uniform: error of the uniform resummation against the energy, for E < 1, 1 < E < 2 and E > 2, or with one energy or two
+# against the number of coefficients.
 # Columns: energy,gap,count,order,norm,time_of_maximum,scalar,rigour,bound,rate,log10_norm,log10_bound,log10_energy,log10_gap.
 # Lines are drawn from the log10 columns and the gap column: neither 1e-100 nor 2 - 1e-100 passes through a double.
 load scripts.'/style.gp'
-tone(i) = shade[word('4 3 5 2 1 6', (i - 1)%6 + 1) + 0]     # neighbours far apart
+tone(i, n) = n <= 6 ? shade[word('4 3 5 2 1 6', i) + 0] : colour(i, n)     # neighbours far apart
 
 exact = data.'/uniform.csv'
 rounded = data.'/uniform_double.csv'
-counts = system(sprintf("cut -d, -f3 '%s' | tail -n +2 | sort -nu", exact))
-drawn = int(system(sprintf("cut -d, -f3 '%s' | tail -n +2 | sort -nu | grep -cx 16 || true", exact))) > 0 ? '16' : word(counts, 1)
-energies = system(sprintf("cut -d, -f13 '%s' | tail -n +2 | sort -g | sed -n '1p;$p' | tr '\\n' ' '", exact))
-lowest = floor(word(energies, 1) + 0)
-# log10 |2 - E| of the smallest and largest gap on a side, '' where there is none.
-of_side(sign, end) = system(sprintf("awk -F, 'NR > 1 && ($2 ~ /^-/) == %d {print $14}' '%s' | sort -g | sed -n '%s'", sign, exact, end))
-below = of_side(0, '1p')
-above = of_side(1, '1p')
-farthest = of_side(1, '$p')
-highest = real(system(sprintf("cut -d, -f11 '%s' | tail -n +2 | sort -g | sed -n 1p", exact)))
-top = ceil(-highest/10.0)*10
+counts = sorted(exact, 3, '1')
+n = words(counts)
+energies = seen(exact, 1, '1')
+drawn = count_of(exact, '$3 == 16') > 0 ? '16' : word(counts, 1)
+of(c, which) = sprintf('$3 == %s && ', c).which
+low = smaller(least(exact, '11', '1', -1), least(rounded, '11', '1', 0))
+high = larger(greatest(exact, '11 12', '1', 0), 0)
 
-# Columns `from` and minus `to` of the rows with n coefficients that an awk condition picks, with a blank line and a point out of sight behind them.
-rows(file, from, to, n, which) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && $3 == %s && %s {print $%d \",\" (-$%d)} END {print \"\\n1e9,1e9\"}' '%s'", n, which, from, to, file)
-
-do for [kind in terminals] {
-    eval use_terminal(kind, target.'/uniform', 1180, 560)
-    set multiplot
-    set label 1 'Digits of the uniform resummation on [0, T*] by its number of coefficients (dotted: proved, theorem U)' at screen 0.5, 0.965 center font ',16'
-    set yrange [0:top]
-    set bmargin 4
-    set tmargin 3.2
-    do for [p=1:3] {
-        present = p == 3 ? above ne '' : below ne ''
-        if (present) {
-            side = p == 1 ? '$13 <= 0' : p == 2 ? '$14 <= 0 && $2 !~ /^-/' : '$2 ~ /^-/'
-            across = p == 1 ? 13 : 14
-            set origin (p - 1)/3.0 + (p == 1 ? 0 : 0.005), 0
-            set size 0.335, 0.95
-            set lmargin (p == 1 ? 8 : 5)
-            set rmargin 1.5
-            if (p == 1) { set ylabel 'digits: -log_{10} max |error|, radians' offset 1 } else { unset ylabel }
-            if (p == 1) { set key at graph 0.98, 0.98 right top maxrows 5 title 'coefficients' } else { unset key }
-            if (p == 1) { set xrange [lowest-0.5:0.2]; set xlabel 'log_{10} E: towards rest' }
-            if (p == 2) { set xrange [0.5:below-1]; set xlabel 'log_{10}(2 - E): towards the separatrix, libration' }
-            if (p == 3) { set xrange [above-1:farthest+1]; set xlabel 'log_{10}(E - 2): from the separatrix, rotation' }
-            plot for [i=1:words(counts)] rows(exact, across, 12, word(counts, i), side) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i) notitle, \
-                 for [i=1:words(counts)] rows(exact, across, 11, word(counts, i), side) using 1:2 with linespoints pt 7 ps 0.35 lw 2.2 lc rgb tone(i) title word(counts, i), \
-                 rows(rounded, across, 11, drawn, side) using 1:2 with points pt 6 ps 0.6 lc rgb '#333333' title drawn.', in double'
+if (words(energies) <= 2) {
+    eval grid(words(energies), 2)
+    panel_w = across == 1 ? 900 : 590
+    panel_h = 500
+    foot = foot_for(4, 16)
+    do for [kind in terminals] {
+        eval figure_of(kind, 'uniform')
+        eval heading('Convergence of the uniform resummation on [0, T*]', 'in '.first_of(exact, 7, '1').' and in double')
+        do for [p=1:words(energies)] {
+            e = word(energies, p)
+            which = sprintf('$1 == "%s"', e)
+            eval panel(p)
+            set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
+            set title 'E = '.energy_name(e, first_of(exact, 2, which)).sprintf(', rate %.4g a coefficient', number(first_of(exact, 10, which))) offset 0, -0.5
+            set xrange [0:word(counts, n) * 1.06]
+            set yrange [low - room(low, high):high + room(low, high)]
+            set xlabel 'coefficients that are not 0'
+            if (p == 1) { set ylabel norm_axis } else { unset ylabel }
+            set arrow 1 from graph 0, first -15.65 to graph 1, first -15.65 nohead lc rgb '#888888' lw 1.2 dt 4
+            unset key
+            plot rows(exact, 3, 12, which) using 1:2 with lines lw 1.5 dt 3 lc rgb shade[5], \
+                 rows(exact, 3, 11, which) using 1:2 with linespoints pt 7 ps 0.6 lw 2.2 lc rgb shade[5], \
+                 rows(rounded, 3, 11, which) using 1:2 with points pt 6 ps 1 lw 1.3 lc rgb '#333333'
+            unset arrow
+            eval no_heading
         }
+        eval key_strip
+        plot NaN with linespoints pt 7 ps 0.6 lw 2.2 lc rgb shade[5] title 'uniform', \
+             NaN with lines lw 1.5 dt 3 lc rgb shade[5] title 'proved bound (U)', \
+             NaN with points pt 6 ps 1 lw 1.3 lc rgb '#333333' title 'in double', \
+             NaN with lines lw 1.2 dt 4 lc rgb '#888888' title 'ε of double'
+        unset multiplot
+        unset output
+        eval restart
     }
-    unset multiplot
-    unset output
+} else {
+    # The panels: condition, column of x, title.
+    array where[3] = ['$13 <= 0', '$13 > 0 && $2 !~ /^-/', '$2 ~ /^-/']
+    array column_of[3] = [13, 14, 14]
+    array titled[3] = ['towards rest', 'libration, E < 2', 'rotation, E > 2']
+    panels = ''
+    do for [k=1:3] { if (words(seen(exact, 1, where[k])) > 1) { panels = panels.' '.k } }
+    if (panels eq '') { do for [k=1:3] { if (count_of(exact, where[k]) > 0) { panels = panels.' '.k } } }
+    eval grid(words(panels), 3)
+    panel_w = across == 1 ? 900 : across == 2 ? 590 : 400
+    panel_h = 500
+    foot = foot_for(shown_in_key(n) + 2, 16)
+    do for [kind in terminals] {
+        eval figure_of(kind, 'uniform')
+        eval heading('Error of the uniform resummation on [0, T*] by its number of coefficients', 'the same accuracy at every energy: from rest over the separatrix to fast rotation')
+        set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
+        do for [p=1:words(panels)] {
+            k = word(panels, p) + 0
+            c = column_of[k]
+            eval panel(p)
+            set title titled[k] offset 0, -0.5
+            a = least(exact, sprintf('%d', c), where[k], 0); b = greatest(exact, sprintf('%d', c), where[k], 0)
+            eval k == 1 ? rising('x', a, b) : falling('x', a, b)
+            set xlabel k == 1 ? 'log_{10} (E / (m g ℓ))' : gap_axis
+            if (p == 1) { set ylabel norm_axis } else { unset ylabel }
+            set yrange [low - room(low, high):smaller(high, 2) + 0.5]
+            unset key
+            plot for [i=1:n] rows(exact, c, 12, of(word(counts, i), where[k])) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i, n), \
+                 for [i=1:n] rows(exact, c, 11, of(word(counts, i), where[k])) using 1:2 with linespoints pt 7 ps 0.35 lw 2.2 lc rgb tone(i, n), \
+                 rows(rounded, c, 11, of(drawn, where[k])) using 1:2 with points pt 6 ps 0.6 lc rgb '#333333'
+            eval no_heading
+        }
+        eval key_strip
+        plot for [i=1:n] NaN with lines lw 2.4 lc rgb tone(i, n) title in_key(i, n) ? word(counts, i).' coefficients' : '', \
+             NaN with points pt 6 ps 0.8 lc rgb '#333333' title drawn.', in double', \
+             NaN with lines lw 1.5 dt 3 lc rgb soft title 'proved bound (U)'
+        unset multiplot
+        unset output
+        eval restart
+    }
 }

@@ -23,16 +23,16 @@ positive(y) = y > 0 ? y : NaN
 with_products = system(sprintf("awk -F, '$3 == \"%s\" && $4 > 0 { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
 # Products of each route in units of N^2.
 constant(r) = r eq 'direct' ? 1 : r eq 'direct_parity' ? 0.5 : r eq 'arcsine' ? 1.5 : r eq 'arcsine_parity' ? 0.375 : r eq 'convolution' ? 0.5 : (r eq 'speed' || r eq 'symmetric_squares') ? 0.1875 : NaN
-colour(r) = r[1:6] eq 'direct' ? shade[4] : r[1:7] eq 'arcsine' ? shade[2] : r eq 'speed' ? shade[3] : r eq 'symmetric_squares' ? shade[5] : r eq 'convolution' ? shade[1] : shade[6]
+hue(r) = r[1:6] eq 'direct' ? shade[4] : r[1:7] eq 'arcsine' ? shade[2] : r eq 'speed' ? shade[3] : r eq 'symmetric_squares' ? shade[5] : r eq 'convolution' ? shade[1] : shade[6]
 dash(r) = (strstrt(r, 'parity') || r eq 'running_sums') ? 2 : 1
 mark(r) = r eq 'direct' ? 4 : r eq 'direct_parity' ? 5 : r eq 'arcsine' ? 8 : r eq 'arcsine_parity' ? 9 : r eq 'speed' ? 6 : r eq 'symmetric_squares' ? 2 : r eq 'convolution' ? 12 : r eq 'running_sums' ? 10 : 1
 label_of(r) = r eq 'direct' ? '(pendseries)' : r eq 'direct_parity' ? '(pendseries), parity' : r eq 'arcsine' ? 'arcsine of Jacobi' : r eq 'arcsine_parity' ? 'arcsine, parity' : r eq 'speed' ? 'omega alone' : r eq 'symmetric_squares' ? 'symmetric squares' : r eq 'convolution' ? 'resummation: convolution' : r eq 'running_sums' ? 'resummation: running sums' : 'resummation: alpha, beta'
-shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+named = number_name(energy)
 
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/cost', 1180, 640)
     set multiplot
-    set label 1 'What the coefficients up to the order N cost (E = '.shorter(energy).')' at screen 0.5, 0.965 center font ',16'
+    set label 1 'What the coefficients up to the order N cost (E = '.named.')' at screen 0.5, 0.965 center font ',16'
     set logscale xy
     set format y '10^{%T}'
     set xlabel 'order N'
@@ -41,32 +41,31 @@ do for [kind in terminals] {
     set origin 0, 0.17
     set size 0.5, 0.78
     set lmargin 9
-    set ylabel 'multiplications of two numbers'
+    set ylabel 'multiplications of two numbers, count'
     set yrange [1:*]
     set key at screen 0.5, 0.155 center top vertical maxrows 3 samplen 3
     set label 2 'thin lines: constant times N^2' at graph 0.03, graph 0.96 textcolor rgb '#555555'
-    plot for [r in with_products] file using 2:(of(r, positive(column(4)))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb colour(r) title label_of(r), \
-         for [r in with_products] constant(r) * x**2 with lines lw 1 dt 3 lc rgb colour(r) notitle, \
-         1/0 with linespoints lw 2 dt 2 pt 10 lc rgb colour('running_sums') title label_of('running_sums').' (none)'
+    plot for [r in with_products] file using 2:(of(r, positive(column(4)))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r), \
+         for [r in with_products] constant(r) * x**2 with lines lw 1 dt 3 lc rgb hue(r) notitle, \
+         1/0 with linespoints lw 2 dt 2 pt 10 lc rgb hue('running_sums') title label_of('running_sums').' (none)'
     unset label 1
     unset label 2
     unset key
     set origin 0.5, 0.17
-    set ylabel 'time, in units of (pendseries)'
+    set ylabel 'time, multiples of (pendseries)'
     set format y '%g'
     set yrange [*:4]
-    plot for [r in present] timed using 2:(of(r, column(5))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb colour(r)
+    plot for [r in present] timed using 2:(of(r, column(5))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r)
     unset multiplot
     unset output
 }
 
 # Do the routes agree?
-reset
-load scripts.'/style.gp'
+eval restart
 unstable = system(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/cost_difference', 900, 560)
-    set title 'Rounding errors of the routes (E = '.shorter(energy).')' font ',16'
+    set title 'Rounding errors of the routes (E = '.named.')' font ',16'
     set xlabel 'order N'
     set ylabel 'log_{10} of the largest difference from 30 digits more'
     set xrange [0:1.04 * right / 1.3]
@@ -74,7 +73,7 @@ do for [kind in terminals] {
     set key top left samplen 3
     set lmargin 9
     start = real(system(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { found = 1; print $10 - $11; exit } END { if (!found) print 0 }' '%s'", energy, file)))
-    lines = "for [r in present] file using 2:(of(r, column(10))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb colour(r) title label_of(r)"
+    lines = "for [r in present] file using 2:(of(r, column(10))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r)"
     growth = "for [r in word(unstable, 1)] file using 2:(of(r, column(11) + start)) with lines lw 1.5 dt 3 lc rgb '#000000' title \"(R/K~')^N\""
     set key noenhanced
     eval 'plot '.lines.(words(unstable) > 0 ? ', '.growth : '')

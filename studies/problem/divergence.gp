@@ -2,64 +2,73 @@
 # Columns: energy,order,time,periods,theta,theta_exact,error,log10_error,log10_abs_theta,gap;
 # of _radius: energy,tstar,radius,period,radius_over_tstar,gap. Angles beyond 1e300 are kept away by their log10.
 load scripts.'/style.gp'
-tone(i) = shade[word('4 6 2 3 5 1', (i - 1)%6 + 1) + 0]     # neighbours far apart
 
-file(suffix) = data.'/divergence'.suffix.'.csv'
-energies = system(sprintf("cut -d, -f1 '%s' | tail -n +2", file('_radius')))
-orders = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | sort -nu", file('')))
-panels = words(energies)
-radius(e, c) = real(system(sprintf("awk -F, 'NR == %d {print $%d}' '%s'", e + 1, c, file('_radius'))))
-range_of(e, c, pick) = real(system(sprintf("awk -F, '$1 == \"%s\" {print $%d}' '%s' | grep -v inf | sort -g%s | tail -n 1", word(energies, e), c, file(''), pick)))
-rows_of(e) = int(system(sprintf("awk -F, '$1 == \"%s\" && $2 == %s' '%s' | wc -l", word(energies, e), word(orders, 1), file(''))))
+main = data.'/divergence.csv'
+of_radius = data.'/divergence_radius.csv'
+energies = seen(of_radius, 1, '1')
+orders = sorted(main, 2, '1')
+n = words(orders)
+tone(i) = n <= 6 ? shade[word('4 6 2 3 5 1', i) + 0] : colour(i, n)     # neighbours far apart
+columns = smaller(words(energies), 3)
+known(e, c) = number(first_of(of_radius, c, sprintf('$1 == "%s"', e)))
+rows_of(e) = count_of(main, sprintf('$1 == "%s" && $2 == %s', e, word(orders, 1)))
 
 # Energies are compared as they are written: 2 - 1e-20 is not 2.
-of(e, n, y) = (strcol(1) eq word(energies, e) && column(2) == n) ? y : NaN
+of(e, n, y) = (strcol(1) eq e && column(2) == n) ? y : NaN
 tame(y) = (strcol(9) eq '-inf' || column(9) < 2) ? y : (strcol(5)[1:1] eq '-' ? -100 : 100)
 finite(y) = strcol(8) eq '-inf' ? NaN : y
 few(y) = int(column(0)) % apart == 0 ? y : NaN
+dash(i) = n <= 6 ? i + 1 : 1
 
+across = columns
+down = 2
+panel_w = columns == 1 ? 860 : columns == 2 ? 590 : 420
+panel_h = 340
+foot = foot_for(shown_in_key(n) + 1, 12)
+low = larger(least(main, '8', '1', -16), -20)
+high = smaller(greatest(main, '8', '1', 0), 8)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/divergence', panels > 1 ? 560*panels + 60 : 700, 760)
-    set multiplot title 'Taylor series about the bottom (dashed): it diverges at R' font ',16' offset 0, -0.2
-    do for [e=1:panels] {
-        left = (e - 1.0)/panels
-        tstar = radius(e, 2); reach = radius(e, 3)
-        below = range_of(e, 6, 'r'); above = range_of(e, 6, '')
-        latest = range_of(e, 3, ''); earliest = range_of(e, 3, 'r')
+    eval figure_of(kind, 'divergence')
+    eval heading('Taylor series about the bottom: it diverges at R', 'R is the radius of convergence, T* the time from the bottom to the top'.(words(energies) > columns ? sprintf('; %d of %d energies', columns, words(energies)) : ''))
+    set lmargin 9; set rmargin 3; set tmargin 2
+    do for [c=1:columns] {
+        e = pick(energies, columns, c)
+        which = sprintf('$1 == "%s"', e)
+        tstar = known(e, 2); reach = known(e, 3)
+        below = least(main, '6', which, 0); above = greatest(main, '6', which, 1)
+        first = least(main, '3', which, 0); last = greatest(main, '3', which, 1)
         height = above > below ? above - below : 1
         apart = rows_of(e) > 80 ? rows_of(e)/40 : 1     # rows between two circles
-        set size 1.0/panels, 0.5
-        set xrange [earliest : latest > earliest ? latest : earliest + 1]
-        set lmargin 9; set rmargin 2
+        set xrange [first:last > first ? last : first + 1]
         set arrow 1 from reach, graph 0 to reach, graph 1 nohead lc rgb '#555555' lw 1.2
         set arrow 2 from tstar, graph 0 to tstar, graph 1 nohead lc rgb '#555555' lw 1.2 dt 2
-
-        set origin left, 0.46
-        set title sprintf('E = %s (%s)', word(energies, e), tstar*3 < radius(e, 4) ? 'libration' : 'rotation') offset 0, -0.4
+        eval panel(c)
+        set title 'E = '.energy_name(e, first_of(of_radius, 6, which)).(first_of(of_radius, 6, which)[1:1] eq '-' ? ' (rotation)' : ' (libration)') offset 0, -0.5
         set format x ''
         unset xlabel
-        set ylabel 'θ, radians' offset 0.5
-        set yrange [below - 0.35*height : above + 0.35*height]
+        set bmargin 1
+        if (c == 1) { set ylabel 'angle θ / rad' } else { unset ylabel }
+        set yrange [below - 0.35*height:above + 0.35*height]
         unset key
-        plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt i+1 lc rgb tone(i) , \
-             file('') using (column(3)):(few(of(e, word(orders, 1) + 0, column(6)))) with points pt 6 ps 0.8 lc rgb '#222222'
+        plot for [i=1:n] main using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt dash(i) lc rgb tone(i), \
+             main using (column(3)):(few(of(e, word(orders, 1) + 0, column(6)))) with points pt 6 ps 0.8 lc rgb '#222222'
+        eval no_heading
+        eval panel(c + columns)
         unset title
-        set origin left, 0
         set format x '%g'
-        set xlabel 'time t since the bottom'
-        set ylabel 'log_{10} |error|, radians' offset 0.5
-        set yrange [-20:8]
-        set key at graph 0.97, 0.06 right bottom title 'order N'
-        if (e > 1) { unset key }
-        set label 1 'R' at reach, graph 0.03 left offset 0.5, 0
-        set label 2 'T*' at tstar, graph 0.03 left offset 0.5, 0
-        plot for [i=1:words(orders)] file('') using (column(3)):(of(e, word(orders, i) + 0, finite(column(8)))) with lines lw 2.2 dt i+1 lc rgb tone(i) title word(orders, i), \
-             NaN with points pt 6 ps 0.8 lc rgb '#222222' title 'exact'
-        unset label 1
-        unset label 2
+        set bmargin 3.6
+        set xlabel t_axis
+        if (c == 1) { set ylabel error_axis } else { unset ylabel }
+        set yrange [low:high]
+        if (reach <= last) { set label 1 'R' at reach, graph 0.03 left offset 0.5, 0 }
+        if (tstar <= last) { set label 2 'T*' at tstar, graph 0.03 left offset 0.5, 0 }
+        plot for [i=1:n] main using (column(3)):(of(e, word(orders, i) + 0, finite(column(8)))) with lines lw 2.2 dt dash(i) lc rgb tone(i)
+        unset label; unset arrow
     }
-    unset arrow 1
-    unset arrow 2
+    eval key_strip
+    plot for [i=1:n] NaN with lines lw 2.2 dt dash(i) lc rgb tone(i) title in_key(i, n) ? 'N = '.word(orders, i) : '', \
+         NaN with points pt 6 ps 0.8 lc rgb '#222222' title 'exact'
     unset multiplot
     unset output
+    eval restart
 }

@@ -8,13 +8,11 @@ file = data.'/domb_sykes.csv'
 lists = data.'/domb_sykes_lists.csv'
 energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", lists))
 points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", lists))
-least(a, b) = a < b ? a : b
-shown = least(words(energies), 6)
-pick(j) = word(energies, shown == 1 ? 1 : 1 + int((j - 1) * (words(energies) - 1) / (shown - 1.0) + 0.5))
-shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+shown = smaller(words(energies), 6)
+energy(j) = pick(energies, 6, j)
+named(j) = energy_name(energy(j), first_of(file, 10, sprintf('$1 == "%s"', energy(j))))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
-down = least(words(points), 6)
-array mark[6] = [4, 6, 8, 2, 12, 10]
+down = smaller(words(points), 6)
 edge = 2.85               # ratios beyond it are drawn there
 widest = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", file)) >= 12 ? 0.21 : 0.55
 # The power that symmetry leaves at (e, p), and where theory has its intercept in t^power.
@@ -26,7 +24,7 @@ undefined(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $
 # "in t^2 (E = 1: in t^4)"
 in_power(k) = k == 1 ? 'in t' : sprintf('in t^%d', k)
 apart(p) = system(sprintf("awk -F, 'NR > 1 && $2 == \"%s\" { of[$1] = $3 } END { for (e in of) ++seen[of[e]]; for (k in seen) if (seen[k] > most) { most = seen[k]; usual = k }; printf \"%%d\", usual; for (e in of) if (of[e] != usual) printf \" %%s %%d\", e, of[e] }' '%s'", p, lists))
-title_of(s) = in_power(word(s, 1) + 0).(words(s) > 2 ? '; E = '.shorter(word(s, 2)).': '.in_power(word(s, 3) + 0) : '')
+title_of(s) = in_power(word(s, 1) + 0).(words(s) > 2 ? '; E = '.number_name(word(s, 2)).': '.in_power(word(s, 3) + 0) : '')
 high = 400
 head = 40
 foot = 46
@@ -43,7 +41,7 @@ do for [kind in terminals] {
     do for [q=1:down] {
         p = word(points, q)
         symmetric = 0
-        do for [j=1:shown] { symmetric = symmetric + (power(pick(j), p) > 1) }
+        do for [j=1:shown] { symmetric = symmetric + (power(energy(j), p) > 1) }
         do for [side=1:(symmetric ? 2 : 1)] {
             set origin (side - 1) * 0.5, (foot + high * (down - q)) / all
             set size symmetric ? 0.5 : 1, high / all
@@ -57,18 +55,18 @@ do for [kind in terminals] {
             straight = 0
             bad = 0
             do for [j=1:shown] {
-                k = side == 1 ? 1 : power(pick(j), p)
-                s = limit(pick(j), p, k)
+                k = side == 1 ? 1 : power(energy(j), p)
+                s = limit(energy(j), p, k)
                 straight = straight + (s != 0)
-                bad = bad + system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $6 }' '%s'", pick(j), p, k, lists))
+                bad = bad + system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $6 }' '%s'", energy(j), p, k, lists))
                 lines = lines.(s ? sprintf("[0:%g] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", widest, s, k) : '')
                 if (s) { set label 10 + j '' at 0, s point pt 13 ps 1.8 lc rgb '#D55E00' front }
             }
             if (straight == shown && !bad) { set yrange [-1.25:0.25]; unset arrow 1 }
-            if (straight) { set label 2 '◆ exact: ±1/R^p, and the slope of a logarithm' at graph 0.98, 0.94 right textcolor rgb '#555555' }
-            if (straight < shown && !bad) { set label 3 (straight ? 'elsewhere ' : '').'a pair is nearest: no intercept' at graph 0.98, 0.865 right textcolor rgb '#555555' }
-            if (bad) { set label 3 'bottom rows: not defined, divided by 0' at graph 0.98, 0.23 right textcolor rgb '#555555' }
-            eval 'plot '.lines.'for [j=1:shown] ratios(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:2 with points pt mark[j] ps 0.9 lw 1.3 lc rgb shade[j] title "E = ".shorter(pick(j)), for [j=1:shown] undefined(pick(j), p, side == 1 ? 1 : power(pick(j), p)) using 1:(column(2) - 0.09 * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb shade[j] notitle'
+            if (straight) { set label 2 '◆ exact: ±1/R^p, and the slope of a logarithm' at graph 0.98, 0.94 right textcolor rgb soft }
+            if (straight < shown && !bad) { set label 3 (straight ? 'elsewhere ' : '').'a pair is nearest: no intercept' at graph 0.98, 0.865 right textcolor rgb soft }
+            if (bad) { set label 3 'bottom rows: not defined, divided by 0' at graph 0.98, 0.23 right textcolor rgb soft }
+            eval 'plot '.lines.'for [j=1:shown] ratios(energy(j), p, side == 1 ? 1 : power(energy(j), p)) using 1:2 with points pt mark[j] ps 0.9 lw 1.3 lc rgb shade[j] title "E = ".named(j), for [j=1:shown] undefined(energy(j), p, side == 1 ? 1 : power(energy(j), p)) using 1:(column(2) - 0.09 * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb shade[j] notitle'
             unset label 1; unset label 2; unset label 3
             do for [j=1:shown] { unset label 10 + j }
         }
@@ -78,11 +76,11 @@ do for [kind in terminals] {
 }
 
 # What the tests make of the same lists: a row for each point, a column for each method.
-reset
-load scripts.'/style.gp'
+eval restart
 answers = data.'/domb_sykes_intercepts.csv'
 present = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
-methods = system(sprintf("for m in ratio-in-power domb-sykes mercer-roberts verdict; do cut -d, -f4 '%s' | grep -qx $m && echo $m || true; done", answers))
+methods = ''
+do for [m in 'ratio-in-power domb-sykes mercer-roberts verdict'] { if (count_of(answers, sprintf('$4 == "%s"', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # "order,log10 error" of a method, 0 drawn at the floor; behind them a point out of sight.
@@ -112,8 +110,8 @@ do for [kind in terminals] {
             set title brief(p).': '.m noenhanced
             if (i == 1) { set ylabel 'log_{10} |R estimated/R - 1|' } else { unset ylabel }
             if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
-            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb '#555555' }
-            plot for [j=1:shown] errors(m, p, pick(j)) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.shorter(pick(j))
+            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
+            plot for [j=1:shown] errors(m, p, energy(j)) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.named(j)
             unset label 1
             unset label 2
         }

@@ -1,90 +1,186 @@
-# error_norm: error norm against the energy (left) and towards the separatrix (right); and the floors of the scalars.
+# error_norm: with one energy, or few and many orders, how the norm falls with the order: THE convergence study, with the
+# rate, the bounds and the floors of the arithmetics. Otherwise the norm over the energy and towards the separatrix on
+# either side. And the floors of the scalars over the energy.
 # Columns: energy,order,method,norm,time_of_maximum,scalar,rigour,gap,bound,log10_norm,log10_bound,log10_gap.
 # Lines are drawn from the log10 columns and the gap column: neither 1e-400 nor 2 - 1e-22 passes through a double.
 load scripts.'/style.gp'
 
 file(suffix) = data.'/error_norm'.suffix.'.csv'
-orders = system(sprintf("cut -d, -f2 '%s' | tail -n +2 | sort -nu", file('')))
-low = -52
+main = file('')
+orders = sorted(main, 2, '1')
+energies = seen(main, 1, '1')
+n = words(orders)
+scalar = first_of(main, 6, '1')
+of(order, method) = sprintf('$2 == %s && $3 == "%s"', order, method)
+at(e, method) = sprintf('$1 == "%s" && $3 == "%s"', e, method)
+bounded = count_of(main, '$11 != ""') > 0
+arithmetics = ''
+do for [s in 'double long-double quad'] { if (exists_file(file('_'.s))) { arithmetics = arithmetics.' '.s } }
+# log10 of the unit of an arithmetic, mpfr:D and ball:D by their digits.
+unit_of(s) = s eq 'double' ? -15.65 : s eq 'long-double' ? -18.96 : s eq 'quad' ? -33.72 : -real(s[strstrt(s, ':') + 1:*])
+# T*/R from the complete integrals, K/sqrt(K^2 + K'^2) on either side of E = 2, by arithmetic-geometric means.
+rate_of(e, g) = number(system("awk '".awk_v."function agm(a, b, c) { while (a - b > 1e-15 * a) { c = (a + b) / 2; b = sqrt(a * b); a = c } return a } BEGIN { e = v(\"".e."\"); g = v(\"".g."\"); m = g > 0 ? e / 2 : 2 / e; n = g > 0 ? g / 2 : -g / e; k = 1 / agm(1, sqrt(n > 0 ? n : 1e-300)); c = 1 / agm(1, sqrt(m)); print k / sqrt(k * k + c * c) }'"))
 
-of(n, method, y) = (column(2) == n && strcol(3) eq method) ? y : NaN
-# The Runge-Kutta march in double with the smallest step, where the table is there: "step log10_norm".
-baseline = system(sprintf("test -f '%s' && grep ',double,' '%s' | tail -n 1 | cut -d, -f2,9 --output-delimiter=' ' || true", file('_baseline'), file('_baseline')))
-# Columns x and y of the rows that an awk condition picks, behind a blank line a point out of sight: gnuplot warns of a
-# file without points, and for [i=1:0] runs once.
-rows(file, x, y, which) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && %s && $%d != \"\" && $%d !~ /inf/ {print $%d \",\" $%d} END {print \"\\n1e9,1e9\"}' '%s'", which, y, y, x, y, file)
-of_libration(n, method) = sprintf('$2 == %s && $3 == "%s" && $8 !~ /^-/', n, method)
-
-do for [kind in terminals] {
-    eval use_terminal(kind, target.'/error_norm', 1180, 620)
-    set multiplot
-    set label 1 'Error of the pendulum series (dashed) and of its resummation (solid) on [0, T*]' at screen 0.5, 0.965 center font ',16'
-
-    set origin 0, 0
-    set size 0.58, 0.94
-    set xlabel 'energy E'
-    set ylabel 'log_{10} max |error|, radians' offset 0
-    set lmargin 9
-    set xrange [0:8]
-    set yrange [low:2]
-    set key at graph 0.97, 0.02 right bottom maxrows 2 title 'order N (thin dotted: proved bounds A, A2)'
-    set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
-    set label 2 'E = 2' at 2.08, graph 0.975 textcolor rgb '#555555'
-    if (words(baseline) == 2) {
-        set arrow 3 from graph 0, first (word(baseline, 2) + 0) to graph 1, first (word(baseline, 2) + 0) nohead lc rgb '#666666' lw 1.5 dt 4
-    }
-    plot for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'series', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'resummed', column(11))) with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'series', column(10))) with lines lw 2 dt 2 lc rgb shade[(i-1)%6+1] notitle, \
-         for [i=1:words(orders)] file('') using (column(1)):(of(word(orders, i) + 0, 'resummed', column(10))) with lines lw 2 lc rgb shade[(i-1)%6+1] title word(orders, i)
-    unset arrow 1
-    unset label 1
-    unset label 2
-
-    set origin 0.58, 0
-    set size 0.42, 0.94
-    set xlabel 'log_{10}(2 - E): towards the separatrix, libration'
-    unset ylabel
-    set lmargin 6
-    set xrange [0.4:-10.4]
-    set yrange [-16:2]
-    unset key
-    if (words(baseline) == 2) {
-        set label 3 sprintf('RK4 in double, dt = %g, at E = 2', word(baseline, 1) + 0) at graph 0.99, first (word(baseline, 2) + 0) right offset 0, -0.7 textcolor rgb '#444444'
-    }
-    plot for [i=1:words(orders)] rows(file(''), 12, 11, of_libration(word(orders, i), 'series')) using 1:2 with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(orders)] rows(file(''), 12, 11, of_libration(word(orders, i), 'resummed')) using 1:2 with lines lw 1.1 dt 3 lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(orders)] rows(file(''), 12, 10, of_libration(word(orders, i), 'series')) using 1:2 with lines lw 2 dt 2 lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(orders)] rows(file(''), 12, 10, of_libration(word(orders, i), 'resummed')) using 1:2 with lines lw 2 lc rgb shade[(i-1)%6+1]
-    unset arrow 3
-    unset label 3
-    unset multiplot
-    unset output
-}
-
-# The floors, where the three tables of the fixed scalars are there.
-scalars = 'double long-double quad'
-floors = '-15.65 -18.96 -33.72'      # log10 of 2^-52, 2^-63, 2^-112
-present = system(sprintf("test -f '%s' && test -f '%s' && test -f '%s' && echo yes || true", file('_double'), file('_long-double'), file('_quad')))
-if (present eq 'yes') {
+panel_h = 540
+if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
+    series_colour = shade[5]; resummed_colour = shade[4]
+    rounded = '' # suffixes of their tables; the main table is read for none, as gnuplot runs a loop over nothing once
+    do for [s in arithmetics] { rounded = rounded.' _'.s }
+    tone(m) = m eq 'series' ? series_colour : resummed_colour
+    eval grid(words(energies), 2)
+    panel_w = across == 1 ? 900 : 590
+    foot = foot_for(8, 14)
+    bottom = least(main, '10', '1', 0)
+    do for [s in arithmetics] { bottom = smaller(bottom, least(file('_'.s), '10', '1', 0)) }
+    coarsest = words(arithmetics) > 0 ? unit_of(word(arithmetics, 1)) : unit_of(scalar)
+    if (coarsest > bottom - 25) { bottom = smaller(bottom, coarsest) }
+    top = greatest(main, '10', '1', 0)
     do for [kind in terminals] {
-        eval use_terminal(kind, target.'/error_norm_scalars', 1180, 520)
-        set lmargin 8; set multiplot layout 1,3 title 'The same norms in each scalar (series dashed, resummation solid)' font ',16' offset 0,-0.3
-        set xrange [0:8]
-        set yrange [-38:2]
-        do for [s=1:3] {
-            set title word(scalars, s)
-            set xlabel 'energy E'
-            if (s == 1) { set ylabel 'log_{10} max |error|, radians' offset -0.5 } else { unset ylabel }
-            if (s == 1) { set key at graph 0.98, 0.14 right bottom maxrows 5 title 'order N' } else { unset key }
-            set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3
-            set arrow 2 from 0, (word(floors, s) + 0) to 8, (word(floors, s) + 0) nohead lc rgb '#555555' lw 1
-            set label 2 'epsilon' at 7.9, (word(floors, s) + 0) right offset 0,-0.7 textcolor rgb '#555555'
-            plot for [i=1:words(orders)] file('_'.word(scalars, s)) using (column(1)):(of(word(orders, i) + 0, 'series', column(10))) with lines lw 1.6 dt 2 lc rgb shade[(i-1)%6+1] notitle, \
-                 for [i=1:words(orders)] file('_'.word(scalars, s)) using (column(1)):(of(word(orders, i) + 0, 'resummed', column(10))) with lines lw 1.6 lc rgb shade[(i-1)%6+1] title word(orders, i)
-            unset label 2
+        eval figure_of(kind, 'error_norm')
+        eval heading('Convergence of the series and of its resummation on [0, T*]', 'the largest error on the way from the top to the bottom, in '.scalar)
+        do for [p=1:words(energies)] {
+            e = word(energies, p)
+            g = first_of(main, 8, sprintf('$1 == "%s"', e))
+            rate = rate_of(e, g)
+            clear = smaller(0, unit_of(scalar) + 2)
+            height = number(system(sprintf("awk -F, '$1 == \"%s\" && $3 == \"series\" && $10 !~ /inf/ && $10 > %g { h = $10 - $2 * %.12g; if (!n++ || h > m) m = h } END { print n ? m : 0 }' '%s'", e, clear < 0 ? clear : -1e9, log10(rate), main)))
+            eval panel(p)
+            set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
+            set title 'E = '.energy_name(e, g).sprintf(', rate T*/R = %.4g', rate) offset 0, -0.5
+            eval rising('x', 0, word(orders, n) + 0)
+            set xrange [0:*]
+            set xrange [0:larger(word(orders, n) * 1.06, 2)]
+            set yrange [bottom - 2:top + 2]
+            set xlabel 'order N'
+            if ((p - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
+            unset key
+            k = 0
+            do for [s in arithmetics.' '.scalar] {
+                k = k + 1
+                if (unit_of(s) > bottom - 2) {
+                    set arrow 10 + k from graph 0, first unit_of(s) to graph 1, first unit_of(s) nohead lc rgb '#888888' lw 1.2 dt 4
+                    set label 10 + k 'ε of '.s at graph 0.01, first unit_of(s) left offset 0, 0.5 textcolor rgb soft
+                }
+            }
+            plot [0:word(orders, n) * 1.06 + 1] height + x * log10(rate) with lines lw 1.2 dt 5 lc rgb '#444444', \
+                 for [m in 'series resummed'] rows(main, 2, 11, at(e, m)) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(m), \
+                 for [m in 'series resummed'] rows(main, 2, 10, at(e, m)) using 1:2 with linespoints lw 2.2 dt dash_of(m) pt 7 ps 0.6 lc rgb tone(m), \
+                 for [i=1:words(rounded)] for [m in 'series resummed'] rows(file(word(rounded, i)), 2, 10, words(arithmetics) > 0 ? at(e, m) : '0') using 1:2 with points pt mark[i] ps 0.9 lw 1.2 lc rgb tone(m)
+            eval no_heading
+            do for [i=1:k] { unset arrow 10 + i; unset label 10 + i }
         }
+        eval key_strip
+        plot NaN with linespoints lw 2.2 dt 2 pt 7 ps 0.6 lc rgb series_colour title 'series', \
+             NaN with linespoints lw 2.2 dt 1 pt 7 ps 0.6 lc rgb resummed_colour title 'resummation', \
+             NaN with lines lw 1.5 dt 3 lc rgb soft title bounded ? 'proved bound' : '', \
+             NaN with lines lw 1.2 dt 5 lc rgb '#444444' title 'rate (T*/R)^N', \
+             for [i=1:words(rounded)] NaN with points pt mark[i] ps 0.9 lw 1.2 lc rgb soft title words(arithmetics) > 0 ? 'in '.word(arithmetics, i) : '', \
+             NaN with lines lw 1.2 dt 4 lc rgb '#888888' title 'ε, its floor'
         unset multiplot
         unset output
+        eval restart
+    }
+} else {
+    # The Runge-Kutta march in double with the smallest step, where the table is there: "step log10_norm".
+    march = file('_baseline')
+    baseline = exists_file(march) ? system(sprintf("grep ',double,' '%s' | tail -n 1 | cut -d, -f2,9 --output-delimiter=' '", march)) : ''
+    near(side) = sprintf('$8 %s /^-/ && $12 < -0.9', side)
+    librations = words(seen(main, 12, near('!~'))) > 1
+    rotations = words(seen(main, 12, near('~'))) > 1
+    over_energy = words(seen(main, 1, '$12 > -2.1')) > 1 || librations + rotations == 0
+    count = over_energy + librations + rotations
+    eval grid(count, 3)
+    panel_w = count == 1 ? 900 : count == 2 ? 590 : 400
+    foot = foot_for(shown_in_key(n) + 4, 12)
+    do for [kind in terminals] {
+        eval figure_of(kind, 'error_norm')
+        eval heading('Error of the pendulum series and of its resummation on [0, T*]', 'the largest error on the way from the top to the bottom'.(scalar[1:4] eq 'ball' ? ', proved' : ', in '.scalar).(words(baseline) == 2 ? sprintf('; RK4 is a Runge-Kutta march in double, Δt = %s', number_name(tidy(word(baseline, 1)))) : ''))
+        set rmargin 2; set tmargin 2; set bmargin 3.6; set lmargin 9
+        p = 0
+        if (over_energy) {
+            p = p + 1
+            eval panel(p)
+            left = least(main, '1', '1', 0); right = greatest(main, '1', '1', 4)
+            eval energies_on_x(left, right)
+            eval separatrix_on_x(left, right)
+            set yrange [least(main, '10', '1', 0) - 1:greatest(main, '10', '1', 0) + 2]
+            set xlabel e_axis
+            set ylabel norm_axis
+            if (words(baseline) == 2) { set arrow 3 from graph 0, first (word(baseline, 2) + 0) to graph 1, first (word(baseline, 2) + 0) nohead lc rgb '#666666' lw 1.5 dt 4 }
+            unset key
+            plot for [i=1:n] for [m in 'series resummed'] rows(main, 1, 11, of(word(orders, i), m)) using 1:2 with lines lw 1.1 dt 3 lc rgb colour(i, n), \
+                 for [i=1:n] for [m in 'series resummed'] rows(main, 1, 10, of(word(orders, i), m)) using 1:2 with lines lw 2 dt dash_of(m) lc rgb colour(i, n)
+            unset arrow
+            eval energies_done
+            eval no_heading
+        }
+        do for [side in '!~ ~'] {
+            if (side eq '~' ? rotations : librations) {
+                p = p + 1
+                eval panel(p)
+                which = sprintf(' && $8 %s /^-/', side)
+                eval falling('x', least(main, '12', '1'.which, 0), greatest(main, '12', '1'.which, 0))
+                set yrange [least(main, '10', near(side), 0) - 1:greatest(main, '10', near(side), 0) + 2]
+                set title side eq '~' ? 'rotation, E > 2' : 'libration, E < 2' offset 0, -0.5
+                set xlabel gap_axis
+                if (p == 1) { set ylabel norm_axis } else { unset ylabel }
+                if (words(baseline) == 2) {
+                    set arrow 3 from graph 0, first (word(baseline, 2) + 0) to graph 1, first (word(baseline, 2) + 0) nohead lc rgb '#666666' lw 1.5 dt 4
+                }
+                unset key
+                plot for [i=1:n] for [m in 'series resummed'] rows(main, 12, 11, of(word(orders, i), m).which) using 1:2 with lines lw 1.1 dt 3 lc rgb colour(i, n), \
+                     for [i=1:n] for [m in 'series resummed'] rows(main, 12, 10, of(word(orders, i), m).which) using 1:2 with lines lw 2 dt dash_of(m) lc rgb colour(i, n)
+                unset arrow
+                eval no_heading
+            }
+        }
+        eval key_strip
+        plot for [i=1:n] NaN with lines lw 2.4 lc rgb colour(i, n) title in_key(i, n) ? 'N = '.word(orders, i) : '', \
+             NaN with lines lw 2 dt 2 lc rgb soft title 'series', \
+             NaN with lines lw 2 lc rgb soft title 'resummation', \
+             NaN with lines lw 1.1 dt 3 lc rgb soft title bounded ? 'proved bound' : '', \
+             NaN with lines lw 1.5 dt 4 lc rgb '#666666' title words(baseline) == 2 ? 'RK4 at E = 2' : ''
+        unset multiplot
+        unset output
+        eval restart
+    }
+
+    # The floors, where there are tables of the fixed scalars.
+    if (words(arithmetics) > 0 && over_energy) {
+        across = words(arithmetics); down = 1
+        panel_w = 400; panel_h = 440
+        foot = foot_for(shown_in_key(n) + 3, 12)
+        bottom = 0
+        do for [s in arithmetics] { bottom = smaller(bottom, least(file('_'.s), '10', '1', 0)) }
+        do for [kind in terminals] {
+            eval figure_of(kind, 'error_norm_scalars')
+            eval heading('The same norms in each arithmetic', 'below the floor of the arithmetic no order helps')
+            set rmargin 2; set tmargin 2; set bmargin 3.6; set lmargin 9
+            do for [s=1:words(arithmetics)] {
+                a = word(arithmetics, s)
+                eval panel(s)
+                left = least(main, '1', '1', 0); right = greatest(main, '1', '1', 4)
+                eval energies_on_x(left, right)
+                eval separatrix_on_x(left, right)
+                set yrange [bottom - 2:greatest(main, '10', '1', 0) + 1]
+                set title a offset 0, -0.5
+                set xlabel e_axis
+                if (s == 1) { set ylabel norm_axis } else { unset ylabel }
+                unset key
+                set arrow 2 from graph 0, first unit_of(a) to graph 1, first unit_of(a) nohead lc rgb '#666666' lw 1.2 dt 4
+                plot for [i=1:n] for [m in 'series resummed'] rows(file('_'.a), 1, 10, of(word(orders, i), m)) using 1:2 with lines lw 1.6 dt dash_of(m) lc rgb colour(i, n)
+                unset arrow
+                eval energies_done
+                eval no_heading
+            }
+            eval key_strip
+            plot for [i=1:n] NaN with lines lw 2.4 lc rgb colour(i, n) title in_key(i, n) ? 'N = '.word(orders, i) : '', \
+                 NaN with lines lw 1.6 dt 2 lc rgb soft title 'series', \
+                 NaN with lines lw 1.6 lc rgb soft title 'resummation', \
+                 NaN with lines lw 1.2 dt 4 lc rgb '#666666' title 'ε, the floor'
+            unset multiplot
+            unset output
+            eval restart
+        }
     }
 }

@@ -3,79 +3,94 @@
 load scripts.'/style.gp'
 
 file = data.'/expansion_point.csv'
-points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
-energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
-# Energies and points may be fractions.
-fraction(p) = strstrt(p, '/') ? real(p[1:strstrt(p, '/') - 1]) / real(p[strstrt(p, '/') + 1:*]) : real(p)
-of(p, y) = strcol(2) eq p ? y : NaN
+points = seen(file, 2, '1')
+energies = seen(file, 1, '1')
+n = words(points)
+of(p) = sprintf('$2 == "%s"', p)
 name(p) = p eq '0' ? '0 (top)' : p eq '1' ? '1 (bottom)' : p
-first = fraction(word(energies, 1))
-last = fraction(word(energies, words(energies)))
-measured = system(sprintf("awk -F, 'NR > 1 && $7 != \"\"' '%s' | wc -l", file)) + 0
-array mark[6] = [4, 8, 6, 12, 10, 2]
+measured = count_of(file, '$7 != ""')
+# Over the distance from E = 2 where all energies are near it, else over the energy; a lone energy over the point.
+near = greatest(file, '10', '1', 1) < 0.2 && least(file, '10', '1', 1) > 0
+x_of = near ? 'log(v($10)) / log(10)' : 'v($1)'
+curve(p, y) = "< awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && $2 == \"".p."\" && (".y.") != \"\" { print ".x_of." \",\" ".y." } END { print \"\\n1e99,1e99\" }' '".file."'"
+rate_of(m) = m ? '$7' : '$6'
 
-do for [kind in terminals] {
-    eval use_terminal(kind, target.'/expansion_point', 1180, 560)
-    set multiplot
-    set label 1 'One expansion for the whole way from the top to the bottom: its radius and its rate' at screen 0.5, 0.965 center font ',16'
-    set xlabel 'energy E'
-    set xrange [first == last ? first - 0.5 : first : first == last ? last + 0.5 : last]
-    e2 = first < 2 && last > 2
-    set arrow 2 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888' lw 1
-    if (e2) { set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3 }
-    if (e2) { set label 2 'E = 2' at 2, graph 0.03 offset 0.6, 0 textcolor rgb '#555555' }
-
-    set origin 0.01, 0
-    set size 0.49, 0.94
-    set lmargin 8
-    set ylabel 'radius of convergence R/T*'
-    set yrange [0:2.6]
-    set key top right opaque title 'expanded about this fraction of T*' samplen 3
-    set label 3 'R = T*' at graph 0.98, first 1 right offset 0, -0.7 textcolor rgb '#555555'
-    plot for [i=1:words(points)] file using (fraction(strcol(1))):(of(word(points, i), column(3) / column(4))) with linespoints lw 2 dt i pt mark[(i-1)%6+1] ps 0.5 lc rgb shade[(i-1)%6+1] title name(word(points, i))
-    unset label 1
-    unset label 3
-
-    set origin 0.5, 0
-    set ylabel 'factor of the error on [0, T*] a power'
-    set yrange [0:1.8]
-    unset key
-    set label 3 'diverges on a part of the way' at graph 0.98, first 1.1 right offset 0, 0.6 textcolor rgb '#555555'
-    set label 4 'lines: max(x, 1-x) T*/R'.(measured ? ', marks: measured' : '') at graph 0.98, graph 0.97 right textcolor rgb '#555555'
-    plot for [i=1:words(points)] file using (fraction(strcol(1))):(of(word(points, i), column(6))) with lines lw 2 dt i lc rgb shade[(i-1)%6+1], \
-         for [i=1:words(points)] file using (fraction(strcol(1))):(of(word(points, i), column(measured ? 7 : 6))) with points pt mark[(i-1)%6+1] ps measured ? 0.9 : 0.4 lw 1.3 lc rgb shade[(i-1)%6+1]
-    unset label 3
-    unset label 4
-    unset multiplot
-    unset output
+across = 2; down = 1
+panel_w = 590; panel_h = 480
+if (words(energies) > 1) {
+    foot = foot_for(shown_in_key(n) + 2, 16)
+    left = least(file, '1', '1', 0); right = greatest(file, '1', '1', 4)
+    widest = greatest(file, '3', '1', 1)
+    highest = number(system("awk -F, '".awk_v."NR > 1 { r = v($3) / v($4); if (r > m) m = r } END { print m }' '".file."'"))
+    fastest = greatest(file, '6 7', '1', 1)
+    do for [kind in terminals] {
+        eval figure_of(kind, 'expansion_point')
+        eval heading('One expansion for the whole way from the top to the bottom: its radius and its rate', 'x is the expansion point as a fraction of T*')
+        set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
+        if (near) { eval falling('x', log10(least(file, '10', '1', 1)), log10(greatest(file, '10', '1', 1))) } else { eval energies_on_x(left, right); eval separatrix_on_x(left, right) }
+        set xlabel near ? gap_axis : e_axis
+        set arrow 2 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888' lw 1
+        eval panel(1)
+        set ylabel 'radius of convergence R/T*'
+        set yrange [0:larger(highest, 1) * 1.08]
+        unset key
+        set label 3 'R = T*' at graph 0.98, first 1 right offset 0, -0.7 textcolor rgb soft
+        plot for [i=1:n] curve(word(points, i), 'v($3) / v($4)') using 1:2 with linespoints lw 2 pt mark_of(i) ps 0.5 lc rgb colour(i, n)
+        eval no_heading
+        unset label 3
+        eval panel(2)
+        set ylabel 'factor of the error on [0, T*] a power'
+        set yrange [0:smaller(larger(fastest, 1) * 1.08, 2)]
+        if (fastest > 1) { set label 3 'diverges on a part of the way' at graph 0.98, first 1 right offset 0, 0.7 textcolor rgb soft }
+        plot for [i=1:n] curve(word(points, i), '$6') using 1:2 with lines lw 2 lc rgb colour(i, n), \
+             for [i=1:n] curve(word(points, i), rate_of(measured)) using 1:2 with points pt mark_of(i) ps (measured ? 0.9 : 0.4) lw 1.3 lc rgb colour(i, n)
+        unset label; unset arrow
+        eval energies_done
+        eval key_strip
+        plot for [i=1:n] NaN with linespoints lw 2 pt mark_of(i) ps 0.8 lc rgb colour(i, n) title in_key(i, n) ? 'x = '.name(word(points, i)) : '', \
+             NaN with lines lw 2 lc rgb soft title 'max(x, 1−x) T*/R', \
+             NaN with points pt 4 ps 0.9 lw 1.3 lc rgb soft title measured ? 'measured' : ''
+        unset multiplot
+        unset output
+        eval restart
+    }
 }
 
 # Over the expansion point, for at most six of the energies.
-reset
-load scripts.'/style.gp'
-count = words(energies)
-shown = count < 6 ? count : 6
-pick(j) = word(energies, shown == 1 ? 1 : 1 + int((j - 1) * (count - 1) / (shown - 1.0) + 0.5))
-shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
-of(e, y) = strcol(1) eq e ? y : NaN
-aspect(e) = real(system(sprintf("awk -F, '$1 == \"%s\" { printf \"%%.9g\", $8 / $4; exit }' '%s'", e, file)))
+shown = smaller(words(energies), 6)
+energy(j) = pick(energies, shown, j)
+named(j) = energy_name(energy(j), first_of(file, 10, sprintf('$1 == "%s"', energy(j))))
+aspect(e) = number(system("awk -F, '$1 == \"".e."\" { printf \"%.9g\", $8 / $4; exit }' '".file."'"))
 rate(x, k) = (x > 0.5 ? x : 1 - x) / sqrt((1 - x)**2 + k**2)
 array k[6]
-do for [j=1:shown] { k[j] = aspect(pick(j)) }
+do for [j=1:shown] { k[j] = aspect(energy(j)) }
+own = words(energies) > 1 ? '_rate' : ''        # a lone energy has this figure alone
+across = 1
+panel_w = 900
+foot = foot_for(shown + 2, 16)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/expansion_point_rate', 860, 560)
-    set title 'The expansion point that covers [0, T*] at the best rate is T*/2' font ',16'
+    eval figure_of(kind, 'expansion_point'.own)
+    eval heading('The expansion point that covers [0, T*] at the best rate is T*/2', 'above 1 the expansion diverges at an end of the way')
+    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
+    eval panel(1)
     set xlabel 'expansion point, fraction x of T* (0 the top, 1 the bottom)'
     set ylabel 'factor of the error on [0, T*] a power'
     set xrange [0:1]
-    set yrange [0:2]
+    highest = 1
+    do for [j=1:shown] { highest = larger(highest, rate(1, k[j])) }
+    set yrange [0:smaller(highest * 1.1, 2)]
     set samples 401
-    set key top left title 'energy E' samplen 3
+    unset key
     set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888'
     set arrow 2 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb '#888888' dt 3
-    set label 1 'above: diverges at an end' at 0.02, 1 offset 0, 0.6 textcolor rgb '#555555'
-    set label 2 'lines: max(x, 1-x) T*/R'.(measured ? ', marks: measured' : '') at graph 0.02, graph 0.03 textcolor rgb '#555555'
-    plot for [j=1:shown] rate(x, k[j]) with lines lw 2 dt j lc rgb shade[j] title shorter(pick(j)), \
-         for [j=1:shown] file using (fraction(strcol(2))):(of(pick(j), column(measured ? 7 : 6))) with points pt mark[j] ps 1.2 lw 1.5 lc rgb shade[j] notitle
+    plot for [j=1:shown] rate(x, k[j]) with lines lw 2 dt j lc rgb shade[j], \
+         for [j=1:shown] rows(file, 2, measured ? 7 : 6, sprintf('$1 == "%s"', energy(j))) using 1:2 with points pt mark[j] ps 1.2 lw 1.5 lc rgb shade[j]
+    eval no_heading
+    eval key_strip
+    plot for [j=1:shown] NaN with linespoints lw 2 dt j pt mark[j] lc rgb shade[j] title 'E = '.named(j), \
+         NaN with lines lw 2 lc rgb soft title 'max(x, 1−x) T*/R', \
+         NaN with points pt 4 ps 1.2 lw 1.5 lc rgb soft title measured ? 'measured' : ''
+    unset multiplot
     unset output
+    eval restart
 }

@@ -3,50 +3,51 @@
 load scripts.'/style.gp'
 
 file = data.'/precision_floor.csv'
-energies = system(sprintf("cut -d, -f1 '%s' | tail -n +2 | awk '!seen[$0]++'", file))
-scalars = system(sprintf("cut -d, -f4 '%s' | tail -n +2 | awk '!seen[$0]++'", file))
+energies = seen(file, 1, '1')
+scalars = seen(file, 4, '1')
 epsilons = system(sprintf("cut -d, -f4,12 '%s' | tail -n +2 | awk -F, '!seen[$1]++ {print $2}'", file))
-longest = real(system(sprintf("cut -d, -f2 '%s' | tail -n +2 | sort -nr | sed -n 1p", file)))
-lowest = real(system(sprintf("cut -d, -f12 '%s' | tail -n +2 | sort -gr | tail -n 1", file)))
-single = int(system(sprintf("cut -d, -f2 '%s' | tail -n +2 | sort -u | wc -l", file))) == 1
-panels = words(energies)
-across = panels < 3 ? panels : 3
-down = (panels + across)/across       # one cell more than panels, for the key
-wide(x) = 360*x + (x == 1 ? 200 : 40)
-
-# Columns x and y of the rows that an awk condition picks, behind a blank line a point out of sight: gnuplot warns of a
-# file without points, and for [i=1:0] runs once.
-rows(file, x, y, which) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && %s && $%d != \"\" && $%d !~ /inf/ {print $%d \",\" $%d} END {print \"\\n1e9,1e9\"}' '%s'", which, y, y, x, y, file)
-of(e, s, method) = sprintf('$1 == "%s" && $4 == "%s" && $3 == "%s"', word(energies, e), word(scalars, s), method)
+n = words(scalars)
+last = greatest(file, '2', '1', 1)
+single = words(seen(file, 2, '1')) == 1
+panels = smaller(words(energies), 9)
+of(e, s, method) = sprintf('$1 == "%s" && $4 == "%s" && $3 == "%s"', e, s, method)
 style = single ? 'points pt 7' : 'lines'
+tone(s) = colour(n <= 4 ? s + 2 : s, n <= 4 ? 6 : n)
 
+eval grid(panels, 3)
+panel_w = panels == 1 ? 860 : 400
+panel_h = panels == 1 ? 520 : 360
+foot = foot_for(shown_in_key(n) + 4, 18)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/precision_floor', wide(across), 330*down + 40)
-    set xtics nomirror out textcolor rgb '#222222'
-    set ytics nomirror out textcolor rgb '#222222'
-    set multiplot layout down, across title 'Series (dashed) and resummation (solid) in each arithmetic; dotted: without rounding' font ',15' offset 0, -0.3
-    set xrange [0:longest > 0 ? longest*1.04 : 1]
-    set yrange [lowest - 4:2]
-    set lmargin 8
-    do for [e=1:panels] {
-        set title sprintf('E = %s', word(energies, e)) offset 0, -0.5
-        set xlabel 'order N' offset 0, 0.3
-        set ylabel 'log_{10} max |error|, radians' offset 0.7
+    eval figure_of(kind, 'precision_floor')
+    eval heading('How small the error gets before rounding wins', 'error norm on [0, T*]'.(panels < words(energies) ? sprintf(', %d of %d energies', panels, words(energies)) : ''))
+    set xrange [0:last * 1.06]
+    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
+    do for [p=1:panels] {
+        e = pick(energies, panels, p)
+        which = sprintf('$1 == "%s"', e)
+        eval panel(p)
+        set title 'E = '.energy_name(e, first_of(file, 13, which)) offset 0, -0.5
+        set yrange [smaller(least(file, '10', which, 0), least(file, '12', '1', 0)) - 2:greatest(file, '10 11', which, 0) + 2]
+        set xlabel 'order N'
+        if ((p - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
         unset key
-        do for [s=1:words(scalars)] {
-            set arrow s from graph 0.95, first (word(epsilons, s) + 0) to graph 1, first (word(epsilons, s) + 0) nohead lw 4 lc rgb shade[(s+1)%6+1]
+        do for [s=1:n] {
+            set arrow s from graph 0.95, first (word(epsilons, s) + 0) to graph 1, first (word(epsilons, s) + 0) nohead lw 4 lc rgb tone(s)
         }
-        plot for [m in 'series resummed'] rows(file, 2, 11, of(e, 1, m)) using 1:2 with @style lw 1.3 dt 3 lc rgb '#666666', \
-             for [s=1:words(scalars)] rows(file, 2, 10, of(e, s, 'series')) using 1:2 with @style lw 2 dt 2 lc rgb shade[(s+1)%6+1], \
-             for [s=1:words(scalars)] rows(file, 2, 10, of(e, s, 'resummed')) using 1:2 with @style lw 2 lc rgb shade[(s+1)%6+1]
+        plot for [m in 'series resummed'] rows(file, 2, 11, of(e, word(scalars, 1), m)) using 1:2 with @style lw 1.3 dt 3 lc rgb '#666666', \
+             for [s=1:n] rows(file, 2, 10, of(e, word(scalars, s), 'series')) using 1:2 with @style lw 2 dt 2 lc rgb tone(s), \
+             for [s=1:n] rows(file, 2, 10, of(e, word(scalars, s), 'resummed')) using 1:2 with @style lw 2 lc rgb tone(s)
+        do for [s=1:n] { unset arrow s }
+        eval no_heading
     }
-    do for [s=1:words(scalars)] { unset arrow s }
-    unset title; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
-    set key at graph 0.75, 0.9 right top title 'arithmetic'
-    plot for [s=1:words(scalars)] NaN with lines lw 2 lc rgb shade[(s+1)%6+1] title word(scalars, s), \
+    eval key_strip
+    plot for [s=1:n] NaN with lines lw 2.4 lc rgb tone(s) title word(scalars, s), \
+         NaN with lines lw 2 dt 2 lc rgb soft title 'series', \
+         NaN with lines lw 2 lc rgb soft title 'resummation', \
          NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'without rounding', \
-         NaN with lines lw 4 lc rgb '#666666' title 'epsilon'
-    set border 3 lc rgb '#444444'
+         NaN with lines lw 4 lc rgb '#666666' title 'its ε, on the right'
     unset multiplot
     unset output
+    eval restart
 }

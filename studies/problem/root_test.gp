@@ -7,13 +7,11 @@ load scripts.'/style.gp'
 file = data.'/root_test.csv'
 energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
 points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
-least(a, b) = a < b ? a : b
-some(list, most, j) = words(list) <= most ? word(list, j) : word(list, 1 + int((j - 1) * (words(list) - 1) / (most - 1.0) + 0.5))
-shown = least(words(energies), 6)
-across = least(words(points), 4)
-pick(j) = some(energies, 6, j)
-place(i) = some(points, 4, i)
-shorter(e) = strlen(e) > 14 ? e[1:14].'...' : e
+shown = smaller(words(energies), 6)
+across = smaller(words(points), 4)
+energy(j) = pick(energies, 6, j)
+place(i) = pick(points, 4, i)
+named(j) = energy_name(energy(j), first_of(file, 12, sprintf('$1 == "%s"', energy(j))))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
 last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
 amplitude(p) = system(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
@@ -21,7 +19,6 @@ amplitude(p) = system(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'",
 errors(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $%d !~ /inf/ {print $3 \",\" $%d} END {print \"1e-9,9\"}' '%s'", e, p, k, k, file)
 log10_of(x) = x == 0 ? NaN : log10(abs(x))
 highest = system(sprintf("awk -F, 'BEGIN { l = 0.2 } NR > 1 { for (c = 9; c <= 10; ++c) if ($c !~ /inf/ && $c + 0 > l) l = $c + 0 } END { print l + 0.3 }' '%s'", file)) + 0
-array mark[6] = [4, 6, 8, 2, 12, 10]
 high = 350
 head = 40
 foot = 46
@@ -47,11 +44,11 @@ do for [kind in terminals] {
             set yrange [row == 0 ? -4 : -5 : highest]
             if (i == 1) { set ylabel 'log_{10} |relative error|' } else { unset ylabel }
             if (row == 0 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
-            set label 2 row == 0 ? 'grey: ln(n)/n' : sprintf('grey: ln(A)/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb '#555555'
-            set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} - 1, A = %d', a) : 'dotted: 1 - A^{-1/n}' at graph 0.98, 0.865 right textcolor rgb '#555555'
+            set label 2 row == 0 ? 'grey: ln(n)/n' : sprintf('grey: ln(A)/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb soft
+            set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} - 1, A = %d', a) : 'dotted: 1 - A^{-1/n}' at graph 0.98, 0.865 right textcolor rgb soft
             plot [2:last * 1.15] log10_of(row == 0 ? log(x) / x : log(a) / x) with lines lw 5 lc rgb '#dddddd' notitle, \
                  log10_of(row == 0 ? (x / a)**(1 / x) - 1 : 1 - a**(-1 / x)) with lines lw 1.2 dt 3 lc rgb '#555555' notitle, \
-                 for [j=1:shown] errors(pick(j), p, 9 + row) using 1:2 with points pt mark[j] ps 0.7 lw 1.2 lc rgb shade[j] title 'E = '.shorter(pick(j))
+                 for [j=1:shown] errors(energy(j), p, 9 + row) using 1:2 with points pt mark[j] ps 0.7 lw 1.2 lc rgb shade[j] title 'E = '.named(j)
             unset label 1; unset label 2; unset label 3
         }
     }
@@ -60,10 +57,10 @@ do for [kind in terminals] {
 }
 
 # What the tests by size answer: a row for each point, a column for each method; lines are errors, thin ones uncertainties.
-reset
-load scripts.'/style.gp'
+eval restart
 answers = data.'/root_test_estimates.csv'
-methods = system(sprintf("for m in root root-corrected top-line verdict; do cut -d, -f4 '%s' | grep -qx $m && echo $m || true; done", answers))
+methods = ''
+do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s"', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 newest = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # Column k over the order, 0 drawn at the floor.
@@ -97,9 +94,9 @@ do for [kind in terminals] {
             set title brief(p).': '.m noenhanced
             if (i == 1) { set ylabel 'log_{10} relative to R' } else { unset ylabel }
             if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
-            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb '#555555' }
-            plot for [j=1:shown] answer(m, p, pick(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb shade[j] notitle, \
-                 for [j=1:shown] answer(m, p, pick(j), 9, low) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.shorter(pick(j))
+            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
+            plot for [j=1:shown] answer(m, p, energy(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb shade[j] notitle, \
+                 for [j=1:shown] answer(m, p, energy(j), 9, low) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.named(j)
             unset label 1
             unset label 2
         }

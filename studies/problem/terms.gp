@@ -1,45 +1,64 @@
-# terms: the least order for D digits against the distance of E from 2, libration left and rotation right.
+# terms: the least order for D digits against the distance of E from 2, on either side; with one energy or two against D.
 # Columns: energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap.
 load scripts.'/style.gp'
-tone(i) = shade[word('4 6 2 3 5 1', (i - 1)%6 + 1) + 0]     # neighbours far apart
+tone(i, n) = n <= 6 ? shade[word('4 6 2 3 5 1', i) + 0] : colour(i, n)     # neighbours far apart
 
 file = data.'/terms.csv'
-digits = system(sprintf("cut -d, -f3 '%s' | tail -n +2 | sort -nu", file))
-rotations = int(system(sprintf("cut -d, -f2 '%s' | grep -c '^-' || true", file)))
-librations = int(system(sprintf("cut -d, -f2 '%s' | tail -n +2 | grep -vc '^-' || true", file)))
-highest = real(system(sprintf("cut -d, -f8 '%s' | tail -n +2 | sort -gr | sed -n 1p", file)))
-closest = real(system(sprintf("cut -d, -f12 '%s' | tail -n +2 | sort -gr | tail -n 1", file)))
-farthest = real(system(sprintf("cut -d, -f12 '%s' | tail -n +2 | sort -gr | sed -n 1p", file)))
+digits = sorted(file, 3, '1')
+energies = seen(file, 1, '1')
+n = words(digits)
+of(d, method) = sprintf('$3 == %s && $4 == "%s"', d, method)
+side(k) = k == 1 ? '$2 !~ /^-/' : '$2 ~ /^-/'
+panels = ''
+do for [k=1:2] { if (count_of(file, side(k)) > 0) { panels = panels.' '.k } }
+by_digits = words(energies) <= 2
+if (by_digits) { panels = words(energies) == 1 ? '1' : '1 2' }
 
-of(d, method, y) = (column(3) == d && strcol(4) eq method) ? y : NaN
-side(s, y) = (strcol(2)[1:1] eq '-') == (s == 2) ? y : NaN
-positive(y) = y > 0 ? y : NaN
-sides = (librations > 0) + (rotations > 0)
-name(s) = s == 1 ? 'libration, E < 2' : 'rotation, E > 2'
-
+eval grid(words(panels), 2)
+panel_w = across == 1 ? 860 : 590
+panel_h = 500
+foot = foot_for((by_digits ? 2 : shown_in_key(n) + 2) + 3, 17)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/terms', sides == 2 ? 1180 : 760, 600)
-    set multiplot layout 1, sides title 'Powers for D digits on [0, T*]: series (dashed), resummation (solid)' font sides == 2 ? ',16' : ',14' offset 0, -0.3
+    eval figure_of(kind, 'terms')
+    eval heading('Powers for D digits on [0, T*]', 'the error norm is at most 10^{−D} rad')
+    set lmargin 11; set rmargin 2; set tmargin 2; set bmargin 3.6
     set logscale y
-    set yrange [3:highest*2]
-    set xrange [farthest + 0.2:closest - 0.4]
-    set lmargin 11
-    do for [s=1:2] {
-        if ((s == 1 ? librations : rotations) > 0) {
-            set title name(s) offset 0, -0.5
-            set xlabel 'log_{10} |2 - E|: towards the separatrix'
-            set ylabel 'order N' offset 1.5
-            set key at graph 0.97, 0.04 right bottom maxrows 4
-            plot for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', positive(column(7)))) with lines lw 1.5 dt 3 lc rgb tone(i) notitle, \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', positive(column(5)))) with linespoints pt 7 ps 0.5 lw 2 dt 2 lc rgb tone(i) notitle, \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'resummed', positive(column(5)))) with linespoints pt 7 ps 0.5 lw 2 lc rgb tone(i) title 'D = '.word(digits, i), \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'series', column(8))) with points pt 1 ps 0.8 lc rgb tone(i) notitle, \
-                 for [i=1:words(digits)] file using (side(s, column(12))):(of(word(digits, i) + 0, 'resummed', column(8))) with points pt 2 ps 0.7 lc rgb tone(i) notitle, \
-                 NaN with points pt 1 ps 0.8 lc rgb '#444444' title 'proved, series', \
-                 NaN with points pt 2 ps 0.7 lc rgb '#444444' title 'proved, resummed', \
-                 NaN with lines lw 1.5 dt 3 lc rgb '#444444' title 'D ln 10/ln(R/T*)'
+    set yrange [least(file, '5', '$5 > 0', 3) / 1.6:greatest(file, '5 8', '1', 10) * 1.6]
+    set format y '%g'
+    do for [p=1:words(panels)] {
+        eval panel(p)
+        if (p == 1) { set ylabel 'order N' } else { unset ylabel }
+        unset key
+        if (by_digits) {
+            e = word(energies, p)
+            at(m) = sprintf('$1 == "%s" && $4 == "%s"', e, m)
+            set title 'E = '.energy_name(e, first_of(file, 2, sprintf('$1 == "%s"', e))) offset 0, -0.5
+            set xlabel 'digits D'
+            set xrange [0:word(digits, n) * 1.08]
+            plot rows(file, 3, 7, at('series')) using 1:2 with lines lw 1.5 dt 3 lc rgb '#444444', \
+                 for [m in 'series resummed'] rows(file, 3, 5, at(m).' && $5 > 0') using 1:2 with linespoints pt 7 ps 0.6 lw 2 dt dash_of(m) lc rgb (m eq 'series' ? shade[5] : shade[4]), \
+                 for [m in 'series resummed'] rows(file, 3, 8, at(m)) using 1:2 with points pt (m eq 'series' ? 1 : 2) ps 0.8 lc rgb (m eq 'series' ? shade[5] : shade[4])
+        } else {
+            k = word(panels, p) + 0
+            which = ' && '.side(k)
+            set title k == 1 ? 'libration, E < 2' : 'rotation, E > 2' offset 0, -0.5
+            set xlabel gap_axis
+            eval falling('x', least(file, '12', side(k), 0), greatest(file, '12', side(k), 0))
+            plot for [i=1:n] rows(file, 12, 7, of(word(digits, i), 'series').which) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i, n), \
+                 for [i=1:n] for [m in 'series resummed'] rows(file, 12, 5, of(word(digits, i), m).which.' && $5 > 0') using 1:2 with linespoints pt 7 ps 0.5 lw 2 dt dash_of(m) lc rgb tone(i, n), \
+                 for [i=1:n] rows(file, 12, 8, of(word(digits, i), 'series').which) using 1:2 with points pt 1 ps 0.8 lc rgb tone(i, n), \
+                 for [i=1:n] rows(file, 12, 8, of(word(digits, i), 'resummed').which) using 1:2 with points pt 2 ps 0.7 lc rgb tone(i, n)
         }
+        eval no_heading
     }
+    eval key_strip
+    plot for [i=1:(by_digits ? 1 : n)] NaN with lines lw 2.4 lc rgb tone(i, n) title !by_digits && in_key(i, n) ? 'D = '.word(digits, i) : '', \
+         NaN with linespoints pt 7 ps 0.5 lw 2 dt 2 lc rgb by_digits ? shade[5] : soft title 'series', \
+         NaN with linespoints pt 7 ps 0.5 lw 2 lc rgb by_digits ? shade[4] : soft title 'resummation', \
+         NaN with points pt 1 ps 0.8 lc rgb soft title 'proved, series', \
+         NaN with points pt 2 ps 0.7 lc rgb soft title 'proved, resummed', \
+         NaN with lines lw 1.5 dt 3 lc rgb soft title 'D ln 10/ln(R/T*)'
     unset multiplot
     unset output
+    eval restart
 }
