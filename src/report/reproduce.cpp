@@ -62,8 +62,7 @@ std::vector<part> parts_of(const reproduce_set& set, const std::string& out, int
         parts.push_back({each->name, each->seconds, each->alone, [each, out, jobs](const progress_context& shown) {
                              study_order order = order_of(*each, {}, jobs);
                              order.request.shown = shown;
-                             write_study(order, out);
-                             draw_study(*each, out);
+                             make_study(order, out);
                          }});
     }
     if (set.claims) {

@@ -61,11 +61,6 @@ void print_tables(const study_order& order) {
     }
 }
 
-void write_figures(const study_order& order, const std::string& folder) {
-    draw_study(*order.what, folder);
-    fmt::print(stderr, "libration: wrote {}/{}\n", folder, order.what->name);
-}
-
 int run_study(const study_options& options) {
     const study& what = study_named("study", options.name);
     try {
@@ -74,8 +69,8 @@ int run_study(const study_options& options) {
             fmt::print(stderr, "libration: left out {}\n", order.left_out);
         }
         if (options.out) {
-            write_study(order, *options.out);
-            write_figures(order, *options.out);
+            make_study(order, *options.out);
+            fmt::print(stderr, "libration: wrote {}/{}\n", *options.out, what.name);
         } else {
             print_tables(order);
         }

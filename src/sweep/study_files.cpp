@@ -1,18 +1,23 @@
 #include "sweep/study_files.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "option/options.hpp"
-#include "run/child_program.hpp"
 #include "run/provenance.hpp"
+#include "run/sha256.hpp"
+#include "run/working_folder.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"
 
@@ -26,7 +31,7 @@ std::string stem_of(const study& what, const study_table& part) {
     return part.suffix.empty() ? what.name : what.name + "_" + part.suffix;
 }
 
-std::string description_of(const study_order& order, const std::vector<study_table>& tables) {
+nlohmann::ordered_json description_of(const study_order& order, const std::vector<study_table>& tables) {
     nlohmann::ordered_json description;
     description["study"] = order.what->name;
     description["question"] = order.what->question;
@@ -58,16 +63,71 @@ std::string description_of(const study_order& order, const std::vector<study_tab
     for (const auto& [name, version] : provenance()) {
         description["made with"][name] = version;
     }
-    return description.dump(2) + '\n';
+    return description;
 }
 
-// gnuplot string literals in single quotes double the quote.
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) {
-        result += c == '\'' ? "''" : std::string(1, c);
+std::string content_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Names and fingerprints of the files in a folder, without JSON and what is hidden.
+std::map<std::string, std::string> fingerprints(const std::string& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file() && !name.starts_with(".") && entry.path().extension() != ".json") {
+            files[name] = sha256(content_of(entry.path()));
+        }
     }
-    return result + "'";
+    return files;
+}
+
+// Whether a file of DIR/NAME is of the kind that a run leaves there. Files of other names are the user's.
+bool belongs_to(const study& what, const std::string& file) {
+    const std::string stem = fs::path(file).stem().string();
+    const std::string extension = fs::path(file).extension().string();
+    return (stem == what.name || stem.starts_with(what.name + "_")) &&
+           (extension == ".csv" || extension == ".tex" || extension == ".json" || is_figure(file));
+}
+
+// The files in `made` take the place of those in `own` that `replaced` picks; the JSON goes first and comes last, so
+// that it never describes what is not there.
+template <class Pick>
+void take_places(const fs::path& made, const fs::path& own, const std::string& json, const Pick& replaced) {
+    for (const auto& entry : fs::directory_iterator(made)) {
+        if (fs::is_directory(own / entry.path().filename())) {
+            throw input_error("--out", (own / entry.path().filename()).string(), "is a folder in the way",
+                              "move it or name another --out");
+        }
+    }
+    const auto guard = working_folder::uninterrupted();
+    fs::remove(own / json);
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(own)) {
+        if (entry.is_regular_file() && replaced(entry.path().filename().string())) {
+            old.push_back(entry.path());
+        }
+    }
+    std::for_each(old.begin(), old.end(), [](const fs::path& each) { fs::remove(each); });
+    std::vector<fs::path> fresh;
+    for (const auto& entry : fs::directory_iterator(made)) {
+        if (!entry.is_symlink() && entry.path().filename() != json) {
+            fresh.push_back(entry.path());
+        }
+    }
+    std::for_each(fresh.begin(), fresh.end(), [&](const fs::path& each) { fs::rename(each, own / each.filename()); });
+    fs::rename(made / json, own / json);
+}
+
+// A folder of ours that cannot be made is one that may not be written.
+std::unique_ptr<working_folder> folder_within(const std::string& own) {
+    try {
+        return std::make_unique<working_folder>(own);
+    } catch (const std::runtime_error& problem) {
+        throw input_error("--out", own, fmt::format("cannot be written ({})", problem.what()),
+                          "choose a folder that you may write in");
+    }
 }
 
 }  // namespace
@@ -81,72 +141,98 @@ void write_into(const std::string& path, const std::string& content) {
     }
 }
 
-std::string studies_folder() {
-    if (fs::exists(LIBRATION_STUDIES_DIR)) {
-        return LIBRATION_STUDIES_DIR;
-    }
-    std::error_code error;
-    return (fs::read_symlink("/proc/self/exe", error).parent_path() / LIBRATION_INSTALLED_STUDIES_DIR).string();
-}
-
-void write_study(const study_order& order, const std::string& folder) {
-    if (folder.empty()) {
-        throw input_error("--out", folder, "is no folder", "name one");
-    }
-    output_folder into("--out", (fs::path(folder) / order.what->name).string());
-    const std::string& own = into.path();
-    const auto tables = tables_of(order);
-    into.keep();
-    for (const study_table& part : tables) {
-        const std::string stem = stem_of(*order.what, part);
-        write_into((fs::path(own) / (stem + ".csv")).string(), to_csv(part.data));
-        write_into((fs::path(own) / (stem + ".tex")).string(),
-                   to_latex(part.data, {latex_text(order.what->title + ". Made by " + order.command + "."), stem}));
-    }
-    write_into((fs::path(own) / (order.what->name + ".json")).string(), description_of(order, tables));
-}
-
 namespace {
 
-// NAME.gp, in one of the folders of studies/.
-fs::path script_of(const study& what) {
-    for (const auto& folder : fs::directory_iterator(studies_folder())) {
-        const fs::path script = folder.path() / (what.name + ".gp");
-        if (fs::exists(script)) {
-            return script;
-        }
+void write_tables(const study_order& order, const std::vector<study_table>& tables, const fs::path& folder) {
+    for (const study_table& part : tables) {
+        const std::string stem = stem_of(*order.what, part);
+        write_into((folder / (stem + ".csv")).string(), to_csv(part.data));
+        write_into((folder / (stem + ".tex")).string(),
+                   to_latex(part.data, {latex_text(order.what->title + ". Made by " + order.command + "."), stem}));
     }
-    throw std::runtime_error(fmt::format("{} holds no {}.gp", studies_folder(), what.name));
+}
+
+// The description of DIR/NAME.
+nlohmann::ordered_json described(const study& what, const std::string& folder) {
+    const std::string again = "run 'libration study " + what.name + "' with the same --out first";
+    const fs::path json = fs::path(folder) / what.name / (what.name + ".json");
+    if (!fs::exists(json)) {
+        throw input_error("--out", folder, "holds no " + what.name + "/" + what.name + ".json", again);
+    }
+    auto description = nlohmann::ordered_json::parse(content_of(json), nullptr, false);
+    if (!description.is_object() || !description.contains("tables") || !description.contains("files")) {
+        throw input_error("--out", folder,
+                          "has in " + what.name + ".json no files with their SHA-256: an older version made it", again);
+    }
+    return description;
+}
+
+// The tables that the JSON names, seen from the working folder.
+void show_tables(const study& what, const nlohmann::ordered_json& description, const fs::path& own,
+                 const fs::path& working) {
+    for (const auto& part : description.at("tables")) {
+        const std::string file = part.at("file");
+        const bool same =
+            fs::exists(own / file) && description.at("files").value(file, "") == sha256(content_of(own / file));
+        if (!same) {
+            throw input_error("--out", (own / file).string(),
+                              fs::exists(own / file) ? "is not the table that " + what.name + ".json describes"
+                                                     : "is missing, which " + what.name + ".json describes",
+                              "run '" + description.value("command", "libration study " + what.name) + "' again");
+        }
+        fs::create_symlink(fs::path("..") / file, working / file);
+    }
 }
 
 }  // namespace
 
+void make_study(const study_order& order, const std::string& folder) {
+    if (folder.empty()) {
+        throw input_error("--out", folder, "is no folder", "name one");
+    }
+    const study& what = *order.what;
+    output_folder into("--out", (fs::path(folder) / what.name).string());
+    const auto tables = tables_of(order);
+    const auto working = folder_within(into.path());
+    write_tables(order, tables, working->path());
+    std::exception_ptr undrawn;
+    try {
+        draw_figures(what, working->path());
+    } catch (const std::exception&) {
+        undrawn = std::current_exception();
+    }
+    auto description = description_of(order, tables);
+    description["files"] = fingerprints(working->path());
+    const std::string json = what.name + ".json";
+    write_into((fs::path(working->path()) / json).string(), description.dump(2) + '\n');
+    take_places(working->path(), into.path(), json, [&](const std::string& file) { return belongs_to(what, file); });
+    into.keep();
+    if (undrawn) {
+        fmt::print(stderr,
+                   "libration: the tables are in {}, without figures: 'libration figure {} --out {}' draws them\n",
+                   into.path(), what.name, folder);
+        std::rethrow_exception(undrawn);
+    }
+}
+
 void draw_study(const study& what, const std::string& folder) {
-    const fs::path own = fs::path(folder) / what.name;
-    const fs::path script = script_of(what);
-    if (!fs::exists(own / (what.name + ".csv"))) {
-        throw input_error("--out", folder, "holds no " + what.name + "/" + what.name + ".csv",
-                          "run 'libration study " + what.name + "' with the same --out first");
+    auto description = described(what, folder);
+    const output_folder into("--out", (fs::path(folder) / what.name).string());
+    const fs::path own = into.path();
+    const auto working = folder_within(into.path());
+    show_tables(what, description, own, working->path());
+    draw_figures(what, working->path());
+    auto& files = description["files"];
+    for (auto each = files.begin(); each != files.end();) {
+        each = is_figure(each.key()) ? files.erase(each) : std::next(each);
     }
-    const output_folder into("--out", own.string());
-    // Figures are drawn beside and moved onto their names when all of them are whole.
-    const fs::path beside = own / fmt::format(".drawing.{}", ::getpid());
-    fs::create_directories(beside);
-    const std::string setting = fmt::format("data = {}; target = {}; scripts = {}", quoted(own.string()),
-                                            quoted(beside.string()), quoted(studies_folder()));
-    const int code = run_program({"gnuplot", "-e", setting, script.string()});
-    if (code == 0) {
-        for (const auto& entry : fs::directory_iterator(beside)) {
-            fs::rename(entry.path(), own / entry.path().filename());
-        }
+    for (const auto& [name, fingerprint] : fingerprints(working->path())) {
+        files[name] = fingerprint;
     }
-    fs::remove_all(beside);
-    if (code == 127) {
-        throw input_error("gnuplot is not installed: install the Debian package gnuplot-nox");
-    }
-    if (code != 0) {
-        throw std::runtime_error(fmt::format("gnuplot could not draw {}", script.string()));
-    }
+    const std::string json = what.name + ".json";
+    write_into((fs::path(working->path()) / json).string(), description.dump(2) + '\n');
+    take_places(working->path(), own, json,
+                [&](const std::string& file) { return is_figure(file) && belongs_to(what, file); });
 }
 
 const study& study_named(std::string_view option, std::string_view name) {

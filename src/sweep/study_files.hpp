@@ -1,25 +1,24 @@
-// The files of a study: CSV and LaTeX tables, the JSON beside them, and the figures drawn from the CSV.
+// The files of a study: CSV and LaTeX tables, the figures drawn from the CSV, and the JSON that names them all.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "sweep/study.hpp"
+#include "sweep/study_figures.hpp"
 #include "sweep/study_order.hpp"
 
 namespace libration {
 
-/// Runs the study and writes DIR/NAME/NAME[_SUFFIX].csv, the same as .tex, and DIR/NAME/NAME.json. Throws input_error
-/// when DIR cannot be written.
-void write_study(const study_order& order, const std::string& folder);
+/// Runs the study and leaves in DIR/NAME the files of this run: NAME[_SUFFIX].csv, the same as .tex, the figures, and
+/// NAME.json, which names every file with its SHA-256. They are made beside and moved there when they are whole; tables
+/// and figures of an earlier run go. Throws input_error when DIR cannot be written: then DIR/NAME is as it was. Throws
+/// what draw_figures throws: then the tables are there without figures.
+void make_study(const study_order& order, const std::string& folder);
 
-/// Draws DIR/NAME/*.svg and *.png from the CSV with studies/NAME.gp. Throws input_error when the CSV or gnuplot is
-/// missing.
+/// Draws the figures in DIR/NAME again, from the tables that NAME.json names. Throws input_error when one of them is
+/// missing or is not the one that NAME.json describes, or when gnuplot is missing.
 void draw_study(const study& what, const std::string& folder);
-
-/// The folder of the figure scripts and of the errata's outline: in the source tree, or beside an installed program.
-std::string studies_folder();
 
 /// Writes one file of a results folder, whole or not at all. Throws input_error of --out.
 void write_into(const std::string& path, const std::string& content);

@@ -1,7 +1,9 @@
 // `libration study`, `studies` and `figure`: the files of a study, which depend on its parameters alone.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,6 +29,7 @@ TEST_CASE("a study with --out writes its table, its description and its figures"
                       "out/error_norm",
                       "out/error_norm/error_norm.csv",
                       "out/error_norm/error_norm.json",
+                      "out/error_norm/error_norm.pdf",
                       "out/error_norm/error_norm.png",
                       "out/error_norm/error_norm.svg",
                       "out/error_norm/error_norm.tex"};
@@ -99,6 +102,126 @@ TEST_CASE("studies are listed with question, parameters and cost", "[command][st
         INFO(part);
         CHECK(list.find(part) != std::string::npos);
     }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const words small{"study", "error_norm", "--energies", "1.71", "--orders", "2,4,8", "--out", "out"};
+
+// What is in out/error_norm, without the folder.
+words files_of(const temporary_folder& folder) {
+    words names;
+    for (const auto& entry : fs::directory_iterator(folder.path() / "out" / "error_norm")) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+const words files_of_one_table{"error_norm.csv", "error_norm.json", "error_norm.pdf",
+                               "error_norm.png", "error_norm.svg",  "error_norm.tex"};
+
+// A gnuplot of ours, found before the real one: /bin/sh runs these words after it or in its place.
+class gnuplot_in_place {
+public:
+    gnuplot_in_place(const fs::path& folder, const std::string& script) : before_(::getenv("PATH")) {
+        fs::create_directory(folder / "bin");
+        std::ofstream(folder / "bin" / "gnuplot") << "#!/bin/sh\n" << script << "\n";
+        fs::permissions(folder / "bin" / "gnuplot", fs::perms::owner_all);
+        ::setenv("PATH", ((folder / "bin").string() + ":" + before_).c_str(), 1);
+    }
+    gnuplot_in_place(const gnuplot_in_place&) = delete;
+    gnuplot_in_place& operator=(const gnuplot_in_place&) = delete;
+    ~gnuplot_in_place() { ::setenv("PATH", before_.c_str(), 1); }
+
+private:
+    std::string before_;
+};
+
+}  // namespace
+
+TEST_CASE("a run leaves exactly its files, also where an earlier one left others", "[command][study]") {
+    const temporary_folder folder;
+    const auto run = [&](const words& more) { return run_libration(small + more, folder.path()).exit_code; };
+    REQUIRE(run({"--step", "1e-3"}) == 0);  // tables of four arithmetics and the march
+    CHECK(fs::exists(folder.path() / "out/error_norm/error_norm_quad.csv"));
+    std::ofstream(folder.path() / "out/error_norm/notes.txt") << "the user's own";
+    REQUIRE(run({"--scalar", "double"}) == 0);
+    words expected = files_of_one_table;
+    expected.push_back("notes.txt");
+    CHECK(files_of(folder) == expected);
+}
+
+TEST_CASE("the JSON of a study names every file with the SHA-256 that sha256sum prints", "[command][study]") {
+    const temporary_folder folder;
+    REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
+    const auto own = folder.path() / "out" / "error_norm";
+    const auto json = nlohmann::json::parse(text_of_file(own / "error_norm.json"));
+    words named{"error_norm.json"};
+    std::ofstream sums(own / "sums");
+    for (const auto& [name, sum] : json.at("files").items()) {
+        named.push_back(name);
+        sums << sum.get<std::string>() << "  " << name << "\n";
+    }
+    sums.close();
+    CHECK(std::system(("cd '" + own.string() + "' && sha256sum --quiet -c sums").c_str()) == 0);
+    fs::remove(own / "sums");
+    std::sort(named.begin(), named.end());
+    CHECK(files_of(folder) == named);
+}
+
+TEST_CASE("figure draws the tables of its run and no others", "[command][study]") {
+    const temporary_folder folder;
+    REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
+    const auto own = folder.path() / "out" / "error_norm";
+    const std::string svg = text_of_file(own / "error_norm.svg");
+    const auto figure = [&] { return run_libration({"figure", "error_norm", "--out", "out"}, folder.path()); };
+    // A table that the JSON does not name is not seen.
+    fs::copy(own / "error_norm.csv", own / "error_norm_quad.csv");
+    CHECK(figure().exit_code == 0);
+    CHECK(text_of_file(own / "error_norm.svg") == svg);
+    fs::remove(own / "error_norm_quad.csv");
+    // One that it names, but that is another one, is refused.
+    std::ofstream(own / "error_norm.csv", std::ios::app) << "1.71,9,series,1,1,double,heuristic,0.29,1,0,0,0\n";
+    const finished_process done = figure();
+    CHECK(done.exit_code == 2);
+    CHECK(done.err ==
+          "libration: --out 'out/error_norm/error_norm.csv' is not the table that error_norm.json "
+          "describes: run 'libration study error_norm --energies 1.71 --orders 2,4,8 --scalar double' "
+          "again\n");
+    CHECK(text_of_file(own / "error_norm.svg") == svg);
+    CHECK(files_of(folder) == files_of_one_table);
+    fs::remove(own / "error_norm.csv");
+    CHECK(figure().err.find("is missing, which error_norm.json describes") != std::string::npos);
+}
+
+TEST_CASE("a drawing that is cut short is told, and no figure of another run stays beside the tables",
+          "[command][study]") {
+    const temporary_folder folder;
+    REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
+    // As on a full disk: the real gnuplot, and then one of its drawings ends early.
+    const gnuplot_in_place full(folder.path(),
+                                "PATH=${PATH#*:} gnuplot \"$@\" || exit; for f in out/error_norm/.drawing.*/*.svg; do "
+                                "head -c 1000 \"$f\" >cut && mv cut \"$f\"; done");
+    const finished_process done = run_libration(small + words{"--scalar", "quad"}, folder.path());
+    CHECK(done.exit_code == 1);
+    CHECK(done.err.find("error_norm.svg was cut short while it was drawn: is the disk full?") != std::string::npos);
+    CHECK(done.err.find("wrote") == std::string::npos);
+    CHECK(files_of(folder) == words{"error_norm.csv", "error_norm.json", "error_norm.tex"});
+}
+
+TEST_CASE("a study that is ended while it draws leaves no folder of its own, and the earlier run as it was",
+          "[command][study]") {
+    const temporary_folder folder;
+    REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
+    const std::string csv = text_of_file(folder.path() / "out/error_norm/error_norm.csv");
+    const gnuplot_in_place slow(folder.path(), "kill -TERM $PPID; exec sleep 1");
+    const finished_process done = run_libration(small + words{"--scalar", "quad"}, folder.path());
+    CHECK(done.exit_code == 128 + 15);
+    CHECK(files_of(folder) == files_of_one_table);
+    CHECK(text_of_file(folder.path() / "out/error_norm/error_norm.csv") == csv);
 }
 
 }  // namespace command_study_test

@@ -1,0 +1,121 @@
+#include "sweep/study_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include "run/child_program.hpp"
+#include "text/image.hpp"
+#include "text/input_error.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 3> figure_extensions{".svg", ".pdf", ".png"};
+
+// gnuplot string literals in single quotes double the quote.
+std::string quoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) {
+        result += c == '\'' ? "''" : std::string(1, c);
+    }
+    return result + "'";
+}
+
+// NAME.gp, in one of the folders of studies/.
+fs::path script_of(const study& what) {
+    for (const auto& folder : fs::directory_iterator(studies_folder())) {
+        const fs::path script = folder.path() / (what.name + ".gp");
+        if (fs::exists(script)) {
+            return script;
+        }
+    }
+    throw std::runtime_error(fmt::format("{} holds no {}.gp", studies_folder(), what.name));
+}
+
+std::vector<fs::path> figures_in(const std::string& folder) {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (is_figure(entry.path().filename().string())) {
+            found.push_back(entry.path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+// In the folder itself, so that no character of its path means anything to the shell that asks the tables.
+void run_gnuplot(const study& what, const std::string& folder) {
+    const fs::path script = script_of(what);
+    const std::string setting =
+        fmt::format("cd {}; data = '.'; target = '.'; scripts = {}", quoted(folder), quoted(studies_folder()));
+    const int code = run_program({"gnuplot", "-e", setting, script.string()});
+    if (code == 127) {
+        throw input_error("gnuplot is not installed: install the Debian package gnuplot-nox");
+    }
+    if (code != 0) {
+        throw std::runtime_error(fmt::format("gnuplot could not draw {}", script.string()));
+    }
+}
+
+void finish(const fs::path& figure) {
+    std::ifstream file(figure, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(file), {}};
+    const std::string extension = figure.extension().string();
+    if (!file || !is_whole_image(extension, content)) {
+        throw std::runtime_error(figure.filename().string() + " was cut short while it was drawn: is the disk full?");
+    }
+    write_whole_file(figure.string(), finished_image(extension, content));
+}
+
+// Each figure in each of the three kinds.
+void require_all_kinds(const study& what, const std::vector<fs::path>& figures) {
+    for (const std::string_view extension : figure_extensions) {
+        const auto own = [&](const fs::path& each) { return each.extension() == extension; };
+        const auto count = std::count_if(figures.begin(), figures.end(), own);
+        if (count == 0 || static_cast<std::size_t>(count) * figure_extensions.size() != figures.size()) {
+            throw std::runtime_error(fmt::format("gnuplot did not draw every {} of {}", extension, what.name));
+        }
+    }
+}
+
+}  // namespace
+
+bool is_figure(const std::string& file) {
+    return std::find(figure_extensions.begin(), figure_extensions.end(), fs::path(file).extension().string()) !=
+           figure_extensions.end();
+}
+
+std::string studies_folder() {
+    if (fs::exists(LIBRATION_STUDIES_DIR)) {
+        return LIBRATION_STUDIES_DIR;
+    }
+    std::error_code error;
+    return (fs::read_symlink("/proc/self/exe", error).parent_path() / LIBRATION_INSTALLED_STUDIES_DIR).string();
+}
+
+void draw_figures(const study& what, const std::string& folder) {
+    try {
+        run_gnuplot(what, folder);
+        const auto figures = figures_in(folder);
+        require_all_kinds(what, figures);
+        std::for_each(figures.begin(), figures.end(), finish);
+    } catch (const std::exception&) {
+        for (const fs::path& figure : figures_in(folder)) {
+            fs::remove(figure);
+        }
+        throw;
+    }
+}
+
+}  // namespace libration

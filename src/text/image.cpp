@@ -1,0 +1,174 @@
+#include "text/image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdlib>
+#include <string_view>
+
+namespace libration {
+
+namespace {
+
+using namespace std::string_literals;
+
+const std::string png_end = "\0\0\0\0IEND\xae\x42\x60\x82"s;
+// Length 9, 11811 dots a metre in x and y, unit 1 (the metre), and the checksum of it all.
+const std::string png_resolution = "\0\0\0\x09pHYs\0\0\x2e\x23\0\0\x2e\x23\x01\x78\xa5\x3f\x76"s;
+constexpr std::size_t png_header_bytes = 33;  // signature and IHDR
+
+// The content without white space at its end.
+std::string_view trimmed(const std::string& content) {
+    const std::size_t last = content.find_last_not_of(" \t\r\n");
+    return std::string_view(content).substr(0, last == std::string::npos ? 0 : last + 1);
+}
+
+std::string with_resolution(const std::string& png) {
+    const bool known = png.find("pHYs") < 200;
+    return known || png.size() < png_header_bytes
+               ? png
+               : png.substr(0, png_header_bytes) + png_resolution + png.substr(png_header_bytes);
+}
+
+// /CreationDate (D:20260102030405+00'00): its digits become those of a fixed day, as many as there were.
+std::string without_time(std::string pdf) {
+    constexpr std::string_view key = "/CreationDate (D:";
+    constexpr std::string_view fixed = "20000101000000";
+    if (const std::size_t at = pdf.find(key); at != std::string::npos) {
+        for (std::size_t i = 0; i < fixed.size() && at + key.size() + i < pdf.size(); ++i) {
+            char& c = pdf[at + key.size() + i];
+            c = std::isdigit(static_cast<unsigned char>(c)) != 0 ? fixed[i] : c;
+        }
+    }
+    return pdf;
+}
+
+// rgb( 68,  68,  68) as #444444, from where it begins; moves behind it.
+std::string hexadecimal_colour(const std::string& svg, std::size_t& at) {
+    std::string colour = "#";
+    at += std::string_view("rgb(").size();
+    for (int part = 0; part < 3; ++part) {
+        char* behind = nullptr;
+        colour += fmt::format("{:02x}", std::strtol(svg.c_str() + at, &behind, 10));
+        at = static_cast<std::size_t>(behind - svg.c_str()) + 1;  // the comma or the parenthesis
+    }
+    return colour;
+}
+
+// Within tags, never in text: colours in hexadecimal, numbers with one decimal, one blank for several.
+std::string shorter_words(const std::string& svg) {
+    std::string out;
+    out.reserve(svg.size());
+    const auto digit = [&](std::size_t i) {
+        return i < svg.size() && std::isdigit(static_cast<unsigned char>(svg[i])) != 0;
+    };
+    bool within = false;
+    for (std::size_t i = 0; i < svg.size();) {
+        within = svg[i] == '<' || (within && svg[i] != '>');
+        if (within && svg.compare(i, 4, "rgb(") == 0) {
+            out += hexadecimal_colour(svg, i);
+        } else if (within && svg[i] == '.' && i > 0 && digit(i - 1) && digit(i + 1) && digit(i + 2)) {
+            out.append(svg, i, 2);
+            for (i += 2; digit(i);) {
+                ++i;
+            }
+        } else if ((svg[i] == ' ' || svg[i] == '\t') && !out.empty() &&
+                   (out.back() == '\n' || (within && out.back() == ' '))) {
+            ++i;
+        } else {
+            out += svg[i++];
+        }
+    }
+    return out;
+}
+
+// Groups <g ...></g> with nothing in them, away.
+std::string without_empty_groups(const std::string& svg) {
+    constexpr std::string_view end = "</g>";
+    std::string out;
+    out.reserve(svg.size());
+    for (std::size_t i = 0; i < svg.size();) {
+        if (svg.compare(i, end.size(), end) == 0) {
+            const std::size_t last = out.find_last_not_of(" \n");
+            const std::size_t open = out.rfind('<');
+            if (last != std::string::npos && out[last] == '>' && out.compare(open, 3, "<g ") == 0) {
+                out.resize(open);
+                i += end.size();
+                continue;
+            }
+        }
+        out += svg[i++];
+    }
+    return out;
+}
+
+// The line from `begin` on, with its end.
+std::string line_at(const std::string& text, std::size_t begin) {
+    return text.substr(begin, std::min(text.find('\n', begin), text.size() - 1) + 1 - begin);
+}
+
+// <path ... d='M1,2 L3,4 L5,6'/> without the letters that the next pair of coordinates implies.
+std::string implied_lines(const std::string& path) {
+    std::string out;
+    const std::size_t data = path.find(" d='");
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        out += i > data + 4 && path[i] == 'L' && path[i - 1] == ' ' ? "" : path.substr(i, 1);
+    }
+    return out;
+}
+
+// Of two equal groups around one path each, one group around both.
+std::string joined_groups(const std::string& svg) {
+    constexpr std::string_view end = "</g>\n";
+    std::string out;
+    out.reserve(svg.size());
+    std::string group;  // the opening tag of the group before, where it held paths alone
+    for (std::size_t i = 0; i < svg.size();) {
+        const std::string line = line_at(svg, i);
+        i += line.size();
+        const std::string next = i < svg.size() ? line_at(svg, i) : "";
+        if (!line.starts_with("<g ") || !next.starts_with("<path ") || !next.ends_with(end)) {
+            out += line.starts_with("<path ") ? implied_lines(line) : line;
+            group.clear();
+            continue;
+        }
+        if (group == line) {
+            out.resize(out.size() - end.size());
+        } else {
+            out += line;
+        }
+        out += implied_lines(next);
+        group = line;
+        i += next.size();
+    }
+    return out;
+}
+
+std::string compact(const std::string& svg) {
+    const std::size_t body = svg.find("</defs>");  // the marks before it are measured in units of their own
+    if (body == std::string::npos) {
+        return svg;
+    }
+    return svg.substr(0, body) + joined_groups(without_empty_groups(shorter_words(svg.substr(body))));
+}
+
+}  // namespace
+
+bool is_whole_image(const std::string& extension, const std::string& content) {
+    if (extension == ".png") {
+        return content.ends_with(png_end);
+    }
+    return (extension == ".pdf" && trimmed(content).ends_with("%%EOF")) ||
+           (extension == ".svg" && trimmed(content).ends_with("</svg>"));
+}
+
+std::string finished_image(const std::string& extension, const std::string& content) {
+    if (extension == ".png") {
+        return with_resolution(content);
+    }
+    return extension == ".pdf" ? without_time(content) : extension == ".svg" ? compact(content) : content;
+}
+
+}  // namespace libration
