@@ -20,7 +20,7 @@ print = 72 / per_inch
 use_terminal(kind, file, w, h) = kind eq 'svg' \
     ? sprintf("set terminal svg size %d,%d dynamic enhanced font 'Helvetica,14' background 'white'; set output '%s.svg'", w, h, file) \
     : kind eq 'pdf' \
-    ? sprintf("set terminal pdfcairo size %.4fin,%.4fin enhanced font 'DejaVu Sans,13' fontscale %.4f linewidth %.4f pointscale %.4f dashlength 1.2 background 'white'; set output '%s.pdf'", w / per_inch, h / per_inch, print, print, print, file) \
+    ? sprintf("set terminal pdfcairo size %.4fin,%.4fin enhanced font 'DejaVu Sans,13' fontscale %.4f linewidth %.4f pointscale %.4f dashlength 1.2 background 'white'; set output '%s.pdf'", w / per_inch, h / per_inch, print, 1.9 * print, 1.9 * print, file) \
     : sprintf("set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,13' fontscale %.4f linewidth %.4f pointscale %.4f background 'white'; set output '%s.png'", w * dots, h * dots, dots, dots, dots, file)
 
 # Okabe and Ito's colours in an order that also darkens in grey, so that neighbours differ without colour.

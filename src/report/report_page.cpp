@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "report/report.hpp"
 #include "run/provenance.hpp"
 #include "text/html.hpp"
+#include "text/html_mathematics.hpp"
 #include "text/measured_text.hpp"
 
 namespace libration {
@@ -85,7 +89,7 @@ std::string claim_card(const published_claim& each) {
         text += "<p><b>Instead:</b> " + html_prose(each.correction) + "</p>\n";
     }
     return text + fmt::format("<p class=\"meta\">Measured: {}: <b>{}</b>. Shown by <code>{}</code></p>\n</article>\n",
-                              html_prose(each.measured), html_text(each.number), html_text(each.command));
+                              html_prose(each.measured), html_mathematics(each.number), html_text(each.command));
 }
 
 std::string cards(const std::vector<published_claim>& claims, std::initializer_list<verdict> judged) {
@@ -144,17 +148,45 @@ table_source tables_of(const published& results) {
     };
 }
 
-std::string study_part(const published& results, const published_study& each) {
+// The figures within the page, as URIs: the smaller ones, as many as keep the page below 3 MB. The others are loaded from
+// the folder.
+std::map<std::string, std::string> images_within(const published& results) {
+    constexpr std::size_t most_bytes = 2'500'000;
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const published_study& each : results.studies) {
+        for (const std::string& svg : each.figures) {
+            all.emplace_back(svg, svg_uri(text_of((std::filesystem::path(results.folder) / svg).string())));
+        }
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+    std::map<std::string, std::string> within;
+    std::size_t bytes = 0;
+    for (auto& [svg, uri] : all) {
+        bytes += uri.size();
+        if (bytes > most_bytes) {
+            break;
+        }
+        within.emplace(svg, std::move(uri));
+    }
+    return within;
+}
+
+std::string study_part(const published& results, const published_study& each,
+                       const std::map<std::string, std::string>& images) {
     const study& what = *each.what;
     const std::string figure = what.label.empty() ? "not in the paper" : "the paper's " + what.label;
-    std::string text = fmt::format(
-        "<section class=\"study\" id=\"{}\">\n<h3>{}</h3>\n<p class=\"question\">{}</p>\n<p>{}</p>\n", what.name,
-        html_text(what.title), html_text(what.question), html_prose(measured_text(what.reading, tables_of(results))));
+    std::string text =
+        fmt::format("<section class=\"study\" id=\"{}\">\n<h3>{}</h3>\n<p class=\"question\">{}</p>\n<p>{}</p>\n",
+                    what.name, html_mathematics(what.title), html_mathematics(what.question),
+                    html_prose(measured_text(what.reading, tables_of(results))));
     for (const std::string& svg : each.figures) {
-        const std::string content = text_of((std::filesystem::path(results.folder) / svg).string());
-        text += fmt::format("<figure><a href=\"{0}\"><img alt=\"{1}\" src=\"{2}\"></a></figure>\n", html_text(svg),
-                            html_text(what.title + ": figure " + svg.substr(svg.find('/') + 1)),
-                            data_uri("image/svg+xml", content));
+        const auto within = images.find(svg);
+        text += fmt::format(
+            "<figure><a href=\"{0}\"><img alt=\"{1}\" src=\"{2}\"></a><figcaption class=\"files soft\">for print: "
+            "<a href=\"{3}.pdf\">PDF</a>, <a href=\"{3}.png\">PNG with 300 dpi</a></figcaption></figure>\n",
+            html_text(svg), html_text(what.title + ": figure " + svg.substr(svg.find('/') + 1)),
+            within != images.end() ? within->second : html_text(svg), html_text(svg.substr(0, svg.rfind('.'))));
     }
     return text + fmt::format("<p class=\"files soft\">{}. Tables: {}. Made by <code>./run {}</code></p>\n</section>\n",
                               html_text(figure), links(each),
@@ -234,8 +266,9 @@ std::string report_page(const published& results) {
     }
     body += words_part;
     body += "<h2 id=\"figures\">Figures</h2>\n" + contents(results);
+    const auto images = images_within(results);
     for (const published_study& each : results.studies) {
-        body += study_part(results, each);
+        body += study_part(results, each, images);
     }
     if (!results.claims.empty()) {
         body += claims_part(results);

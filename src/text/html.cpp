@@ -1,8 +1,11 @@
 #include "text/html.hpp"
 
+#include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cstddef>
+
+#include "text/html_mathematics.hpp"
 
 namespace libration {
 
@@ -68,15 +71,29 @@ std::string html_text(const std::string& text) {
 std::string html_prose(const std::string& text) {
     std::string out;
     bool code = false;
-    for (const char c : html_text(text)) {
-        if (c == '`') {
-            code = !code;
-            out += code ? "<code>" : "</code>";
-        } else {
-            out += c;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('`', begin), text.size());
+        const std::string part = text.substr(begin, end - begin);
+        out += code ? "<code>" + html_text(part) + "</code>" : html_mathematics(part);
+        code = !code;
+        begin = end + 1;
+    }
+    return out;
+}
+
+std::string svg_uri(const std::string& svg) {
+    std::string out = "data:image/svg+xml,";
+    for (const char c : svg) {
+        switch (c) {
+            case '%': out += "%25"; break;
+            case '#': out += "%23"; break;
+            case '"': out += "'"; break;
+            case '&': out += "&amp;"; break;
+            case '\n': out += ' '; break;
+            default: out += c;
         }
     }
-    return out + (code ? "</code>" : "");
+    return out;
 }
 
 std::string data_uri(const std::string& media_type, const std::string& content) {

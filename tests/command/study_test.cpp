@@ -1,6 +1,7 @@
 // `libration study`, `studies` and `figure`: the files of a study, which depend on its parameters alone.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -217,9 +218,17 @@ TEST_CASE("a study that is ended while it draws leaves no folder of its own, and
     const temporary_folder folder;
     REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
     const std::string csv = text_of_file(folder.path() / "out/error_norm/error_norm.csv");
-    const gnuplot_in_place slow(folder.path(), "kill -TERM $PPID; exec sleep 1");
-    const finished_process done = run_libration(small + words{"--scalar", "quad"}, folder.path());
-    CHECK(done.exit_code == 128 + 15);
+    const gnuplot_in_place slow(folder.path(), "kill -$(cat signal) $PPID; exec sleep 1");
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGKILL}) {
+        INFO(signal);
+        std::ofstream(folder.path() / "signal") << signal;
+        const finished_process done = run_libration(small + words{"--scalar", "quad"}, folder.path());
+        CHECK(done.exit_code == 128 + signal);
+        CHECK((files_of(folder) == files_of_one_table) == (signal != SIGKILL));
+    }
+    // What the last one left, the next run takes away.
+    std::ofstream(folder.path() / "signal") << SIGTERM;
+    run_libration(small + words{"--scalar", "quad"}, folder.path());
     CHECK(files_of(folder) == files_of_one_table);
     CHECK(text_of_file(folder.path() / "out/error_norm/error_norm.csv") == csv);
 }

@@ -56,7 +56,7 @@ TEST_CASE("an SVG loses what draws nothing", "[text][image]") {
         "<text>1.718  is a Label L rgb(1, 2, 3)</text>\n</svg>\n";
     CHECK(finished_image(".svg", svg) ==
           "<svg>\n<defs>\n<path id='gpPt0' stroke-width='0.190' d='M-1,0 h2'/>\n</defs>\n\n"
-          "<g color=\"black\">\n<path stroke='#0072b2' d='M527.9,394.7 511.8,364.4 '/>\n"
+          "<g color=\"black\">\n<path stroke='#0072b2' d='M527.9,394.7 511.8,364.4 '/>"
           "<path stroke='#0072b2' d='M1.0,2.9 3,4 '/></g>\n"
           "<text>1.718  is a Label L rgb(1, 2, 3)</text>\n</svg>\n");
 }
