@@ -119,12 +119,14 @@ std::string implied_lines(const std::string& path) {
     return out;
 }
 
-// Of two equal groups around one path each, one group around both.
+// Of two equal groups around one path each, one group around both; of two paths of one pen in it, one path.
 std::string joined_groups(const std::string& svg) {
     constexpr std::string_view end = "</g>\n";
+    constexpr std::string_view closing = "'/></g>\n";
     std::string out;
     out.reserve(svg.size());
     std::string group;  // the opening tag of the group before, where it held paths alone
+    std::string pen;    // what stands before the lines of its last path
     for (std::size_t i = 0; i < svg.size();) {
         const std::string line = line_at(svg, i);
         i += line.size();
@@ -134,14 +136,23 @@ std::string joined_groups(const std::string& svg) {
             group.clear();
             continue;
         }
-        if (group == line) {
+        i += next.size();
+        const std::string path = implied_lines(next);
+        const std::string head = path.substr(0, path.find(" d='") + 4);
+        const bool same_group = group == line;
+        if (same_group && pen == head && path.ends_with(closing)) {
+            out.resize(out.size() - closing.size());  // the lines of one pen as one path
+            out += path.substr(head.size());
+            continue;
+        }
+        if (same_group) {
             out.resize(out.size() - end.size());
         } else {
             out += line;
         }
-        out += implied_lines(next);
+        out += path;
         group = line;
-        i += next.size();
+        pen = path.ends_with(closing) ? head : "";
     }
     return out;
 }

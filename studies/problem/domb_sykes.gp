@@ -19,8 +19,10 @@ widest = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", f
 power(e, p) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { last = $3 } END { print last }' '%s'", e, p, lists)) + 0
 limit(e, p, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $10 + 0 }' '%s'", e, p, k, lists)) + 0
 # "1/n,ratio" of a plot, clipped to the edge; behind them a point out of sight, for gnuplot warns of a file without points.
-ratios(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 != \"\" {y = $7 + 0; if ($8 !~ /inf/ && $8 + 0 > %g) y = $7 ~ /^-/ ? -%g : %g; print $5 \",\" y} END {print \"9,9\"}' '%s'", e, p, k, log10(edge), edge, edge, file)
-undefined(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" {print $5 \",-2.55\"} END {print \"9,9\"}' '%s'", e, p, k, file)
+# Of more than 60 ratios every second pair: they are close together at 1/n = 0.
+thinned = "function thin(n) { return n <= 60 || int(n / 4) * 2 == int(n / 2) } "
+ratios(e, p, k) = sprintf("< awk -F, '".thinned."BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 != \"\" && thin($4) {y = $7 + 0; if ($8 !~ /inf/ && $8 + 0 > %g) y = $7 ~ /^-/ ? -%g : %g; print $5 \",\" y} END {print \"9,9\"}' '%s'", e, p, k, log10(edge), edge, edge, file)
+undefined(e, p, k) = sprintf("< awk -F, '".thinned."BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" && thin($4) {print $5 \",-2.55\"} END {print \"9,9\"}' '%s'", e, p, k, file)
 # "in t^2 (E = 1: in t^4)"
 in_power(k) = k == 1 ? 'in t' : sprintf('in t^%d', k)
 apart(p) = system(sprintf("awk -F, 'NR > 1 && $2 == \"%s\" { of[$1] = $3 } END { for (e in of) ++seen[of[e]]; for (k in seen) if (seen[k] > most) { most = seen[k]; usual = k }; printf \"%%d\", usual; for (e in of) if (of[e] != usual) printf \" %%s %%d\", e, of[e] }' '%s'", p, lists))

@@ -16,7 +16,8 @@ about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '
 last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
 amplitude(p) = system(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
 # "n,log10 error"; behind them a point out of sight, for gnuplot warns of a file without points.
-errors(e, p, k) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $%d !~ /inf/ {print $3 \",\" $%d} END {print \"1e-9,9\"}' '%s'", e, p, k, k, file)
+# Of n close together on the axis of log n the first is drawn.
+errors(e, p, k) = "< awk -F, 'BEGIN { print \"x,y\" } $1 == \"".e."\" && $2 == \"".p."\" && $".k." !~ /inf/ { b = int(60 * log($3)); if (b != last) print $3 \",\" $".k."; last = b } END { print \"1e-9,9\" }' '".file."'"
 log10_of(x) = x == 0 ? NaN : log10(abs(x))
 highest = system(sprintf("awk -F, 'BEGIN { l = 0.2 } NR > 1 { for (c = 9; c <= 10; ++c) if ($c !~ /inf/ && $c + 0 > l) l = $c + 0 } END { print l + 0.3 }' '%s'", file)) + 0
 high = 350

@@ -53,11 +53,12 @@ TEST_CASE("an SVG loses what draws nothing", "[text][image]") {
         "<g fill=\"none\" stroke=\"rgb( 68,  68,  68)\">\n</g>\n"
         "<g color=\"black\">\n\t<path stroke='rgb(  0, 114, 178)'  d='M527.95,394.71 L511.86,364.44  '/></g>\n"
         "<g color=\"black\">\n\t<path stroke='rgb(  0, 114, 178)'  d='M1.00,2.99 L3,4  '/></g>\n"
+        "<g color=\"black\">\n\t<path stroke='rgb(213,  94,   0)'  d='M5,6 L7,8  '/></g>\n"
         "<text>1.718  is a Label L rgb(1, 2, 3)</text>\n</svg>\n";
     CHECK(finished_image(".svg", svg) ==
           "<svg>\n<defs>\n<path id='gpPt0' stroke-width='0.190' d='M-1,0 h2'/>\n</defs>\n\n"
-          "<g color=\"black\">\n<path stroke='#0072b2' d='M527.9,394.7 511.8,364.4 '/>"
-          "<path stroke='#0072b2' d='M1.0,2.9 3,4 '/></g>\n"
+          "<g color=\"black\">\n<path stroke='#0072b2' d='M527.9,394.7 511.8,364.4 M1.0,2.9 3,4 '/>"
+          "<path stroke='#d55e00' d='M5,6 7,8 '/></g>\n"
           "<text>1.718  is a Label L rgb(1, 2, 3)</text>\n</svg>\n");
 }
 
