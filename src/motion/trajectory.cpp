@@ -1,4 +1,7 @@
 // libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
+#include <fmt/core.h>
+
+#include <cstdio>
 #include <memory>
 
 #include "motion/motion_options.hpp"
@@ -81,12 +84,21 @@ int run_trajectory(const trajectory_options& options) {
     const long digits = request.numbers.digits;
     const auto times = times_in_decimals(request.chosen.of, request.times, digits);
     const auto points = trajectory_points(request);
+    bool decided = true;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        data.add_row({number_cell(times[i]), cell::number(points[i].theta, digits),
-                      cell::number(points[i].omega, digits), number_cell(points[i].error), request.times[i].text});
+        const auto& [theta, omega, error, undecided] = points[i];
+        const std::string& typed = request.times[i].text;
+        if (undecided.empty()) {
+            data.add_row({number_cell(times[i]), cell::number(theta, digits), cell::number(omega, digits),
+                          number_cell(error), typed});
+            continue;
+        }
+        decided = false;
+        data.add_row({number_cell(times[i]), cell(), cell(), cell(), typed});
+        fmt::print(stderr, "libration: no state at {}: {}\n", typed, undecided);
     }
     options.output.write(data);
-    return 0;
+    return decided ? 0 : 1;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/scalar/exponent_range.hpp"
 #include "run/digits.hpp"
 #include "run/parallel.hpp"
 #include "text/input_error.hpp"
@@ -241,18 +242,57 @@ std::vector<printed_number> values_of(const trajectory_request& request, long be
                    [&] { return vanishing(request); });
 }
 
-}  // namespace
-
-std::vector<trajectory_point> trajectory_points(const trajectory_request& request) {
+// All times in the same runs.
+std::vector<trajectory_point> points_together(const trajectory_request& request) {
     const long before = digits_before_point(request);
     const auto values = values_of(request, before);
     const auto errors = errors_of(request, values, before);
     std::vector<trajectory_point> points;
     points.reserve(errors.size());
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        points.push_back({values[2 * i].text, values[2 * i + 1].text, errors[i].text});
+        points.push_back({values[2 * i].text, values[2 * i + 1].text, errors[i].text, ""});
     }
     return points;
+}
+
+// Whether a time has no digits: no precision decides them, or omega on the separatrix is too small for all exponents.
+bool has_no_digits(const error& problem, const trajectory_request& request) {
+    return problem.kind() == error_kind::undecided ||
+           (problem.kind() == error_kind::range && request.chosen.of.regime() == regime::separatrix);
+}
+
+// Each by itself, so that one without digits loses no other.
+std::vector<trajectory_point> points_apart(const trajectory_request& request) {
+    std::vector<trajectory_point> points;
+    points.reserve(request.times.size());
+    for (const exact& time : request.times) {
+        trajectory_request alone = request;
+        alone.times = {time};
+        try {
+            points.push_back(points_together(alone).front());
+        } catch (const error& problem) {
+            if (!has_no_digits(problem, request)) {
+                throw;
+            }
+            const bool open = problem.kind() == error_kind::undecided;
+            points.push_back({"", "", "", open ? problem.what() : "omega is too small to be printed"});
+        }
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<trajectory_point> trajectory_points(const trajectory_request& request) {
+    const whole_exponent_range exponents;  // of omega on the separatrix, exp(-t)
+    try {
+        return points_together(request);
+    } catch (const error& problem) {
+        if (!has_no_digits(problem, request) || request.method == trajectory_method::rk4) {
+            throw;
+        }
+    }
+    return points_apart(request);
 }
 
 }  // namespace libration

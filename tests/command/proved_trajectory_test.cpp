@@ -76,6 +76,21 @@ TEST_CASE("what symmetry makes 0 is printed as 0, and what it makes a fraction h
     CHECK(start[3].at("error") != "0");
 }
 
+TEST_CASE("whole periods of a start turned by whole turns are decided by symmetry", "[command][ball]") {
+    for (const std::string scalar : {"ball:30", "mpfr:30"}) {
+        const auto rows = rows_of(trajectory({"--theta0", "7", "--omega0", "-0.15"}, {}, "T,1,-3T,T/2", scalar));
+        REQUIRE(rows.size() == 4);
+        for (const std::size_t whole : {0U, 2U}) {
+            CHECK(value_of(rows[whole].at("theta")) == 7);
+            CHECK(rows[whole].at("error") == "0");
+            CHECK(value_of(rows[whole].at("omega")) == rational(-15, 100));
+        }
+        // Half a period later it is as far on the other side of 2 pi.
+        CHECK(rows[3].at("theta").starts_with("5.56637061435917295385"));
+        CHECK(rows[3].at("error") != "0");
+    }
+}
+
 TEST_CASE("on the separatrix and at rest trajectories are proved too", "[command][ball]") {
     const auto critical = rows_of(trajectory({"--energy", "2"}, {}, "0,3", "ball:20"));
     CHECK(critical[0].at("theta") == "0");

@@ -269,4 +269,39 @@ TEST_CASE("at whole periods theta is the start again, and its error is 0", "[com
     }
 }
 
+TEST_CASE("omega is 0 where the pendulum turns and nowhere else", "[command][trajectory]") {
+    // On the separatrix omega = 2/cosh t, log10 of it (log 4 - 10^9)/log 10 = -434294481.30...: 4.998..e-434294482.
+    const auto far = trajectory_of({"--theta0", "0", "--omega0", "2", "--times", "1e9", "--scalar", "mpfr:20"});
+    const auto proved = trajectory_of({"--theta0", "0", "--omega0", "2", "--times", "1e9", "--scalar", "ball:20"});
+    CHECK(far.at(0).at("omega").starts_with("4.998"));
+    CHECK(far.at(0).at("omega") == proved.at(0).at("omega"));
+    // As typed, at the start and after a period; exactly 0 where it is released from rest.
+    for (const std::string omega0 : {"-1e-106", "3e-300"}) {
+        const auto slow =
+            trajectory_of({"--theta0=-1.455078119", "--omega0=" + omega0, "--times", "0,T", "--scalar", "mpfr:30"});
+        CHECK_THAT(slow.at(0).at("omega"), right_to_the_last_digit(omega0));
+        CHECK_THAT(slow.at(1).at("omega"), right_to_the_last_digit(omega0));
+    }
+    const auto rest = trajectory_of({"--theta0", "1", "--omega0", "0", "--times", "0,T/2,1", "--scalar", "mpfr:30"});
+    CHECK(rest.at(0).at("omega") == "0");
+    CHECK(rest.at(1).at("omega") == "0");
+    CHECK(rest.at(2).at("omega") != "0");
+}
+
+TEST_CASE("a time without an answer loses no other", "[command][trajectory]") {
+    for (const std::string scalar : {"ball:20", "mpfr:20"}) {
+        const finished_process done = run_libration({"trajectory", "--theta0", "0", "--omega0", "2", "--times",
+                                                     "1e20,1", "--scalar", scalar, "--format", "csv"});
+        INFO(done.err);
+        CHECK(done.exit_code == 1);
+        CHECK(done.err.find("no state at 1e20") != std::string::npos);
+        const auto lines = lines_of(done.out);
+        REQUIRE(lines.size() == 3);
+        CHECK(lines[1] == "1e20,,,,1e20");
+        // 2 gd(1) and 2/cosh 1 [DLMF 4.23.39].
+        CHECK(lines[2].starts_with("1,1.7315389664"));
+        CHECK(lines[2].find(",1.2961085473") != std::string::npos);
+    }
+}
+
 }  // namespace command_trajectory_test
