@@ -13,18 +13,16 @@ namespace libration::elliptic {
 /// k_n = sqrt(1 - (b_n/a_n)^2), k_{n+1} = (a_n - b_n)/(a_n + b_n); it is small after few levels.
 ///
 /// The number of levels follows from the precision and the size of k' alone: log2 log2 (1/k') levels bring b/a above
-/// 1/2, and then k_{n+1} < k_n^2/2 squares its way below 2^-(digits/2 + 3), so that k_N^2 is below epsilon/32.
+/// 1/2, and then k_{n+1} < k_n^2/2 squares its way below 2^-(digits/2 + 3), so that k_N^2 is below epsilon/32. A chain
+/// that is stopped before proves as much: what is computed from it encloses what the levels left out would change.
 template <scalar T>
 class landen_chain {
 public:
     /// Throws error when k' = 0: the chain has no end and K is infinite.
-    explicit landen_chain(const modulus<T>& m) : modulus_(m) {
+    explicit landen_chain(const modulus<T>& m) : landen_chain(m, levels_for(m.complement)) {}
+    /// With so many levels, at least 0; k' > 0.
+    landen_chain(const modulus<T>& m, int levels) : modulus_(m) {
         using std::sqrt;
-        const long exponent = binary_exponent(m.complement);
-        if (exponent == exponent_of_zero) {
-            throw error(error_kind::argument, "complementary modulus", "0", "makes K(1) infinite");
-        }
-        const int levels = doublings(1 - exponent) + doublings(digits<T>() / 2 + 4) + 1;
         a_.reserve(static_cast<std::size_t>(levels) + 1);
         b_.reserve(static_cast<std::size_t>(levels) + 1);
         a_.push_back(T(1));
@@ -51,6 +49,14 @@ public:
     T last_parameter() const { return (a_.back() - b_.back()) * (a_.back() + b_.back()) / (a_.back() * a_.back()); }
 
 private:
+    static int levels_for(const T& complement) {
+        const long exponent = binary_exponent(complement);
+        if (exponent == exponent_of_zero) {
+            throw error(error_kind::argument, "complementary modulus", "0", "makes K(1) infinite");
+        }
+        return doublings(1 - exponent) + doublings(digits<T>() / 2 + 4) + 1;
+    }
+
     modulus<T> modulus_;
     std::vector<T> a_;
     std::vector<T> b_;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "libration/scalar/complex_number.hpp"
@@ -51,16 +52,18 @@ struct theta_argument {
 /// (f step)^j/j! <= e^(f step); and all of them together are less than twice the first where q^(P(f+2) - P(f)) e^(2 H)
 /// < 1/2, because P(f+2) - P(f) grows with f.
 ///
-/// About sqrt(digits log 4/log(1/nome)) pairs. Errors of a few epsilon of the largest sum of the |terms| for |t| <= 1.
+/// About sqrt(digits log 4/log(1/nome)) pairs, or as few as are asked for, which leave balls as wide as that; never
+/// fewer than the last condition needs. Errors of a few epsilon of the largest sum of the |terms| for |t| <= 1.
 /// Not for the fixed scalars. Throws error unless the nome is below 1.
 template <scalar T>
 class theta_taylor {
     static_assert(!fixed_scalar<T>, "powers of the frequencies leave the range of the built-in types");
 
 public:
-    theta_taylor(const theta_kind& kind, const theta_argument<T>& argument)
+    theta_taylor(const theta_kind& kind, const theta_argument<T>& argument,
+                 long most_pairs = std::numeric_limits<long>::max())
         : kind_(kind), argument_(argument), least_(kind.odd != (argument.shift != 0) ? 1 : 0) {
-        const long end = first_left_out();
+        const long end = first_left_out(most_pairs);
         const std::vector<T> weights = weights_to(end + 1);
         const auto weight = [&](long m) {
             return T(weights[static_cast<std::size_t>(std::abs(m) / 2)] * kind_.sign(m));
@@ -108,7 +111,7 @@ private:
 
     // The first f whose pair is left out with all that follow, and the bound of those. In few digits, which on balls
     // prove it as well.
-    long first_left_out() {
+    long first_left_out(long most_pairs) {
         const long bits = digits<T>();
         const precision_scope rough(20);
         const T nome = narrow<T>(widen(argument_.nome));
@@ -123,7 +126,8 @@ private:
         for (long f = least_ + 2;; f += 2) {
             rest_ = pow(nome, power(f)) * pow(reach, f) * 4;
             const T ratio = pow(nome, power(f + 2) - power(f)) * reach * reach;
-            if (binary_exponent(rest_) < -bits && binary_exponent(ratio) < 0) {
+            const bool enough = binary_exponent(rest_) < -bits || (f - least_) / 2 >= most_pairs;
+            if (enough && binary_exponent(ratio) < 0) {
                 return f;
             }
         }

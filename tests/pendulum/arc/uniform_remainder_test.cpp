@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pendulum/arc/column_sums.hpp"
 #include "pendulum/typed.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
@@ -18,40 +19,6 @@ using namespace libration::pendulum;
 using namespace libration::tests;
 
 namespace {
-
-// Taylor coefficients of sech about a: s' = -s t, t' = s^2 with t = tanh.
-std::vector<mpfr> sech_series(const mpfr& a, int order) {
-    std::vector<mpfr> s{mpfr(1 / cosh(a))};
-    std::vector<mpfr> t{mpfr(tanh(a))};
-    for (int n = 0; n < order; ++n) {
-        mpfr product(0);
-        mpfr square(0);
-        for (int k = 0; k <= n; ++k) {
-            const auto i = static_cast<std::size_t>(k);
-            const auto j = static_cast<std::size_t>(n - k);
-            product += s[i] * t[j];
-            square += s[i] * s[j];
-        }
-        s.push_back(mpfr(-product / (n + 1)));
-        t.push_back(mpfr(square / (n + 1)));
-    }
-    return s;
-}
-
-// b_n, n >= 1, column by column: a pair has the slope (-1)^p 2 [sech(a + z) - sech(a - z)], in rotation the sum of
-// both.
-std::vector<mpfr> column_by_column(regime r, const mpfr& y, int columns, int order) {
-    std::vector<mpfr> b(static_cast<std::size_t>(order) + 1, mpfr(0));
-    const int last = columns + 3 + static_cast<int>(nearest_integer(mpfr(60 / y)));
-    for (int p = columns; p < last; ++p) {
-        const auto s = sech_series(mpfr(y * (2 * p + 1)), order);
-        const int sign = r == regime::rotation || p % 2 == 0 ? 4 : -4;
-        for (int n = r == regime::rotation ? 1 : 2; n <= order; n += 2) {
-            b[static_cast<std::size_t>(n)] += s[static_cast<std::size_t>(n - 1)] * pow(y, n) * sign / n;
-        }
-    }
-    return b;
-}
 
 // b_n for P = 1 to 140 digits.
 power_series<mpfr> exact_rest(const motion& m, int order) {

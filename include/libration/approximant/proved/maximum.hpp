@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,9 @@ struct proved_maximum {
 /// The search behind largest_magnitude().
 class maximum_search {
 public:
-    explicit maximum_search(const std::vector<enclosed_panel>& panels) : panels_(panels) {}
+    /// With so many steps of Newton's iteration, at least 0; as many as double the precision unless given.
+    explicit maximum_search(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {})
+        : panels_(panels), steps_(steps.value_or(doublings(digits<ball>()) + 3)) {}
 
     /// Throws precision_exhausted where the working precision does not part the pieces.
     proved_maximum result() {
@@ -113,7 +116,7 @@ private:
     // it.
     bool is_found(const enclosed_panel& f, const ball& centre, const ball& all, const ball& least) {
         ball s = centre;
-        for (int step = doublings(digits<ball>()) + 3; step > 0; --step) {
+        for (int step = steps_; step > 0; --step) {
             const enclosed_two_jet at = f.at(s);
             const ball next = midpoint(ball(s - at.slope / at.curvature));
             if (!contains(all, next)) {
@@ -144,15 +147,17 @@ private:
     }
 
     const std::vector<enclosed_panel>& panels_;
+    int steps_;
     ball lower_;  ///< |f| is not below this somewhere; exact
     std::vector<candidate> candidates_;
 };
 
 /// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of
 /// order J for each halving next to a stationary point; their number follows the shape of f and hardly the precision.
+/// Newton's iteration is stopped after so many steps where they are given: pieces then are halved until those do.
 /// Throws precision_exhausted where the working precision does not part the pieces, as where f is 0.
-inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels) {
-    return maximum_search(panels).result();
+inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {}) {
+    return maximum_search(panels, steps).result();
 }
 
 }  // namespace libration

@@ -18,12 +18,21 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::elliptic {
+
+/// Where the descent ends and the series of a nome, at most: the precision ends them before. What they leave out is
+/// enclosed in any case.
+struct nome_steps {
+    int levels = std::numeric_limits<int>::max();  ///< r, but no fewer than bring P below 2^-4
+    int terms = 4;                                 ///< N of the theta series, 1 .. 4, where r is what ends the descent
+    int series = 18;                               ///< J of the series of P, 1 .. 18
+};
 
 /// Chain, nome and mean. Cost: one square root, two products and three sums a level, log2 log2(1/k') levels until b/a
 /// is above 1/2, then about log2(bits) - 4; two square roots and 7 levels serve 1000 digits. Absolute errors relative
@@ -32,14 +41,15 @@ class landen_nome {
 public:
     /// quarter_square is c_0^2/4 = (a_0^2 - b_0^2)/4. Throws error unless a_0 and b_0 are positive, and
     /// precision_exhausted where they are too wide for a nome.
-    landen_nome(const ball& a, const ball& b, const ball& quarter_square) : bits_(ball::working_bits()), a_(a), b_(b) {
+    landen_nome(const ball& a, const ball& b, const ball& quarter_square, const nome_steps& most = {})
+        : bits_(ball::working_bits()), a_(a), b_(b) {
         if (arb_is_positive(a.handle()) == 0 || arb_is_positive(b.handle()) == 0) {
             throw error(error_kind::argument, "mean", "", "is that of numbers that are not proved positive");
         }
         steps_.reserve(16);
         steps_.push_back(quarter_square);
-        descend();
-        solve_nome();
+        descend(most);
+        solve_nome(most.series);
         raise_powers();
         measure();
     }
@@ -130,8 +140,8 @@ private:
     long power_of_third() const { return long{terms_ + 1} * (terms_ + 1); }
     long power_of_second() const { return long{terms_ + 1} * (terms_ + 2); }
 
-    void descend();
-    void solve_nome();
+    void descend(const nome_steps& most);
+    void solve_nome(int most_terms_of_series);
     void raise_powers();
     void measure();
 
@@ -148,7 +158,7 @@ private:
 };
 
 // Until so few terms do: one to 2000 bits, then two and three; the time hardly depends on it.
-inline void landen_nome::descend() {
+inline void landen_nome::descend(const nome_steps& most) {
     const int affordable = bits_ < 2000 ? 1 : bits_ < 20'000 ? 2 : 3;
     ball sum = a_ + b_;
     ball difference = a_ - b_;
@@ -167,6 +177,10 @@ inline void landen_nome::descend() {
         if (small_ >= 5 && terms_ <= affordable) {
             return;
         }
+        if (small_ >= 5 && level >= most.levels) {
+            terms_ = most.terms;
+            return;
+        }
         steps_.emplace_back();
         ball& step = steps_.back();
         const long bits = std::min(bits_, std::max(64L, bits_ + 2 * (exponent(sum) - exponent(a_)) + 8));
@@ -177,7 +191,7 @@ inline void landen_nome::descend() {
     throw precision_exhausted("a nome");
 }
 
-inline void landen_nome::solve_nome() {
+inline void landen_nome::solve_nome(int most_terms_of_series) {
     const long bits = std::max(8L, bits_ - small_ + 8);
     ball e;
     ball sum;
@@ -190,7 +204,7 @@ inline void landen_nome::solve_nome() {
         throw precision_exhausted("a nome");
     }
     long count = 1;
-    while (2 * count * (least - 2) + least < bits_ && count < static_cast<long>(series.size())) {
+    while (2 * count * (least - 2) + least < bits_ && count < most_terms_of_series) {
         ++count;
     }
     const ball square = product(e, e, std::max(8L, bits - 2 * least + 8));

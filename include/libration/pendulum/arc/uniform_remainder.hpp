@@ -24,6 +24,7 @@
 // For P = 1 and N' = 34 (33 in rotation) that is 4.5e-17 (1.4e-16) whatever E.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "libration/pendulum/energy/period.hpp"
@@ -84,9 +85,10 @@ struct uniform_bounds {
 
 /// b_n, n = 0 .. N, for P >= 1, without the multiple of pi. Absolute error a few epsilon B_n for n >= 2, a few
 /// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up
-/// to a smooth function. O(N digits/(P y)). Throws error when P < 1 or N < 0.
+/// to a smooth function. O(N J), J terms: O(digits/(P y)) of them unless given. Throws error when P < 1 or N < 0.
 template <scalar T>
-series::power_series<T> uniform_remainder(regime r, const T& half_distance, int columns, int order) {
+series::power_series<T> uniform_remainder(regime r, const T& half_distance, int columns, int order,
+                                          std::optional<long> most_terms = {}) {
     using std::cosh;
     using std::exp;
     using std::sinh;
@@ -98,7 +100,8 @@ series::power_series<T> uniform_remainder(regime r, const T& half_distance, int 
     // v_J >= bits log 2/(2 P), log 2 < 7/10. It decides the cost; what it leaves out is enclosed whatever it is.
     const long bits = digits<T>() + 8;
     const long terms =
-        1 + static_cast<long>(nearest_integer(widen(T(T(bits * 7) / (half_distance * (40L * columns))))));
+        most_terms ? *most_terms
+                   : 1 + static_cast<long>(nearest_integer(widen(T(T(bits * 7) / (half_distance * (40L * columns))))));
     const auto decay = [&](const T& v) { return T(exp(-v * (2 * columns))); };
     int sign = rotates || columns % 2 != 0 ? 1 : -1;
     for (long j = 0; j < terms; ++j) {

@@ -33,15 +33,15 @@ namespace libration::pendulum {
 /// Use it in a precision_scope of the size it was made in.
 class landen_motion {
 public:
-    /// E and 2-E, exactly. Throws error at E <= 0 and at E = 2, error where they do not add
-    /// up to 2, precision_exhausted where the working precision does not even give a nome.
-    landen_motion(const rational& energy, const rational& gap)
+    /// E and 2-E, exactly; with fewer steps where they are given. Throws error at E <= 0 and at E = 2, error where they
+    /// do not add up to 2, precision_exhausted where the working precision does not even give a nome.
+    landen_motion(const rational& energy, const rational& gap, const elliptic::nome_steps& most = {})
         : rotates_(gap < 0),
           half_energy_(half(checked(energy, gap))),
           half_gap_(half(abs(gap))),
           widest_(rotates_ ? sqrt(half_energy_) : ball(1)),
           cut_(rotates_ ? ball(1) : sqrt(half_energy_)),
-          nome_(widest_, sqrt(half_gap_), rotates_ ? ball(1) / 4 : half_energy_ / 4) {}
+          nome_(widest_, sqrt(half_gap_), rotates_ ? ball(1) / 4 : half_energy_ / 4, most) {}
 
     /// Throws error unless E and 2-E add up to 2, error at E <= 0 and at E = 2.
     static void require_energies(const rational& energy, const rational& gap) {

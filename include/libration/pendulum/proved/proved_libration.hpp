@@ -8,14 +8,17 @@
 //   w_n = w_{n+1} V_{n+1} (V_{n+1} - (c_n^2/4)/V_{n+1})/V_n^2,
 //   omega = -2 c_0 w_1/(1 + s^2),
 // w = V'/V^2, theta_1 and theta_2 without the factor 2 P^(1/4). The radius of every operation is counted
-// (ball_fixed.hpp); what the series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, 4 l >= 64 n + 4,
-// so l >= 17:
-//   P = e (1 + 4 e^2) lacks at most e 4 k^4/(1 - k^2), k = 4e (landen_nome (1), two terms): below 2^(11 - 5l) <= u;
-//   P < 1.001 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l) <= u, the other two 10 P^6 < u
+// (fixed_point.hpp); what the series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, l >= 5:
+//   P = e (1 + 4 e^2) lacks at most e 4 k^4/(1 - k^2), k = 4e (landen_nome (1), two terms): below 2^(11 - 5l);
+//   P < 1.01 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l), the other two 10 P^6 < 2^(4 - 6l)
 //   (landen_nome (2)).
+// The descent goes on until 4 l >= 64 n + 4: then each is below u, and counts as u. One that is stopped before counts
+// what it leaves out.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -35,13 +38,14 @@ public:
                mpq_cmp_ui(gap.backend().data(), 1, 128) >= 0;
     }
 
-    /// E and 2-E, exactly, which it serves. Throws precision_exhausted where a radius grows too wide.
-    proved_libration(const rational& energy, const rational& gap, long bits)
+    /// E and 2-E, exactly, which it serves; a descent of so many levels at most, but enough for l >= 5. Throws
+    /// precision_exhausted where a radius grows too wide.
+    proved_libration(const rational& energy, const rational& gap, long bits, std::size_t levels = most_levels)
         : n_(static_cast<int>((bits + 63) / 64)),
           cut_(fixed_ball::root_of_half(n_, energy)),
           a_(n_, mp_limb_t{1}),
           b_(fixed_ball::root_of_half(n_, gap)) {
-        descend();
+        descend(levels);
         measure(nome());
     }
 
@@ -76,8 +80,9 @@ public:
         const fixed_ball c(n_, cosine);
         const fixed_ball square = c * c;
         const fixed_ball second = c * second_at(square);
-        const fixed_ball first = fixed_ball(n_, sine) * ((one() + nome_square_).widen_by(1) - four_squares_ * square);
-        const fixed_ball fourth = (one() + ldexp(nome_, 1)).widen_by(1) - ldexp(nome_, 2) * square;
+        const fixed_ball first =
+            fixed_ball(n_, sine) * ((one() + nome_square_).widen_by(left_out_of_second_) - four_squares_ * square);
+        const fixed_ball fourth = (one() + ldexp(nome_, 1)).widen_by(left_out_of_third_) - ldexp(nome_, 2) * square;
         const fixed_ball third = third_at(square);
         fixed_ball slope = b_ * scale_ * first * fourth / (third * third);
         fixed_ball v = third / second;
@@ -117,7 +122,15 @@ private:
     fixed_ball third_at(const fixed_ball& square) const { return third_ + third_slope_ * square; }
     fixed_ball one() const { return {n_, mp_limb_t{1}}; }
 
-    void descend();
+    // 2^exponent in units, at least 1; what no double holds is too wide.
+    double units(long exponent) const {
+        if (exponent + bits() > 900) {
+            throw precision_exhausted("a nome");
+        }
+        return std::ldexp(1.0, static_cast<int>(std::max(0L, exponent + bits())));
+    }
+
+    void descend(std::size_t levels);
     fixed_ball nome() const;
     void measure(const fixed_ball& p);
 
@@ -126,6 +139,9 @@ private:
     fixed_ball a_;
     fixed_ball b_;
     std::size_t levels_ = 0;                     ///< r - 1
+    double left_out_of_nome_ = 1;                ///< in units
+    double left_out_of_third_ = 1;               ///< and of theta_4
+    double left_out_of_second_ = 1;              ///< and of theta_1
     std::array<fixed_ball, most_levels> steps_;  ///< c_n^2/4 of n = 1 .. r-1
     fixed_ball nome_;
     fixed_ball nome_square_;
@@ -139,7 +155,7 @@ private:
 
 // Until one term does. e = (a-b)/(4 (a+b)): all a and b are at least b_1 = sqrt(k') >= 1/4, and a > M > 0.35, so
 // 4 (a+b) > 2; and it is above 4 where b is seen to be at least 5/8.
-inline void proved_libration::descend() {
+inline void proved_libration::descend(std::size_t levels) {
     fixed_ball difference = a_ - b_;
     while (levels_ < most_levels) {
         const fixed_ball mean = ldexp(a_ + b_, -1);
@@ -147,7 +163,10 @@ inline void proved_libration::descend() {
         a_ = mean;
         const fixed_ball next = a_ - b_;
         const long small = next.smallness() + (b_.below() * 8 >= 5 ? 2 : 1);
-        if (4 * small >= bits() + 4) {
+        if (4 * small >= bits() + 4 || (levels_ >= levels && small >= 5)) {
+            left_out_of_nome_ = units(11 - 5 * small);
+            left_out_of_third_ = units(3 - 4 * small);
+            left_out_of_second_ = units(4 - 6 * small);
             return;
         }
         steps_[levels_++] = ldexp(difference * difference, -4);  // difference is 2 c_n
@@ -159,19 +178,19 @@ inline void proved_libration::descend() {
 inline fixed_ball proved_libration::nome() const {
     const fixed_ball e = ldexp((a_ - b_) / (a_ + b_), -2);
     fixed_ball p = e + ldexp(e * e * e, 2);
-    return p.widen_by(1);
+    return p.widen_by(left_out_of_nome_);
 }
 
 inline void proved_libration::measure(const fixed_ball& p) {
     nome_ = p;
     nome_square_ = p * p;
     four_squares_ = ldexp(nome_square_, 2);
-    const fixed_ball at_zero = (one() + ldexp(p, 1)).widen_by(1);
+    const fixed_ball at_zero = (one() + ldexp(p, 1)).widen_by(left_out_of_third_);
     const fixed_ball over_third = a_ / at_zero;
     mean_ = over_third / at_zero;
-    scale_ = over_third * (one() + nome_square_).widen_by(1);
-    second_ = (one() - (ldexp(nome_square_, 1) + nome_square_)).widen_by(1);
-    third_ = (one() - ldexp(p, 1)).widen_by(1) * scale_;
+    scale_ = over_third * (one() + nome_square_).widen_by(left_out_of_second_);
+    second_ = (one() - (ldexp(nome_square_, 1) + nome_square_)).widen_by(left_out_of_second_);
+    third_ = (one() - ldexp(p, 1)).widen_by(left_out_of_third_) * scale_;
     third_slope_ = ldexp(p, 2) * scale_;
 }
 

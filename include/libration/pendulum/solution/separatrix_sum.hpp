@@ -8,6 +8,8 @@
 // pairs around the nearest column by gd(a + z) - gd(a - z) = 2 atan(sinh z/cosh a), which does not cancel.
 #pragma once
 
+#include <optional>
+
 #include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/time/phase.hpp"
 #include "libration/series/jet.hpp"
@@ -19,16 +21,13 @@ namespace libration::pendulum {
 template <scalar T>
 class separatrix_sum {
 public:
-    /// Throws error at E = 2 (where there is one column) and E = 0 (where they are infinitely many).
-    explicit separatrix_sum(const motion& m) : motion_(m), phase_map_(m) {
+    /// With so many pairs, at least 1; as many as the precision needs unless given. Throws error at E = 2 (where there
+    /// is one column) and E = 0 (where they are infinitely many).
+    explicit separatrix_sum(const motion& m, std::optional<long> pairs = {}) : motion_(m), phase_map_(m) {
         const energy_level<T> o = energy_level_of<T>(m);
         effective_period_ = effective_period(o);
         rate_ = pi<T>() / (singularity_height(o) * 2);
-        // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves
-        // out is enclosed whatever it is.
-        using W = wide_t<T>;
-        const W decay = widen(T(rate_ * effective_period_ * 2));
-        pairs_ = 3 + static_cast<long>(nearest_integer(W(W((digits<T>() + 8) * 7) / 10 / decay)));
+        pairs_ = pairs ? *pairs : pairs_for_precision();
     }
 
     long pairs() const { return pairs_; }
@@ -55,6 +54,14 @@ public:
     }
 
 private:
+    // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves out
+    // is enclosed whatever it is.
+    long pairs_for_precision() const {
+        using W = wide_t<T>;
+        const W decay = widen(T(rate_ * effective_period_ * 2));
+        return 3 + static_cast<long>(nearest_integer(W(W((digits<T>() + 8) * 7) / 10 / decay)));
+    }
+
     // The sum at r and its derivative with respect to r.
     series::jet<T> around_bottom(const T& r) const {
         using std::atan;

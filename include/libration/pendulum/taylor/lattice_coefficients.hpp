@@ -40,9 +40,12 @@ class lattice_coefficients {
     using W = wide_t<T>;
 
 public:
-    /// For powers up to `last`.
-    lattice_coefficients(const motion& m, const expansion_point& at, const T& scale, long last)
-        : last_(last), wide_digits_(decimal_digits(precision_ + (last < (1L << 24) ? 64 : 128))) {
+    /// For powers up to `last`; the poles reach as far as so many bits of a_n need, those of T unless given.
+    lattice_coefficients(const motion& m, const expansion_point& at, const T& scale, long last,
+                         std::optional<long> bits = {})
+        : reached_bits_(bits.value_or(digits<T>())),
+          last_(last),
+          wide_digits_(decimal_digits(digits<T>() + (last < (1L << 24) ? 64 : 128))) {
         const precision_scope wide(wide_digits_);
         scale_ = widen(scale);
         auto view = view_from<W>(m, phase_of<W>(at, m));
@@ -124,7 +127,7 @@ private:
         if (start > last) {
             return;
         }
-        const pole_reach<W> reach(*view_, precision_);
+        const pole_reach<W> reach(*view_, reached_bits_);
         std::vector<tracked_pole> poles = track(reach(start));
         const auto table = table_of(poles, std::min(block, (last - start) / stride + 1));
         std::vector<T> begins;
@@ -187,7 +190,7 @@ private:
     }
 
     born_precision<T> born_;
-    long precision_ = digits<T>();
+    long reached_bits_;
     long last_;
     long wide_digits_;
     W scale_;

@@ -7,20 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "libration/scalar/ball/ball.hpp"
 
 namespace libration {
 
-/// arctan r of a ball within (-1/2, 1/2), to so many bits of itself. Cost: about 2 sqrt N products, N = bits/(2 log2
-/// 1/|r|).
+/// arctan r of a ball within (-1/2, 1/2), to so many bits of itself, or by as many terms as are given, at least 1.
+/// Cost: about 2 sqrt N products, N = bits/(2 log2 1/|r|).
 class small_arctangent {
 public:
-    small_arctangent(const ball& r, slong bits)
+    small_arctangent(const ball& r, slong bits, std::optional<slong> terms = {})
         : bits_(bits),
           small_(2 * std::clamp(-binary_exponent(r), long{1}, static_cast<long>(bits))),
-          terms_(bits / small_ + 1) {
+          terms_(terms.value_or(bits / small_ + 1)) {
         while (2 * block_ * block_ < terms_) {
             block_ += 2;
         }

@@ -92,7 +92,7 @@ public:
         return bits() - std::max(used, wide) - 1;
     }
     /// The same midpoint, so many units less certain.
-    fixed_ball& widen_by(int units) {
+    fixed_ball& widen_by(double units) {
         radius_ = (radius_ + units) * slack();
         return *this;
     }

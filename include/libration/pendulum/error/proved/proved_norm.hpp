@@ -8,6 +8,8 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "libration/approximant/proved/maximum.hpp"
@@ -20,14 +22,18 @@ namespace libration::pendulum {
 /// to hold the wanted digits of a norm below theta, digits_below() and some more.
 class proved_arc_errors {
 public:
-    /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms). O(K
-    /// bits^2). Throws error for E = 0 and 2, precision_exhausted.
-    explicit proved_arc_errors(const rational& energy)
+    /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms), with
+    /// polynomials of the order J >= 3, half of the bits unless given. O(K J^2). Throws error for E = 0 and 2 and for
+    /// a lower order, precision_exhausted.
+    explicit proved_arc_errors(const rational& energy, std::optional<int> order = {})
         : motion_(motion::of_energy(energy)), arc_(arc_of<ball>(motion_)) {
         const singularity_lattice<ball> lattice{arc_.effective_period, singularity_height(arc_.level)};
         const ball panels = lattice.effective_period * 2 / lattice.height;
         count_ = static_cast<int>(nearest_integer(upper_bound(panels)) + 1);
-        order_ = digits<ball>() / 2 + 8;
+        order_ = order.value_or(digits<ball>() / 2 + 8);
+        if (order_ < 3) {
+            throw error(error_kind::argument, "order", std::to_string(order_), "is below 3, where theorem A1 begins");
+        }
         add_truth(lattice);
     }
 
