@@ -32,6 +32,12 @@ if(LIBRATION_BUILD_COMMAND)
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
+# Random values against an independent route, for tests/long.sh.
+find_package(fmt REQUIRED)
+add_executable(libration-attack EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/attack/attack.cpp)
+target_include_directories(libration-attack PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libration-warnings)
+
 # The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.
 set(installed ${PROJECT_BINARY_DIR}/installed)
 set(consumer ${CMAKE_COMMAND}

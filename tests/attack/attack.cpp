@@ -1,0 +1,233 @@
+// libration-attack [VALUES [SEED [THREADS]]]: random motions, times and digits, each printed digit against an
+// independent route (motion_route.hpp). With --print VALUES it writes a CSV for by_integers.py instead. Exit code 1
+// where a digit is wrong or a value is refused.
+//
+// Energies 10^-300 .. 10^300, gaps 10^-300 .. 1 on both sides of E = 2, starts (theta0, omega0), Jacobi's functions with
+// m or 1-m down to 10^-300; times 10^-10 .. 10^300 and fractions of T; 1 to 300 digits.
+#include <fmt/core.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "attack/motion_route.hpp"
+#include "libration/elliptic/proved/elliptic.hpp"
+#include "libration/pendulum/proved/proved_states.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+
+namespace {
+
+using namespace libration;
+using namespace libration::pendulum;
+using namespace libration::tests;
+
+// Random numbers as they are typed.
+class typed_numbers {
+public:
+    explicit typed_numbers(unsigned long seed) : engine_(seed) {}
+
+    long below(long n) { return static_cast<long>(engine_() % static_cast<unsigned long>(n)); }
+    long between(long least, long most) { return least + below(most - least + 1); }
+    /// D.DDDDe+N with an exponent in a range.
+    std::string number(long least, long most) {
+        return fmt::format("{}.{:04}e{}", between(1, 9), below(10000), between(least, most));
+    }
+    /// Few digits are asked for more often.
+    long digits() { return between(1, between(1, 300)); }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+rational fraction_of(const std::string& text) { return read_exact(text).coefficient; }
+
+/// A value as it was printed, what it is of, and its truth in so many digits.
+struct printed_value {
+    std::string what;
+    std::string text;
+};
+
+// Whether a decimal is less than one unit of its last digit away from all of the ball; nothing where that is open.
+std::optional<bool> is_right(const std::string& text, const ball& truth, long digits) {
+    if (text == "0") {
+        return contains_zero(truth) ? std::optional(certainly_less(abs(truth), pow(ball(10), -digits - 100)))
+                                    : std::optional(false);
+    }
+    const auto parts = parts_of(from_exact<mpfr>(read_exact(text)), digits, MPFR_RNDN);
+    const ball error = abs(ball(truth - from_rational<ball>(fraction_of(text))));
+    if (certainly_less(error, parts.unit())) {
+        return true;
+    }
+    return certainly_less(parts.unit(), error) ? std::optional(false) : std::nullopt;
+}
+
+// The number of wrong values among those that `route`, asked in more and more digits, gives the truth of.
+template <class Route>
+int wrong_ones(const std::vector<printed_value>& values, long digits, const Route& route) {
+    for (long more = 60; more <= 20000; more *= 2) {
+        const precision_scope scope(digits + more);
+        const std::vector<ball> truths = route();
+        int wrong = 0;
+        bool open = false;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto right = is_right(values[i].text, truths[i], digits);
+            open = open || !right;
+            if (right && !*right) {
+                fmt::print(stderr, "wrong: {} is {}\n", values[i].what, values[i].text);
+                ++wrong;
+            }
+        }
+        if (!open || wrong > 0) {
+            return wrong;
+        }
+    }
+    fmt::print(stderr, "open: {}\n", values.front().what);
+    return static_cast<int>(values.size());
+}
+
+struct question {
+    rational energy;
+    rational gap;
+    std::string named;
+    std::string time;
+    long digits;
+};
+
+question ask_from_top(typed_numbers& next) {
+    question q;
+    if (next.below(2) == 0) {
+        q.named = next.number(-300, 300);
+        q.energy = fraction_of(q.named);
+        q.gap = 2 - q.energy;
+        q.named = "--energy " + q.named;
+    } else {
+        const int sign = next.below(2) == 0 ? 1 : -1;
+        const std::string size = next.number(-300, -1);
+        q.gap = sign * fraction_of(size);
+        q.energy = 2 - q.gap;
+        q.named = std::string("--gap ") + (sign < 0 ? "-" : "") + size;
+    }
+    q.time = next.below(5) == 0 ? fmt::format("{}T/{}", next.between(1, 99), next.between(1, 16))
+                                : next.number(-10, next.below(4) == 0 ? 300 : 20);
+    q.digits = next.digits();
+    return q;
+}
+
+int attack_from_top(typed_numbers& next) {
+    const question q = ask_from_top(next);
+    const motion m = motion::of_energy(q.energy);
+    const exact time = read_exact(q.time);
+    proved_states states(m, q.digits);
+    const auto printed = states.at(time);
+    const std::string what = fmt::format("{} --time {} --digits {}", q.named, q.time, q.digits);
+    return wrong_ones({{"theta of " + what, printed.theta}, {"omega of " + what, printed.omega}}, q.digits, [&] {
+        const precision_scope wider(working_digits() + 700);  // t/T of times of 300 digits at E of 300
+        const route_from_top route(q.energy, q.gap);
+        const ball periods = time.has_periods() ? from_rational<ball>(time.coefficient)
+                                                : from_rational<ball>(time.coefficient) / route.period();
+        auto state = route.at(periods);
+        return std::vector<ball>{std::move(state.theta), std::move(state.omega)};
+    });
+}
+
+int attack_from_start(typed_numbers& next) {
+    const std::string theta0 = next.number(-20, -1);
+    const std::string omega0 = next.number(-20, -1);
+    const std::string angle = (next.below(2) == 0 ? "-" : "") + theta0;
+    const std::string time = next.number(-5, 30);
+    const long digits = next.digits();
+    const rational from = fraction_of(angle) * 3;
+    const rational speed = fraction_of(omega0) * 3;
+    const rational length = fraction_of(time);
+    proved_states states(motion::of_state(exactly(from), exactly(speed)), digits);
+    const auto printed = states.at(exactly(length));
+    const std::string what =
+        fmt::format("--theta0 3*({}) --omega0 3*{} --time {} --digits {}", angle, omega0, time, digits);
+    return wrong_ones({{"theta of " + what, printed.theta}, {"omega of " + what, printed.omega}}, digits, [&] {
+        const precision_scope wider(working_digits() + 150);
+        auto state = route_from_start(from, speed, length);
+        return std::vector<ball>{std::move(state.theta), std::move(state.omega)};
+    });
+}
+
+int attack_functions(typed_numbers& next) {
+    const bool complementary = next.below(2) == 0;
+    const std::string number = next.number(-300, -1);
+    const elliptic::given_modulus modulus =
+        complementary ? elliptic::given_modulus{{}, {}, number} : elliptic::given_modulus{{}, number, {}};
+    const std::string u = next.number(-10, next.below(4) == 0 ? 300 : 10);
+    const long digits = next.digits();
+    const std::string what = fmt::format("--u {} --{} {} --digits {}", u, complementary ? "m1" : "m", number, digits);
+    return wrong_ones({{"sn " + what, proved::sn(u, modulus, digits).text},
+                       {"cn " + what, proved::cn(u, modulus, digits).text},
+                       {"dn " + what, proved::dn(u, modulus, digits).text},
+                       {"K " + what, proved::K(modulus, digits).text}},
+                      digits, [&] {
+                          const precision_scope wider(working_digits() + 700);
+                          const ball given = sqrt(from_rational<ball>(fraction_of(number)));
+                          const ball other = sqrt(from_rational<ball>(rational(1 - fraction_of(number))));
+                          const arb_jacobi route(complementary ? other : given, complementary ? given : other);
+                          const ball cycle = route.period() * 4;
+                          const ball argument = from_rational<ball>(fraction_of(u));
+                          const integer whole = nearest_integer(argument / cycle);
+                          const auto at = route(ball(argument - cycle * from_rational<ball>(rational(whole))));
+                          return std::vector<ball>{at.sn, at.cn, at.dn, route.period()};
+                      });
+}
+
+struct tally {
+    std::atomic<long> values{0};
+    std::atomic<long> wrong{0};
+};
+
+void attack(long values, unsigned long seed, tally& all) {
+    typed_numbers next(seed);
+    while (all.values < values) {
+        const long kind = next.below(10);
+        try {
+            all.wrong += kind < 6 ? attack_from_top(next) : kind < 8 ? attack_from_start(next) : attack_functions(next);
+        } catch (const std::exception& problem) {
+            fmt::print(stderr, "refused: {}\n", problem.what());
+            ++all.wrong;
+        }
+        all.values += kind < 8 ? 2 : 4;
+    }
+    flint_cleanup();
+}
+
+int print(long values) {
+    typed_numbers next(7);
+    fmt::print("energy,time,digits,theta,omega\n");
+    for (long i = 0; i < values; i += 2) {
+        question q = ask_from_top(next);
+        q.digits = 1 + q.digits % 60;
+        const motion m = motion::of_energy(q.energy);
+        const auto at = proved_states(m, q.digits).at(read_exact(q.time));
+        fmt::print("{},{},{},{},{}\n", q.energy.str(), q.time, q.digits, at.theta, at.omega);
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    const auto word = [&](int i, long otherwise) { return count > i ? std::atol(words[i]) : otherwise; };
+    if (count > 1 && std::string(words[1]) == "--print") {
+        return print(word(2, 1000));
+    }
+    const long values = word(1, 1'000'000);
+    const long seed = word(2, 1);
+    tally all;
+    {
+        std::vector<std::jthread> threads;
+        for (long i = 0; i < word(3, std::max(1L, static_cast<long>(std::thread::hardware_concurrency()))); ++i) {
+            threads.emplace_back([&, i] { attack(values, static_cast<unsigned long>(seed * 1000 + i), all); });
+        }
+    }
+    fmt::print("{} values, {} wrong or refused\n", all.values.load(), all.wrong.load());
+    return all.wrong == 0 ? 0 : 1;
+}

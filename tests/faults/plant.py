@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""Plants the faults of faults.py one at a time in a copy of the tree and lists the tests that catch each.
+
+    python3 tests/faults/plant.py BUILD [--jobs N] [--only WORD]
+
+BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a, release for one. For each fault
+only the tests named beside it are compiled, and a source of the library where the fault is in one. A test catches a
+fault by failing, by a crash, by running longer than LIMIT, or by not compiling. First the same tests have to pass as
+they are. Exit code: 0 where every fault is caught; 1 where one is not, or where a test fails without any; 2 where a
+fault cannot be planted, because its text does not stand in its file exactly once.
+"""
+
+import argparse
+import concurrent.futures
+import pathlib
+import queue
+import shutil
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as xml
+
+from faults import FAULTS
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIMIT = 120  # seconds, of a test program that takes a few
+LIBRARIES = ["-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lquadmath"]
+
+
+def flags(tree):
+    names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference"}
+    return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
+            f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src"]
+
+
+def run(command, **more):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
+
+
+class Workshop:
+    """A copy of the tree in which one fault at a time stands, with the objects of its tests."""
+
+    def __init__(self, folder, build, shared):
+        self.folder, self.build, self.shared = folder, build, shared
+        for room in ("include", "src/libration", "tests"):
+            shutil.copytree(ROOT / room, folder / room)
+
+    def compile(self, source, target):
+        precompiled = ["-include", self.shared / "precompiled.hpp"] if source.parts[0] == "tests" else []
+        done = run(["g++", *flags(self.folder), *precompiled, "-c", self.folder / source, "-o", target])
+        return done.returncode == 0, done.stderr
+
+    def failures(self, test, sources=()):
+        """The test cases of a file that fail, with so many sources of the library compiled anew before it."""
+        objects = []
+        for i, source in enumerate([pathlib.Path("tests") / test, *map(pathlib.Path, sources)]):
+            target = self.folder / f"{i}.o"
+            fine, said = self.compile(source, target)
+            if not fine:
+                return [f"{source} does not compile"], said
+            objects.append(target)
+        program = self.folder / "program"
+        archives = [self.build / "liblibration-proved.a", self.build / "liblibration.a"]
+        # What is compiled here comes first, so that it is taken instead of the same in the archives.
+        linked = run(["g++", self.shared / "main.o", *objects, "-Wl,--allow-multiple-definition", *archives,
+                      *LIBRARIES, "-o", program])
+        if linked.returncode != 0:
+            return [f"{test} does not link"], linked.stderr
+        return self.run_tests(program, test)
+
+    @staticmethod
+    def run_tests(program, test):
+        try:
+            done = run([program, "-r", "xml"], timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            return [f"{test} does not end"], ""
+        try:
+            cases = xml.fromstring(done.stdout).iter("TestCase")
+            failed = [case.get("name") for case in cases if case.find("OverallResult").get("success") != "true"]
+        except (xml.ParseError, AttributeError):
+            failed = [f"{test} crashes"]
+        if done.returncode != 0 and not failed:
+            failed = [f"{test} fails"]
+        return failed, done.stdout
+
+    def planted(self, fault):
+        """Who catches a fault: all failing cases of the first of its tests that has some."""
+        path = self.folder / fault.file
+        text = path.read_text()
+        path.write_text(text.replace(fault.old, fault.new))
+        sources = [fault.file] if fault.file.endswith(".cpp") else []
+        try:
+            for test in fault.tests:
+                failed, _ = self.failures(test, sources)
+                if failed:
+                    return failed
+            return []
+        finally:
+            path.write_text(text)
+
+
+def check_places(faults):
+    lost = [f"{f.file}: {(ROOT / f.file).read_text().count(f.old)} times: {f.old}" for f in faults
+            if (ROOT / f.file).read_text().count(f.old) != 1 or f.old == f.new]
+    if lost:
+        print("these faults cannot be planted:", *lost, sep="\n", file=sys.stderr)
+        sys.exit(2)
+
+
+def share(folder):
+    """What all tests have in common: the main of Catch2 and the precompiled header."""
+    (folder / "main.cpp").write_text("#define CATCH_CONFIG_MAIN\n#include <catch2/catch.hpp>\n")
+    shutil.copy(ROOT / "tests/precompiled.hpp", folder / "precompiled.hpp")
+    for command in (["-c", folder / "main.cpp", "-o", folder / "main.o"],
+                    ["-x", "c++-header", folder / "precompiled.hpp", "-o", folder / "precompiled.hpp.gch"]):
+        done = run(["g++", *flags(ROOT), *command])
+        if done.returncode != 0:
+            sys.exit(done.stderr)
+
+
+def spread(jobs, tasks, free):
+    """The results of tasks, each of which takes a workshop, as they come."""
+    def work(task):
+        workshop = free.get()
+        try:
+            return task(workshop)
+        finally:
+            free.put(workshop)
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        yield from pool.map(work, tasks)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="", help="faults in files, or of descriptions, with this in them")
+    options = parser.parse_args()
+    faults = [f for f in FAULTS if options.only in f.file or options.only in f.what]
+    check_places(faults)
+
+    begin = time.monotonic()
+    work = options.build.resolve() / "faults"
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    share(work)
+    free = queue.Queue()
+    for i in range(options.jobs):
+        free.put(Workshop(work / f"tree{i}", options.build.resolve(), work))
+
+    tests = sorted({test for fault in faults for test in fault.tests})
+    for test, (failed, said) in zip(tests, spread(options.jobs, [lambda w, t=t: w.failures(t) for t in tests], free)):
+        if failed:
+            print(said[-3000:], f"without any fault: {failed}", sep="\n", file=sys.stderr)
+            sys.exit(1)
+    print(f"{len(faults)} faults, {len(tests)} files of tests, which pass without any", flush=True)
+
+    missed = 0
+    for fault, caught in zip(faults, spread(options.jobs, [lambda w, f=f: w.planted(f) for f in faults], free)):
+        missed += not caught
+        where = fault.file.removeprefix("include/libration/").removeprefix("src/libration/")
+        more = f" and {len(caught) - 1} more" if len(caught) > 1 else ""
+        print(f"{where}: {fault.what}: {'caught by ' + repr(caught[0]) + more if caught else 'NOT CAUGHT'}", flush=True)
+    shutil.rmtree(work, ignore_errors=True)
+    print(f"{len(faults) - missed} of {len(faults)} faults caught in {time.monotonic() - begin:.0f} s")
+    sys.exit(1 if missed else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# tests/fuzz/fuzz.sh FOLDER [SECONDS]: the readers of numbers, CSV, lists of coefficients and command lines under clang's
+# libFuzzer with the address and undefined-behaviour sanitizers, SECONDS each (150: ten minutes in all). What is compiled
+# and found stays in FOLDER. Exit code 1 where one fails; the input that did is in FOLDER/NAME.found-*.
+set -euo pipefail
+
+here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+root=$(cd "$here/../.." && pwd)
+folder=$1
+seconds=${2-150}
+mkdir -p "$folder"
+
+flags=(-std=c++20 -O1 -g -w -fno-sanitize-recover=all -I"$root/include" -I"$root/src" -I"$folder"
+    -DLIBRATION_STUDIES_DIR="\"$root/studies\"" -DLIBRATION_INSTALLED_STUDIES_DIR='"studies"')
+sanitizers=address,undefined
+libraries=(-lfmt -lflint-arb -lflint -lmpfr -lgmp -lpthread)
+
+# The sources of a target besides its own, as patterns.
+sources_of() {
+    case $1 in
+        number) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
+            "$root"/src/libration/digits/*.cpp "$root"/src/run/grid.cpp ;;
+        csv) printf '%s\n' "$root"/src/text/csv_records.cpp ;;
+        coefficient_list) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
+            "$root"/src/libration/digits/*.cpp ;;
+        command_line) find "$root"/src/{libration,text,run,option,motion} -name '*.cpp' ;;
+    esac
+}
+
+# version.hpp of a build, without one.
+[[ -f $folder/version.hpp ]] || cp "$root"/build/*/generated/version.hpp "$folder/" 2>/dev/null || true
+
+compile() { # TARGET
+    local source object objects=() jobs
+    jobs=$(nproc)
+    while read -r source; do
+        object=$folder/$(tr / _ <<<"${source#"$root"/}").o
+        objects+=("$object")
+        [[ $object -nt $source ]] && continue
+        while (($(jobs -rp | wc -l) >= jobs)); do wait -n; done
+        clang++ "${flags[@]}" -fsanitize=fuzzer-no-link,$sanitizers -c "$source" -o "$object" &
+    done < <(sources_of "$1")
+    wait
+    clang++ "${flags[@]}" -fsanitize=fuzzer,$sanitizers "$here/$1_fuzz.cpp" "${objects[@]}" "${libraries[@]}" \
+        -o "$folder/$1_fuzz"
+}
+
+status=0
+for target in ${FUZZ_TARGETS-number csv coefficient_list command_line}; do
+    compile "$target"
+    mkdir -p "$folder/$target.corpus"
+    if "$folder/${target}_fuzz" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=4096 \
+        -print_final_stats=1 -artifact_prefix="$folder/$target.found-" -close_fd_mask=1 \
+        "$folder/$target.corpus" "$here/$target" >"$folder/$target.log" 2>&1; then
+        printf 'fuzz: %s: %s inputs, none fails\n' "$target" \
+            "$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/$target.log")"
+    else
+        printf 'fuzz: %s fails: see %s\n' "$target" "$folder/$target.log" >&2
+        status=1
+    fi
+done
+exit "$status"

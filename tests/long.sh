@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# tests/long.sh BUILD: what `./run test --long` runs after the tests. Every part runs, whatever the others found; the
+# exit code is 1 where one failed. BUILD is the folder of a release build with libration-attack in it.
+set -uo pipefail
+
+tests=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+build=$1
+status=0
+# Debian's own interpreter first: the package python3-mpmath belongs to it.
+python=python3
+[[ -x /usr/bin/python3 ]] && python=/usr/bin/python3
+
+part() { # NAME COMMAND...
+    printf '\n== %s\n' "$1"
+    "${@:2}" || { printf '== %s: FAILED\n' "$1" >&2 && status=1; }
+}
+
+by_integers() { "$build/libration-attack" --print 10000 | "$python" "$tests/attack/by_integers.py"; }
+
+part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
+part 'a million random values' "$build/libration-attack" 1000000
+part 'ten thousand random values by integers' by_integers
+part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build/fuzz"
+exit "$status"
