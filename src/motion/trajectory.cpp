@@ -10,6 +10,7 @@
 #include "option/subcommand.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -95,7 +96,7 @@ int run_trajectory(const trajectory_options& options) {
         }
         decided = false;
         data.add_row({number_cell(times[i]), cell(), cell(), cell(), typed});
-        fmt::print(stderr, "libration: no state at {}: {}\n", typed, undecided);
+        fmt::print(stderr, "libration: {}\n", shortened("no state at '" + typed + "': " + undecided));
     }
     options.output.write(data);
     return decided ? 0 : 1;

@@ -294,7 +294,7 @@ TEST_CASE("a time without an answer loses no other", "[command][trajectory]") {
                                                      "1e20,1", "--scalar", scalar, "--format", "csv"});
         INFO(done.err);
         CHECK(done.exit_code == 1);
-        CHECK(done.err.find("no state at 1e20") != std::string::npos);
+        CHECK(done.err.find("no state at '1e20'") != std::string::npos);
         const auto lines = lines_of(done.out);
         REQUIRE(lines.size() == 3);
         CHECK(lines[1] == "1e20,,,,1e20");

@@ -147,7 +147,7 @@ FAULTS = [
          "if (certainly_less(limit, T(distance * 2))) {"),
     ),
     *in_file(
-        ROOM + "pendulum/arc/bounds.hpp", ["pendulum/arc/bounds_test.cpp"],
+        ROOM + "pendulum/arc/bounds.hpp", ["truncation/bounds_test.cpp", "pendulum/arc/bounds_test.cpp"],
         ("theorem A halved", "return prefactor * 8 / n;", "return prefactor * 4 / n;"),
         ("theorem A with the root of M", "period / radius, mean * mean,", "period / radius, mean,"),
         ("the tail of the series halved", "/ (1 - rho * rho);", "/ (1 - rho * rho) / 2;"),
