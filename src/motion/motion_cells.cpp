@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
+#include "libration/scalar/text/decimal.hpp"
 #include "text/csv_records.hpp"
 #include "text/quotation.hpp"
 
@@ -200,6 +202,27 @@ motion motion_cells::motion_of(const typed_motion& typed) const {
     }
 }
 
+chosen_motion motion_cells::choose() const {
+    const typed_motion typed = read();
+    motion of = motion_of(typed);
+    const auto text = [](const std::optional<exact>& number) {
+        return number && number->is_fraction() ? to_finite_decimal(number->coefficient) : std::nullopt;
+    };
+    std::optional<std::string> energy_text = text(of.exact_energy());
+    std::optional<std::string> gap_text = text(of.exact_gap());
+    const named_text& chosen = typed.by_state() ? omega0 : typed.gap ? gap : energy;
+    return {.of = std::move(of),
+            .by_state = typed.by_state(),
+            .option = chosen.name,
+            .value = chosen.text,
+            .energy = std::move(energy_text),
+            .gap = std::move(gap_text),
+            .energy_typed = typed.energy ? energy.text : "",
+            .gap_typed = typed.gap ? gap.text : "",
+            .theta0_typed = typed.theta0 ? theta0.text : "",
+            .omega0_typed = typed.by_state() ? omega0.text : ""};
+}
+
 std::vector<known_column> motion_columns::known() {
     std::vector<known_column> columns{{"theta0", {"theta0", "θ0", "theta(0)", "angle0"}},
                                       {"omega0", {"omega0", "ω0", "omega(0)", "thetadot0", "theta'0"}},
@@ -251,6 +274,14 @@ exact time_in(const std::string& text) {
         throw error(error_kind::argument, "time", text, "is an angle");
     }
     return number;
+}
+
+exact time_for(const named_text& cell, regime r) {
+    exact time = reading_cell(cell, time_in);
+    if (time.has_periods() && at_critical_energy(r)) {
+        throw error(error_kind::argument, cell.name, cell.text, "is a multiple of an infinite period");
+    }
+    return time;
 }
 
 }  // namespace libration

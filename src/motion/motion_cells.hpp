@@ -38,6 +38,8 @@ struct motion_cells {
     pendulum::typed_motion read(bool as_doubles = false) const;
     /// The motion of what was read. Throws error of the name of a cell, as where an energy is negative.
     pendulum::motion motion_of(const pendulum::typed_motion& typed) const;
+    /// The motion with the texts that stand for it in the output. Throws as both.
+    chosen_motion choose() const;
 };
 
 /// Where the cells of a motion are. A table of ours says behind how its numbers were typed: what stands there is exact.
@@ -79,6 +81,9 @@ private:
 
 /// A time such as 0.7 or T/4; throws error.
 exact time_in(const std::string& text);
+
+/// The same in a cell, of a motion in this regime; throws error of its name, also for a multiple of an infinite period.
+exact time_for(const named_text& cell, pendulum::regime r);
 
 /// read(cell.text); what is wrong with it is said of the cell's name.
 template <class Read>

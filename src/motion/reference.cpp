@@ -3,12 +3,16 @@
 
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
-#include "motion/motion_options.hpp"
+#include "motion/motion_cells.hpp"
 #include "motion/typed_times.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "run/parallel.hpp"
+#include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
+#include "text/point_file.hpp"
 
 namespace libration {
 
@@ -19,8 +23,7 @@ namespace {
 struct reference_options {
     motion_options motion;
     output_options output;
-    std::optional<std::string> digits;
-    std::string times;
+    std::optional<std::string> digits, times, motions, columns, jobs;
     bool check = false;
 };
 
@@ -45,7 +48,7 @@ table_row_cells shared_cells(const chosen_motion& chosen, proved_states& states,
     }
     const auto [period, tstar, radius] = states.constants();
     const cell theta0 = m.theta0() ? number_cell(angle_in_decimals(*m.theta0(), digits)) : cell();
-    const cell omega0 = chosen.by_state ? number_cell(angle_in_decimals(read_exact(chosen.value), digits)) : cell();
+    const cell omega0 = chosen.by_state ? number_cell(angle_in_decimals(read_typed(chosen.value), digits)) : cell();
     const std::string direction = chosen.by_state || m.omega0_sign() == 0 ? "" : m.direction() < 0 ? "-" : "+";
     return {number_cell(energy),
             number_cell(gap),
@@ -73,7 +76,17 @@ constexpr std::size_t theta_at = 6;
 constexpr std::size_t omega_at = 7;
 constexpr std::size_t time_typed_at = 14;
 
-// The motion first, a line a column, and then every time.
+// Whether two rows are of one motion: all cells but those of the time are the same.
+bool same_motion(const table_row_cells& a, const table_row_cells& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if ((i < time_at || i > omega_at) && i != time_typed_at && a[i].text() != b[i].text()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Each motion first, a line a column, and then every time of it.
 std::string lines_of(const table& data) {
     std::string text;
     const auto line = [&](std::size_t i, const table_row_cells& row) {
@@ -81,12 +94,17 @@ std::string lines_of(const table& data) {
             text += fmt::format("{:<10}{}\n", data.columns()[i].name, row[i].text());
         }
     };
-    for (std::size_t i = 0; i < time_typed_at; ++i) {
-        if (i < time_at || i > omega_at) {
-            line(i, data.rows().front());
-        }
-    }
+    const table_row_cells* before = nullptr;
     for (const auto& row : data.rows()) {
+        if (before == nullptr || !same_motion(*before, row)) {
+            text += text.empty() ? "" : "\n";
+            for (std::size_t i = 0; i < time_typed_at; ++i) {
+                if (i < time_at || i > omega_at) {
+                    line(i, row);
+                }
+            }
+        }
+        before = &row;
         text += '\n';
         for (const std::size_t i : {time_at, theta_at, omega_at}) {
             line(i, row);
@@ -104,6 +122,86 @@ void require_check(proved_states& states, const exact& time, const proved_states
     }
 }
 
+// A motion with the times that it is asked at.
+struct asked_motion {
+    chosen_motion chosen;
+    std::vector<exact> times;
+    std::string said;  ///< what named the times, for complaints
+};
+
+std::vector<table_row_cells> rows_of(const asked_motion& asked, long digits, bool check) {
+    proved_states states(asked.chosen.of, digits);
+    const auto decimals = times_in_decimals(asked.chosen.of, asked.times, digits);
+    table_row_cells row = shared_cells(asked.chosen, states, digits);
+    std::vector<table_row_cells> rows;
+    rows.reserve(asked.times.size());
+    for (std::size_t i = 0; i < asked.times.size(); ++i) {
+        const exact& time = asked.times[i];
+        const auto state = state_at(states, time, asked.said);
+        if (check) {
+            require_check(states, time, state);
+        }
+        row[time_at] = number_cell(decimals[i]);
+        row[theta_at] = cell::number(state.theta, digits);
+        row[omega_at] = cell::number(state.omega, digits);
+        row[time_typed_at] = time.text;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+asked_motion motion_of_options(const reference_options& options, long digits) {
+    if (!options.times) {
+        throw input_error("no times are given: add --times LIST");
+    }
+    if (options.columns) {
+        throw input_error("--columns", *options.columns, "comes without --motions", "leave it out");
+    }
+    chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
+    auto times = times_of(*options.times, chosen.of.regime());
+    return {std::move(chosen), std::move(times), *options.times};
+}
+
+std::vector<known_column> columns_of_motions() {
+    auto known = motion_columns::known();
+    const auto of_time = time_columns::known();
+    known.insert(known.end(), of_time.begin(), of_time.end());
+    return known;
+}
+
+// The motions of a file, those of consecutive rows together.
+std::vector<asked_motion> motions_of_file(const reference_options& options) {
+    const point_file file("--motions", *options.motions, options.columns, columns_of_motions());
+    const motion_columns columns(file.names());
+    const time_columns time(file.names());
+    if (time.there() == options.times.has_value()) {
+        throw input_error("--motions", *options.motions,
+                          time.there() ? "has times, and --times too" : "has no column 'time'",
+                          time.there() ? "leave out --times, or the column by --columns time=-" : "add --times LIST");
+    }
+    std::vector<asked_motion> asked;
+    std::string before;
+    for (const point_file::row& row : file.rows()) {
+        file.reading(row, [&](const auto& all) {
+            motion_cells cells = columns.in(all);
+            cells.complete_from(motion_cells::of(options.motion));
+            if (asked.empty() || cells.key() != before || !time.there()) {
+                asked.push_back({cells.choose(), {}, options.times.value_or("")});
+                before = cells.key();
+            }
+            asked_motion& here = asked.back();
+            if (time.there()) {
+                here.said = time.in(all).text;
+                here.times.push_back(time_for(time.in(all), here.chosen.of.regime()));
+            } else {
+                here.times = times_of(here.said, here.chosen.of.regime());
+            }
+            return true;
+        });
+    }
+    return asked;
+}
+
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
@@ -111,23 +209,16 @@ int run_reference(const reference_options& options) {
         throw input_error("--digits", std::to_string(digits), "with --check would take hours",
                           fmt::format("check {} digits or fewer", most_checked_digits));
     }
-    const chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
-    const auto times = times_of(options.times, chosen.of.regime());
-    proved_states states(chosen.of, digits);
+    const std::vector<asked_motion> asked =
+        options.motions ? motions_of_file(options) : std::vector<asked_motion>{motion_of_options(options, digits)};
+    progress shown("reference", asked.size());
+    const auto parts = parallel_map(asked.size(), jobs_of(options.jobs), shown,
+                                    [&](std::size_t i) { return rows_of(asked[i], digits, options.check); });
     table data(reference_columns);
-    const auto decimals = times_in_decimals(chosen.of, times, digits);
-    table_row_cells row = shared_cells(chosen, states, digits);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const exact& time = times[i];
-        const auto state = state_at(states, time, options.times);
-        if (options.check) {
-            require_check(states, time, state);
+    for (const auto& part : parts) {
+        for (const table_row_cells& row : part) {
+            data.add_row(row);
         }
-        row[time_at] = number_cell(decimals[i]);
-        row[theta_at] = cell::number(state.theta, digits);
-        row[omega_at] = cell::number(state.omega, digits);
-        row[time_typed_at] = time.text;
-        data.add_row(row);
     }
     options.output.write(data, lines_of(data));
     return 0;
@@ -143,9 +234,15 @@ subcommand reference_command(CLI::App& program) {
     options->output.add_to(*command);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");
-    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")
-        ->type_name("LIST")
-        ->required();
+    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")->type_name("LIST");
+    command
+        ->add_option("--motions", options->motions,
+                     "a file with a motion in each row: theta0 and omega0, gap or energy, and a time unless --times is "
+                     "given; - for stdin")
+        ->type_name("FILE");
+    command->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, - for none of these")
+        ->type_name("THEIRS=OURS,...");
+    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     command->add_flag("--check", options->check, "compare with a second proved route, exit 1 where they disagree");
     return {command, [options] { return run_reference(*options); }};
 }

@@ -26,14 +26,13 @@ int run_elliptic(const elliptic_options& options) {
     }
     const long digits = digits_of(options.digits);
     const elliptic_request request = read_elliptic({function}, options.said, elliptic_grid::one);
-    std::vector<column> columns{{"function", ""}, {"argument", ""}, {request.option.substr(2), ""},
+    std::vector<column> columns{{"function", ""}, {"argument", ""}, {request.modulus, ""},
                                 {"value", ""},    {"digits", ""},   {"rigour", ""}};
-    if (request.characteristic) {
+    if (request.has_characteristic()) {
         columns.push_back({"n", ""});
     }
     table data(std::move(columns));
-    for (std::size_t i = 0; i < request.arguments.size(); ++i) {
-        const elliptic_point at = request.at(i, 0);
+    for (const elliptic_point& at : request.points) {
         table_row_cells row{options.function,
                             at.argument ? read_cell(at.argument->text) : cell(),
                             read_cell(at.parameter.typed.text),

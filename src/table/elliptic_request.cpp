@@ -8,7 +8,9 @@
 
 #include "option/options.hpp"
 #include "run/grid.hpp"
+#include "table/elliptic_columns.hpp"
 #include "text/input_error.hpp"
+#include "text/point_file.hpp"
 
 namespace libration {
 
@@ -34,26 +36,29 @@ std::vector<exact> read_moduli(const std::string& option, const std::string& typ
     return moduli;
 }
 
-void read_parameters(elliptic_request& request, const option_words& said, elliptic_grid grid) {
+std::vector<typed_parameter> read_parameters(elliptic_request& request, const option_words& said, elliptic_grid grid) {
+    std::vector<typed_parameter> parameters;
+    std::string chosen;
     for (const std::string option : modulus_options) {
         const auto& typed = said[option];
         if (!typed) {
             continue;
         }
-        if (!request.option.empty()) {
-            throw input_error(option, *typed,
-                              "comes together with " + request.option + " '" + *said[request.option] + "'",
+        if (!chosen.empty()) {
+            throw input_error(option, *typed, "comes together with " + chosen + " '" + *said[chosen] + "'",
                               "give one of --k, --m and --m1");
         }
-        request.option = option;
+        chosen = option;
+        request.modulus = option.substr(2);
         for (const exact& modulus : read_moduli(option, *typed, grid)) {
-            request.parameters.push_back(
-                reading(option, *typed, modulus_remedy, [&] { return parameter_of(option.substr(2), modulus); }));
+            parameters.push_back(
+                reading(option, *typed, modulus_remedy, [&] { return parameter_of(request.modulus, modulus); }));
         }
     }
-    if (request.option.empty()) {
+    if (chosen.empty()) {
         throw input_error("no modulus is given: add --k K, --m M (m = k^2) or --m1 M1 (m1 = 1 - m)");
     }
+    return parameters;
 }
 
 void refuse(const char* option, const option_words& said, std::string_view function, const std::string& remedy) {
@@ -62,7 +67,8 @@ void refuse(const char* option, const option_words& said, std::string_view funct
     }
 }
 
-void read_arguments(elliptic_request& request, const option_words& said) {
+// The arguments; one that is nothing where the functions have none.
+std::vector<std::optional<exact>> read_arguments(elliptic_request& request, const option_words& said) {
     const named_function& function = *request.functions.front();
     const std::string wanted = function.argument.empty() ? "" : "--" + std::string(function.argument);
     for (const char* const option : argument_options) {
@@ -71,8 +77,7 @@ void read_arguments(elliptic_request& request, const option_words& said) {
         }
     }
     if (wanted.empty() || (function.may_be_complete && !said[wanted])) {
-        request.arguments = {std::nullopt};
-        return;
+        return {std::nullopt};
     }
     request.argument = std::string(function.argument);
     const auto& value = said[wanted];
@@ -82,22 +87,56 @@ void read_arguments(elliptic_request& request, const option_words& said) {
                                       : request.argument == "u" ? "U"
                                                                 : "X"));
     }
+    std::vector<std::optional<exact>> arguments;
     for (const exact& argument : reading(wanted, *value, argument_remedy, [&] { return read_grid(*value); })) {
         reading(wanted, *value, argument_remedy, [&] { return require_argument(request.argument, argument), 0; });
-        request.arguments.emplace_back(argument);
+        arguments.emplace_back(argument);
     }
+    return arguments;
 }
 
-void read_characteristic(elliptic_request& request, const option_words& said) {
-    const named_function& function = *request.functions.front();
+std::optional<exact> read_characteristic(const named_function& function, const option_words& said) {
     if (!function.has_characteristic) {
         refuse("--n", said, function.name, "leave it out");
-        return;
+        return std::nullopt;
     }
     if (!said["--n"]) {
         throw input_error(fmt::format("{} has no characteristic: add --n N", function.name));
     }
-    request.characteristic = number_of("--n", *said["--n"]);
+    return number_of("--n", *said["--n"]);
+}
+
+void read_grid_points(elliptic_request& request, const option_words& said, elliptic_grid grid) {
+    const auto parameters = read_parameters(request, said, grid);
+    const auto arguments = read_arguments(request, said);
+    const auto characteristic = read_characteristic(*request.functions.front(), said);
+    if (parameters.size() * arguments.size() > static_cast<std::size_t>(most_grid_values)) {
+        throw input_error("--" + request.modulus, *said["--" + request.modulus],
+                          fmt::format("makes more than {} rows", most_grid_values), "choose fewer values");
+    }
+    for (const typed_parameter& parameter : parameters) {
+        for (const auto& argument : arguments) {
+            request.points.push_back({argument, parameter, characteristic});
+        }
+    }
+}
+
+// Each row of the file is a point.
+void read_points(elliptic_request& request, const option_words& said) {
+    const std::string& path = *said["--points"];
+    for (const std::string option : {"--u", "--phi", "--x", "--n", "--k", "--m", "--m1"}) {
+        if (said[option]) {
+            throw input_error(option, *said[option], "comes together with --points '" + path + "'",
+                              "give it as a column of the file");
+        }
+    }
+    const point_file file("--points", path, said["--columns"], elliptic_columns::known());
+    const elliptic_columns columns(file.names(), *request.functions.front());
+    request.modulus = columns.modulus();
+    request.argument = columns.has_argument() ? std::string(request.functions.front()->argument) : "";
+    for (const point_file::row& row : file.rows()) {
+        request.points.push_back(file.reading(row, [&](const auto& cells) { return columns.read(cells); }));
+    }
 }
 
 }  // namespace
@@ -141,10 +180,12 @@ void offer_elliptic(option_words& said, CLI::App& command) {
 
 elliptic_request read_elliptic(const std::vector<const named_function*>& functions, const option_words& said,
                                elliptic_grid grid) {
-    elliptic_request request{functions, "", {}, "", {}, std::nullopt};
-    read_parameters(request, said, grid);
-    read_arguments(request, said);
-    read_characteristic(request, said);
+    elliptic_request request{functions, "", "", {}};
+    if (grid == elliptic_grid::lists && said["--points"]) {
+        read_points(request, said);
+    } else {
+        read_grid_points(request, said, grid);
+    }
     return request;
 }
 

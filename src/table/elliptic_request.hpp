@@ -10,18 +10,14 @@
 
 namespace libration {
 
-/// Every function at every argument and every parameter.
+/// Every function at every point.
 struct elliptic_request {
     std::vector<const elliptic::named_function*> functions;
-    std::string option;  ///< --k, --m or --m1
-    std::vector<typed_parameter> parameters;
-    std::string argument;                         ///< u, phi or x; empty where the functions have none
-    std::vector<std::optional<exact>> arguments;  ///< where they have none, one that is nothing
-    std::optional<exact> characteristic;          ///< --n
+    std::string modulus;                 ///< k, m or m1
+    std::string argument;                ///< u, phi or x; empty where the functions have none
+    std::vector<elliptic_point> points;  ///< of a grid, the parameters first
 
-    elliptic_point at(std::size_t argument_at, std::size_t parameter_at) const {
-        return {arguments[argument_at], parameters[parameter_at], characteristic};
-    }
+    bool has_characteristic() const { return functions.front()->has_characteristic; }
 };
 
 /// --u, --phi, --x, --n, --k, --m, --m1.
@@ -33,7 +29,8 @@ std::string elliptic_names();
 /// Whether one parameter may be given, or lists and ranges of them.
 enum class elliptic_grid { one, lists };
 
-/// Reads what was said for functions that take the same argument. Throws input_error.
+/// Reads what was said for functions that take the same argument; with lists also --points, a file with columns.
+/// Throws input_error.
 elliptic_request read_elliptic(const std::vector<const elliptic::named_function*>& functions, const option_words& said,
                                elliptic_grid grid);
 

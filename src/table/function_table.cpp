@@ -1,14 +1,10 @@
 #include "table/function_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 #include <sstream>
 #include <utility>
 
-#include "option/options.hpp"
-#include "run/grid.hpp"
 #include "run/parallel.hpp"
 #include "table/elliptic_request.hpp"
 #include "text/input_error.hpp"
@@ -20,8 +16,8 @@ using namespace elliptic;
 namespace {
 
 std::vector<column> columns_of(const elliptic_request& request, input_style style) {
-    const std::string parameter = request.option.substr(2);
-    const bool third = request.characteristic.has_value();
+    const std::string& parameter = request.modulus;
+    const bool third = request.has_characteristic();
     const std::string condition =
         third ? "(|phi df/dphi| + |n df/dn| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits"
               : "(|u df/du| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits";
@@ -54,8 +50,8 @@ std::vector<column> columns_of(const elliptic_request& request, input_style styl
 // The rows of one point.
 class function_rows {
 public:
-    function_rows(const elliptic_request& request, elliptic_point at, long digits)
-        : request_(request), at_(std::move(at)), digits_(digits) {}
+    function_rows(const elliptic_request& request, const elliptic_point& at, long digits)
+        : request_(request), at_(at), digits_(digits) {}
 
     std::vector<table_row_cells> typed() const {
         std::vector<table_row_cells> rows;
@@ -97,7 +93,7 @@ private:
     cell condition_of(const named_function& function) const { return number_cell(condition_text(function, at_)); }
 
     const elliptic_request& request_;
-    elliptic_point at_;
+    const elliptic_point& at_;
     long digits_;
 };
 
@@ -134,14 +130,9 @@ std::vector<const named_function*> functions_of(const std::string& list) {
 table function_table(const std::vector<const named_function*>& functions, const option_words& said, long digits,
                      input_style style, int jobs) {
     const auto request = read_elliptic(functions, said, elliptic_grid::lists);
-    const std::size_t cells = request.parameters.size() * request.arguments.size();
-    if (cells > static_cast<std::size_t>(most_grid_values)) {
-        throw input_error(request.option, *said[request.option],
-                          fmt::format("makes more than {} rows", most_grid_values), "choose fewer values");
-    }
-    progress shown("table", cells);
-    const auto parts = parallel_map(cells, jobs, shown, [&](std::size_t i) {
-        const function_rows at(request, request.at(i % request.arguments.size(), i / request.arguments.size()), digits);
+    progress shown("table", request.points.size());
+    const auto parts = parallel_map(request.points.size(), jobs, shown, [&](std::size_t i) {
+        const function_rows at(request, request.points[i], digits);
         return style == input_style::typed ? at.typed() : at.decimals();
     });
     table data(columns_of(request, style));

@@ -9,15 +9,13 @@
 #include "libration/pendulum/proved/condition.hpp"
 #include "motion/typed_times.hpp"
 #include "run/parallel.hpp"
-#include "table/motion_grid.hpp"
+#include "table/motion_points.hpp"
 
 namespace libration {
 
 using namespace pendulum;
 
 namespace {
-
-constexpr std::size_t times_a_step = 32;
 
 using rows = std::vector<table_row_cells>;
 
@@ -61,18 +59,18 @@ private:
     std::map<long, conditioned_motion> made_;
 };
 
-std::vector<column> columns_of(const option_words& said, input_style style) {
-    const bool seconds = said["--length"].has_value();
+std::vector<column> columns_of(const motion_points& points, input_style style) {
+    const bool seconds = points.seconds;
     const std::string of_time = seconds ? "s" : "sqrt(l/g)";
     const std::string speed = seconds ? "rad/s" : "sqrt(g/l)";
     std::vector<column> columns{{"energy", "in m g l"}, {"gap", "2 - energy"}};
-    if (said["--theta0"]) {
+    if (points.theta0) {
         columns.push_back({"theta0", "rad, at time 0"});
     }
-    if (said["--omega0"]) {
+    if (points.omega0) {
         columns.push_back({"omega0", speed + ", at time 0"});
     }
-    if (said["--direction"]) {
+    if (points.direction) {
         columns.push_back({"direction", "sign of omega at time 0 where omega is not 0"});
     }
     columns.insert(columns.end(), {{"time", of_time},
@@ -88,10 +86,10 @@ std::vector<column> columns_of(const option_words& said, input_style style) {
         columns.insert(columns.end(), {{"digits", "significant digits"}, {"rigour", "of all but the condition"}});
         columns.push_back({"time_typed", "as typed"});
         columns.insert(columns.end(), {{"energy_typed", "as typed"}, {"gap_typed", "as typed"}});
-        if (said["--theta0"]) {
+        if (points.theta0) {
             columns.push_back({"theta0_typed", "as typed"});
         }
-        if (said["--omega0"]) {
+        if (points.omega0) {
             columns.push_back({"omega0_typed", "as typed"});
         }
     }
@@ -101,22 +99,28 @@ std::vector<column> columns_of(const option_words& said, input_style style) {
 // What the rows of one motion share: the cells before the time, and those behind omega.
 class motion_rows {
 public:
-    motion_rows(const grid_motion& of, const option_words& said, long digits, input_style style)
-        : of_(of), said_(said), digits_(digits), style_(style), states_(of.of, digits), conditions_(of) {}
+    motion_rows(const motion_block& block, const motion_points& points, long digits, input_style style)
+        : block_(block),
+          of_(block.motion),
+          points_(points),
+          digits_(digits),
+          style_(style),
+          states_(of_.of, digits),
+          conditions_(of_) {}
 
-    rows at(const exact* begin, const exact* end) {
+    rows all() {
         const auto front = front_cells();
         const auto [period, tstar, radius] = states_.constants();
         rows result;
-        result.reserve(static_cast<std::size_t>(end - begin));
-        for (const exact* time = begin; time != end; ++time) {
-            const auto state = state_at(states_, *time, *said_["--times"]);
+        result.reserve(block_.times.size());
+        for (const exact& time : block_.times) {
+            const auto state = state_at(states_, time, block_.said);
             table_row_cells row = front;
-            row.insert(row.end(), {number_cell(time_text(*time)), cell::number(state.theta, digits_),
+            row.insert(row.end(), {number_cell(time_text(time)), cell::number(state.theta, digits_),
                                    cell::number(state.omega, digits_), number_cell(period), number_cell(tstar),
-                                   number_cell(radius), number_cell(conditions_.at(*time))});
+                                   number_cell(radius), number_cell(conditions_.at(time))});
             if (style_ == input_style::typed) {
-                row.insert(row.end(), {cell(digits_), cell("proved"), cell(time->text)});
+                row.insert(row.end(), {cell(digits_), cell("proved"), cell(time.text)});
                 const auto typed = typed_cells();
                 row.insert(row.end(), typed.begin(), typed.end());
             }
@@ -130,15 +134,15 @@ private:
 
     table_row_cells front_cells() {
         table_row_cells cells = energy_cells();
-        for (const auto& number : {of_.typed.theta0, of_.typed.omega0}) {
-            if (number) {
-                cells.push_back(number_cell(decimal_text(*number, more_digits())));
+        for (const auto& [shown, number] :
+             {std::pair{points_.theta0, &of_.typed.theta0}, {points_.omega0, &of_.typed.omega0}}) {
+            if (shown) {
+                cells.push_back(*number ? number_cell(decimal_text(**number, more_digits())) : cell());
             }
         }
-        if (const auto& direction = said_["--direction"]) {
-            std::string sign = style_ == input_style::typed ? *direction : *direction + "1";
-            sign.erase(0, sign == "+1" ? 1 : 0);
-            cells.emplace_back(sign);
+        if (points_.direction) {
+            const bool decimals = style_ != input_style::typed && !block_.direction.empty();
+            cells.emplace_back(decimals ? (of_.typed.direction < 0 ? "-1" : "1") : block_.direction);
         }
         return cells;
     }
@@ -146,9 +150,10 @@ private:
     // What was typed of the motion; empty where it was not.
     table_row_cells typed_cells() const {
         table_row_cells cells{of_.texts ? of_.texts->energy_typed : "", of_.texts ? of_.texts->gap_typed : ""};
-        for (const auto& number : {of_.typed.theta0, of_.typed.omega0}) {
-            if (number) {
-                cells.emplace_back(number->text);
+        for (const auto& [shown, number] :
+             {std::pair{points_.theta0, &of_.typed.theta0}, {points_.omega0, &of_.typed.omega0}}) {
+            if (shown) {
+                cells.emplace_back(*number ? (*number)->text : "");
             }
         }
         return cells;
@@ -180,8 +185,9 @@ private:
         return style_ == input_style::typed ? decimal_of(time, more_digits()) : decimal_text(time, more_digits());
     }
 
+    const motion_block& block_;
     const grid_motion& of_;
-    const option_words& said_;
+    const motion_points& points_;
     long digits_;
     input_style style_;
     proved_states states_;
@@ -200,17 +206,12 @@ std::string decimal_text(const exact& number, long digits) {
 }
 
 table motion_table(const option_words& said, long digits, input_style style, int jobs) {
-    const auto motions = motions_of(said);
-    const auto times = times_for(motions, said);
-    const std::size_t blocks = (times.size() + times_a_step - 1) / times_a_step;
-    progress shown("table", motions.size() * blocks);
-    const auto parts = parallel_map(motions.size() * blocks, jobs, shown, [&](std::size_t i) {
-        const std::size_t begin = i % blocks * times_a_step;
-        const std::size_t end = std::min(begin + times_a_step, times.size());
-        motion_rows of_motion(motions[i / blocks], said, digits, style);
-        return of_motion.at(times.data() + begin, times.data() + end);
+    const motion_points points = points_of(said, style == input_style::decimals);
+    progress shown("table", points.blocks.size());
+    const auto parts = parallel_map(points.blocks.size(), jobs, shown, [&](std::size_t i) {
+        return motion_rows(points.blocks[i], points, digits, style).all();
     });
-    table data(columns_of(said, style));
+    table data(columns_of(points, style));
     for (const rows& part : parts) {
         for (const table_row_cells& row : part) {
             data.add_row(row);

@@ -22,7 +22,7 @@ constexpr const char* usual_name = "reference_values";
 
 struct table_options {
     table_order order;
-    output_options output{"csv", {"cpp", "ipp", "numpy"}};
+    output_options output{"csv", {"cpp", "ipp", "numpy", "c", "fortran", "julia", "pari"}};
     std::optional<std::string> digits, name, jobs;
 };
 
@@ -36,7 +36,7 @@ std::string name_in_program(const table_options& options) {
     if (!options.name) {
         return usual_name;
     }
-    if (format != "cpp" && format != "ipp") {
+    if (!has_comments(format) || format == "numpy") {
         throw input_error("--name", *options.name, "has no meaning for " + format, "leave it out");
     }
     require_identifier(*options.name);
@@ -53,6 +53,9 @@ int run_table(const table_options& options) {
         functions_of(order.what);
     }
     require_own_options(order);
+    if (order.said["--columns"] && !order.said["--points"]) {
+        throw input_error("--columns", *order.said["--columns"], "comes without --points", "leave it out");
+    }
     const table data = table_for(order, format, jobs_of(options.jobs));
     const std::string command = order.command() + " --format " + format + (options.name ? " --name " + name : "");
     options.output.write_content(table_file(order, data, format, name, command));
@@ -69,15 +72,21 @@ subcommand table_command(CLI::App& program) {
     const auto options = std::make_shared<table_options>();
     CLI::App* command =
         program.add_subcommand("table", "reference tables with proved digits: motions at times, or elliptic functions");
-    command->add_option("what", options->order.what, "pendulum, or am, sn, cn, dn (several as am,sn), K or F")
+    command->add_option("what", options->order.what, "pendulum, or functions as in am,sn: " + elliptic_names())
         ->type_name("pendulum|FUNCTION")
         ->required();
     offer_motions(options->order.said, *command);
     offer_elliptic(options->order.said, *command);
+    options->order.said.offer(
+        *command, "--points", "FILE",
+        "a file with a point in each row instead: a motion and a time, or u (phi, x) and m (m1, k)");
+    options->order.said.offer(*command, "--columns", "THEIRS=OURS,...",
+                              "the names of its columns: t=time,E=energy, - for none of these");
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");
     options->output.add_to(*command);
-    command->add_option("--name", options->name, "name of the array in cpp and ipp")->type_name("NAME");
+    command->add_option("--name", options->name, "name of the array in cpp, ipp, c, fortran, julia and pari")
+        ->type_name("NAME");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_table(*options); }};
 }

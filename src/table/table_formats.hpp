@@ -1,5 +1,5 @@
-// Tables of numbers for programs: a C++ header, Boost.Math's .ipp, and text that NumPy reads, each with its
-// provenance. All cells are decimals and stand as they are, so that no digit is lost.
+// Tables of numbers for programs: headers for C++ and C, Boost.Math's .ipp, a Fortran module, text that NumPy, Julia
+// and PARI/GP read, each with its provenance. All cells are decimals and stand as they are, so that no digit is lost.
 #pragma once
 
 #include <string>
@@ -27,7 +27,25 @@ std::string to_cpp_header(const table& data, const table_origin& origin);
 /// none.
 std::string to_ipp(const table& data, const table_origin& origin);
 
+/// A header of C99: struct NAME_row with a const char* a column, the array NAME of them, and NAME_rows, their number.
+std::string to_c_header(const table& data, const table_origin& origin);
+
+/// A module NAME of Fortran 2003, free form: character arrays of NAME_rows elements, one a column, whose elements
+/// read(x(i), *) takes into any kind. Of two names that Fortran does not tell apart, as k and K, the second ends in
+/// _value.
+std::string to_fortran(const table& data, const table_origin& origin);
+
+/// A NamedTuple NAME of Julia with a vector of strings a column: parse.(BigFloat, NAME.theta).
+std::string to_julia(const table& data, const table_origin& origin);
+
+/// A matrix NAME of PARI/GP with a row a row, whose numbers have all digits that are written; oo where one is infinite.
+std::string to_pari(const table& data, const table_origin& origin);
+
 /// Columns of numbers under comments, as numpy.loadtxt and genfromtxt read them; the last comment names the columns.
 std::string to_numpy(const table& data, const table_origin& origin);
+
+/// The writer of a format: cpp, ipp, numpy, c, fortran, julia or pari; nullptr for another one.
+using table_writer = std::string (*)(const table& data, const table_origin& origin);
+table_writer writer_of(const std::string& format);
 
 }  // namespace libration

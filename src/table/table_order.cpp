@@ -11,6 +11,7 @@
 #include "table/motion_table.hpp"
 #include "table/table_formats.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -19,7 +20,7 @@ namespace {
 constexpr const char* motions = "pendulum";
 constexpr std::array<const char*, 8> motion_names{"--energies",  "--gaps",   "--theta0",  "--omega0",
                                                   "--direction", "--length", "--gravity", "--times"};
-constexpr std::array<const char*, 5> function_names{"--u", "--phi", "--k", "--m", "--m1"};
+constexpr std::array<const char*, 7> function_names{"--u", "--phi", "--x", "--n", "--k", "--m", "--m1"};
 
 constexpr const char* rigour = "proved to one unit in the last place";
 
@@ -27,7 +28,7 @@ std::vector<std::string> comment_lines(const table_order& order, const table& da
     std::vector<std::string> lines{
         order.what == motions ? "Reference values of the pendulum theta'' + sin theta = 0."
                               : "Reference values of the elliptic functions " + order.what + ".",
-        "Made by: " + command, fmt::format("{} significant digits, {}.", order.digits, rigour),
+        "Made by: " + without_controls(command, command.size()), fmt::format("{} significant digits, {}.", order.digits, rigour),
         fmt::format("Typed numbers that no decimal holds, such as T/8 or pi/3, stand with {} digits.",
                     order.digits + more_input_digits)};
     std::string made_with;
@@ -70,17 +71,14 @@ table table_for(const table_order& order, const std::string& format, int jobs) {
                                  : function_table(functions_of(order.what), order.said, order.digits, style, jobs);
 }
 
-bool has_comments(const std::string& format) { return format == "cpp" || format == "ipp" || format == "numpy"; }
+bool has_comments(const std::string& format) { return writer_of(format) != nullptr; }
 
 std::string table_file(const table_order& order, const table& data, const std::string& format, const std::string& name,
                        const std::string& command) {
     if (!has_comments(format)) {
         return in_format(format, data);
     }
-    const table_origin origin{name, comment_lines(order, data, command)};
-    return format == "cpp"   ? to_cpp_header(data, origin)
-           : format == "ipp" ? to_ipp(data, origin)
-                             : to_numpy(data, origin);
+    return writer_of(format)(data, {name, comment_lines(order, data, command)});
 }
 
 std::string provenance_json(const table_order& order, const table& data, const std::string& command) {

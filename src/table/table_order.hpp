@@ -22,8 +22,8 @@ struct table_order {
 /// Throws input_error for options that belong to the other kind of table.
 void require_own_options(const table_order& order);
 
-/// The table in the style that a format needs: typed numbers in csv, json, text and latex, decimals in cpp, ipp and
-/// numpy.
+/// The table in the style that a format needs: typed numbers in csv, json, text and latex, decimals in those for
+/// programs.
 table table_for(const table_order& order, const std::string& format, int jobs);
 
 /// Whether a format holds its provenance in comments.

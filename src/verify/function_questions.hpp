@@ -1,13 +1,11 @@
 // Rows of elliptic functions under `verify`: am, sn, K, E, Pi, ... at a modulus and an argument.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "table/elliptic_values.hpp"
-#include "text/column_names.hpp"
+#include "table/elliptic_columns.hpp"
 #include "verify/compare_rules.hpp"
 #include "verify/row_question.hpp"
 
@@ -31,16 +29,7 @@ public:
     std::vector<question> read(const std::vector<std::string>& cells, bool as_doubles) const;
 
 private:
-    struct function_column {
-        const elliptic::named_function* function;
-        std::optional<std::size_t> argument, characteristic;
-    };
-    exact number_in(const std::vector<std::string>& cells, std::size_t at, bool as_double) const;
-
-    const column_names& names_;
-    std::string modulus_;
-    std::size_t modulus_at_ = 0;
-    std::vector<function_column> functions_;
+    std::vector<std::pair<const elliptic::named_function*, elliptic_columns>> functions_;
     std::vector<compared_column> compared_;
 };
 

@@ -1,6 +1,8 @@
 // The proved digits of `libration reference` against the reference tables, closed forms, symmetries and its own second
 // route.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -159,6 +161,68 @@ TEST_CASE("a length of 4 at a gravity of 1 doubles times and halves omega", "[co
         CHECK_THAT(scaled.at("omega"), right_to_the_last_digit_of(number_of(plain.at("omega")) / 2));
         CHECK_THAT(scaled.at("radius"), right_to_the_last_digit_of(number_of(plain.at("radius")) * 2));
     }
+}
+
+TEST_CASE("each row of a file is a motion of its own at its own time", "[command][reference]") {
+    const temporary_folder folder;
+    const auto of_file = [&](const std::string& csv, const words& more = {}) {
+        std::ofstream(folder.path() / "f.csv", std::ios::binary) << csv;
+        const auto done =
+            run_libration(words{"reference", "--motions", "f.csv", "--format", "csv"} + more, folder.path());
+        INFO(done.err);
+        REQUIRE(done.exit_code == 0);
+        return csv_rows(done.out);
+    };
+    const auto rows = of_file(
+        "theta0;omega0;gap;energy;direction;t\n2.5;-0.3;;;;1e20\n;;1e-30;;-;5\n;;1e-30;;-;T/8\n1;;;3;;7\n;;;1.71;;T/"
+        "4\n");
+    REQUIRE(rows.size() == 5);
+    const std::vector<words> alone{{"--theta0", "2.5", "--omega0", "-0.3", "--time", "1e20"},
+                                   {"--gap", "1e-30", "--direction", "-", "--time", "5"},
+                                   {"--gap", "1e-30", "--direction", "-", "--time", "T/8"},
+                                   {"--energy", "3", "--theta0", "1", "--time", "7"},
+                                   {"--energy", "1.71", "--time", "T/4"}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CHECK(rows[i] == single_reference(alone[i]));
+    }
+    // One list of times for all, seconds, and what has been printed read again.
+    const auto with_times = of_file("E,L,g\n1.71,4,1\n0.5,1,1\n", {"--times", "0.7,1.4"});
+    REQUIRE(with_times.size() == 4);
+    CHECK(with_times[0] == single_reference({"--energy", "1.71", "--length", "4", "--gravity", "1", "--time", "0.7"}));
+    CHECK(with_times[3] == single_reference({"--energy", "0.5", "--time", "1.4"}));
+    const std::string printed =
+        output_of({"reference", "--theta0", "2.5", "--omega0", "-0.3", "--time", "1,T/3", "--format", "csv"});
+    CHECK(of_file(printed) == csv_rows(printed));
+    std::ofstream(folder.path() / "f.csv") << "E,t\n1.71,0.7\n3,1\n";
+    const auto text = run_libration({"reference", "--motions", "f.csv", "--digits", "5"}, folder.path());
+    CHECK(text.out.find("regime    libration") < text.out.find("regime    rotation"));
+}
+
+TEST_CASE("a row that is no motion is refused with its line and column", "[command][reference]") {
+    const auto refused = [](const std::string& csv, const words& more, const std::string& mentioned) {
+        const temporary_folder folder;
+        std::ofstream(folder.path() / "f.csv", std::ios::binary) << csv;
+        const auto done = run_libration(words{"reference", "--motions", "f.csv"} + more, folder.path());
+        INFO(csv << done.err);
+        CHECK(done.exit_code == 2);
+        CHECK(done.out.empty());
+        CHECK(done.err.find(mentioned) != std::string::npos);
+        CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
+    };
+    refused("E,t\n1,0\n-1,0\n", {}, "f.csv:3: E '-1' is a negative energy");
+    refused("E,t\n1,x\n", {}, "f.csv:2: t 'x' is not a number");
+    refused("E,t\n2,T/4\n", {}, "f.csv:2: t 'T/4' is a multiple of an infinite period");
+    refused("E,t\n1,0\n,0\n", {}, "f.csv:3: the row has no motion");
+    refused("E,t\n1\n", {}, "f.csv:2: the row has 1 cells, the header has 2");
+    refused("E,gap,t\n1,0.5,0\n", {}, "f.csv:2: gap '0.5' contradicts E '1'");
+    refused("E\n1\n", {}, "--motions 'f.csv' has no column 'time': add --times LIST");
+    refused("E,t\n1,0\n", {"--times", "1"}, "--motions 'f.csv' has times, and --times too");
+    refused("E,t\n1,0\n", {"--gap", "0.5"}, "f.csv:2: --gap '0.5' contradicts E '1'");
+    refused("E,t\n", {}, "f.csv has no row");
+    refused("E,t\n1,0\n", {"--columns", "x=time"}, "--columns 'x=time' has 'x'");
+    check_failed({"reference", "--energy", "1"}, 2, "add --times LIST");
+    check_failed({"reference", "--energy", "1", "--time", "1", "--columns", "t=time"}, 2, "--columns 't=time'");
+    check_failed({"reference", "--motions", "none.csv"}, 2, "--motions 'none.csv'");
 }
 
 TEST_CASE("what a reference cannot answer is refused with the reason", "[command][reference]") {

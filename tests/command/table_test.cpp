@@ -322,6 +322,116 @@ TEST_CASE("infinite values are inf in a table, and no .ipp", "[command][table]")
     check_refused(critical + words{"--format", "ipp"}, "--format 'ipp' cannot hold the infinite period");
 }
 
+TEST_CASE("each row of a file of points is asked alone", "[command][table]") {
+    const temporary_folder folder;
+    const auto of_file = [&](const std::string& what, const std::string& csv, const words& more = {}) {
+        std::ofstream(folder.path() / "p.csv", std::ios::binary) << csv;
+        const auto done = run_libration(words{"table", what, "--points", "p.csv"} + more, folder.path());
+        INFO(done.err);
+        REQUIRE(done.exit_code == 0);
+        return done.out;
+    };
+    const auto motions =
+        csv_rows(of_file("pendulum", "t,energy,theta0,omega0\n1,,2.5,-0.3\n5,3,,\n7,3,,\nT/8,1.71,0.5,\n"));
+    const std::vector<words> alone{{"--theta0", "2.5", "--omega0", "-0.3", "--times", "1"},
+                                   {"--energies", "3", "--times", "5"},
+                                   {"--energies", "3", "--times", "7"},
+                                   {"--energies", "1.71", "--theta0", "0.5", "--times", "T/8"}};
+    REQUIRE(motions.size() == 4);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const table_row single = table_of(words{"pendulum"} + alone[i]).at(0);
+        for (const auto& [name, value] : single) {
+            INFO(i << " " << name);
+            CHECK(motions[i].at(name) == value);
+        }
+    }
+    const auto functions = csv_rows(of_file("sn,cd", "u,m1\n0.7,0.7\n40,1e-30\n-1,3\n"));
+    REQUIRE(functions.size() == 6);
+    CHECK(functions[0] == table_of({"sn,cd", "--u", "0.7", "--m1", "0.7"}).at(0));
+    CHECK(functions[3] == table_of({"sn,cd", "--u", "40", "--m1", "1e-30"}).at(1));
+    CHECK(functions[4] == table_of({"sn", "--u=-1", "--m1", "3"}).at(0));
+    const auto third = csv_rows(of_file("Pi", "phi,nu,k\n1,0.5,0.8\n2,-1,0.1\n", {"--columns", "nu=n"}));
+    CHECK(third.at(1) == table_of({"Pi", "--phi", "2", "--n=-1", "--k", "0.1"}).at(0));
+    const auto numbers = numpy_rows(of_file("K", "m\n0.3\n-3\n", {"--format", "numpy"}));
+    CHECK_THAT(numbers.at(1).at("K"), right_to_the_last_digit("1.078257823749821617719337499400161014432"));
+    CHECK(of_file("K", "m\n0.3\n", {"--format", "cpp"}).find("table K --points p.csv --digits 50") !=
+          std::string::npos);
+    // verify reads it: every number is right.
+    std::ofstream(folder.path() / "t.txt") << of_file("am,dn", "u,m\n1,0.5\n2,-7\n", {"--format", "numpy"});
+    CHECK(run_libration({"verify", "t.txt"}, folder.path()).exit_code == 0);
+}
+
+TEST_CASE("a file of points is refused with line and column", "[command][table][bad input]") {
+    const auto refused = [](const words& line, const std::string& csv, const std::string& mentioned) {
+        const temporary_folder folder;
+        std::ofstream(folder.path() / "p.csv", std::ios::binary) << csv;
+        const auto done = run_libration(words{"table"} + line + words{"--points", "p.csv"}, folder.path());
+        INFO(command_line(line) << "\n" << csv << done.err);
+        CHECK(done.exit_code == 2);
+        CHECK(done.out.empty());
+        CHECK(done.err.find(mentioned) != std::string::npos);
+    };
+    refused({"sn"}, "u,m\n1,0.5\nx,0.5\n", "p.csv:3: u 'x' is not a number");
+    refused({"sn"}, "u,m\n30deg,0.5\n", "p.csv:2: u '30deg'");
+    refused({"sn"}, "u\n1\n", "p.csv has no modulus");
+    refused({"sn"}, "m\n1\n", "p.csv has no column 'u'");
+    refused({"sn", "--m", "0.5"}, "u,m\n1,0.5\n", "--m '0.5' comes together with --points");
+    refused({"sn", "--times", "1"}, "u,m\n1,0.5\n", "--times '1'");
+    refused({"pendulum"}, "E,t\n-1,0\n", "p.csv:2: E '-1' is a negative energy");
+    refused({"pendulum"}, "E\n1\n", "has no column 'time'");
+    refused({"pendulum", "--gaps", "1"}, "E,t\n1,0\n", "--gaps '1' comes together with --points");
+    refused({"pendulum", "--format", "numpy"}, "E,theta0,t\n1,1,0\n1,,0\n", "p.csv:3: theta0 is empty");
+    check_refused({"pendulum", "--points", "none.csv"}, "--points 'none.csv'");
+    check_refused({"sn", "--u", "1", "--m", "0.5", "--columns", "a=m"}, "--columns 'a=m'");
+    check_refused({"pendulum", "--energies", "1", "--times", "1", "--n", "1"}, "--n '1'");
+}
+
+TEST_CASE("a C header and a Fortran module compile and hold every digit", "[command][table]") {
+    const temporary_folder folder;
+    const words what{"K", "--k", "0.5,1", "--digits", "150", "--name", "values", "--format"};
+    const auto expected = table_of({"K", "--k", "0.5,1", "--digits", "150"});
+    const auto run = [&](const std::string& compile) {
+        const std::string line =
+            "cd '" + folder.path().string() + "' && " + compile + " > log 2>&1 && ./main > printed";
+        const int status = std::system(line.c_str());
+        INFO(text_of_file(folder.path() / "log"));
+        REQUIRE(status == 0);
+        return lines_of(text_of_file(folder.path() / "printed"));
+    };
+    std::ofstream(folder.path() / "values.h") << output_of(words{"table"} + what + words{"c"});
+    std::ofstream(folder.path() / "main.c") << "#include <stdio.h>\n#include \"values.h\"\nint main(void) {\n"
+                                               "    for (int i = 0; i < values_rows; ++i) puts(values[i].K);\n"
+                                               "    return 0;\n}\n";
+    CHECK(run("cc -std=c99 -Wall -Wextra -Wpedantic -Werror main.c -o main") == words{expected[0].at("value"), "inf"});
+    if (std::system("command -v gfortran > /dev/null 2>&1") != 0) {
+        return;  // Fortran is nothing that the program needs
+    }
+    std::ofstream(folder.path() / "values.f90") << output_of(words{"table"} + what + words{"fortran"});
+    std::ofstream(folder.path() / "main.f90")
+        << "program main\n    use values\n    implicit none\n    real(kind=16) :: x\n    read (K_value(1), *) x\n"
+           "    if (abs(x - 1.68575035481259604287120365779907699_16) > 1e-32_16) stop 1\n"
+           "    print '(A)', trim(K_value(1)), trim(K_value(2))\nend program\n";
+    CHECK(run("gfortran -std=f2008 -Wall -Werror values.f90 main.f90 -o main") ==
+          words{expected[0].at("value"), "inf"});
+}
+
+TEST_CASE("Julia and PARI read tables as they are", "[command][table]") {
+    const words what{"K", "--m", "0.5,1", "--digits", "20", "--name", "values", "--format"};
+    const auto code = [&](const std::string& format) {
+        words kept;
+        for (const std::string& line : lines_of(output_of(words{"table"} + what + words{format}))) {
+            if (!line.starts_with('#') && !line.starts_with("\\\\")) {
+                kept.push_back(line);
+            }
+        }
+        return kept;
+    };
+    CHECK(code("julia") == words{"const values = (;", "    m = [", "        \"0.5\",", "        \"1\",", "    ],",
+                                 "    K = [", "        \"1.8540746773013719184\",", "        \"inf\",", "    ],",
+                                 "    condition_K = [", "        \"0.228\",", "        \"inf\",", "    ],", ")"});
+    CHECK(code("pari") == words{"{values = [", "0.5, 1.8540746773013719184, 0.228;", "1.0, +oo, +oo", "];}"});
+}
+
 TEST_CASE("tables refuse what is no grid, no function and no name", "[command][table][bad input]") {
     const words motion{"pendulum", "--energies", "1", "--times", "1"};
     check_refused({"pendulum", "--times", "1"}, "--gaps");

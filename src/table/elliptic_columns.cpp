@@ -1,0 +1,103 @@
+#include "table/elliptic_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "libration/scalar/text/written_number.hpp"
+#include "motion/motion_cells.hpp"
+#include "table/elliptic_request.hpp"
+#include "text/csv_records.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+using namespace elliptic;
+
+namespace {
+
+constexpr std::array<const char*, 3> modulus_columns{"k", "m", "m1"};
+constexpr std::array<const char*, 4> input_columns{"u", "phi", "x", "n"};
+
+}  // namespace
+
+std::vector<known_column> elliptic_columns::known() {
+    std::vector<known_column> columns;
+    for (const char* const name : input_columns) {
+        columns.push_back({name});
+    }
+    for (const char* const name : modulus_columns) {
+        columns.push_back({name});
+    }
+    return columns;
+}
+
+bool elliptic_columns::has_modulus(const column_names& names) {
+    return std::any_of(modulus_columns.begin(), modulus_columns.end(),
+                       [&](const char* name) { return names.find(name).has_value(); });
+}
+
+elliptic_columns::elliptic_columns(const column_names& names, const named_function& function)
+    : names_(&names), function_(&function) {
+    find_modulus();
+    argument_ = function.argument.empty() ? std::nullopt : names.find(function.argument);
+    characteristic_ = function.has_characteristic ? names.find("n") : std::nullopt;
+    if (!function.argument.empty() && !argument_ && !function.may_be_complete) {
+        throw input_error(fmt::format("{} has no column '{}', the argument of {}: its columns are {}", names.file(),
+                                      function.argument, function.name, names.listed()));
+    }
+    if (function.has_characteristic && !characteristic_) {
+        throw input_error(fmt::format("{} has no column 'n', the characteristic of {}: its columns are {}",
+                                      names.file(), function.name, names.listed()));
+    }
+}
+
+void elliptic_columns::find_modulus() {
+    for (const char* const name : modulus_columns) {
+        const auto at = names_->find(name);
+        if (at && !modulus_.empty()) {
+            throw input_error(fmt::format("{} has both '{}' and '{}': leave one out by --columns {}=-", names_->file(),
+                                          modulus_, name, names_->own(*at)));
+        }
+        modulus_ = at ? name : modulus_;
+        modulus_at_ = at.value_or(modulus_at_);
+    }
+    if (modulus_.empty()) {
+        throw input_error(fmt::format("{} has no modulus: its columns are {}; it needs 'k', 'm' or 'm1'",
+                                      names_->file(), names_->listed()));
+    }
+}
+
+exact elliptic_columns::number_in(const std::vector<std::string>& cells, std::size_t at, bool as_double) const {
+    return reading_cell({trimmed(cells[at]), names_->own(at)}, [&](const std::string& text) {
+        if (text.empty()) {
+            throw error(error_kind::argument, "number", text, "is empty");
+        }
+        const exact number = read_typed(text);
+        return as_double ? nearest_double(number) : number;
+    });
+}
+
+elliptic_point elliptic_columns::read(const std::vector<std::string>& cells, bool as_doubles) const {
+    const exact typed = number_in(cells, modulus_at_, as_doubles);
+    const auto parameter = reading_cell({typed.text, names_->own(modulus_at_)}, [&](const std::string& text) {
+        if (!typed.is_number()) {
+            throw error(error_kind::argument, modulus_, text, "has a unit");
+        }
+        return parameter_of(modulus_, typed);
+    });
+    elliptic_point at{std::nullopt, parameter, std::nullopt};
+    if (argument_) {
+        at.argument = number_in(cells, *argument_, as_doubles);
+        reading_cell({at.argument->text, names_->own(*argument_)}, [&](const std::string&) {
+            return require_argument(std::string(function_->argument), *at.argument), 0;
+        });
+    }
+    if (characteristic_) {
+        at.characteristic = number_in(cells, *characteristic_, as_doubles);
+    }
+    return at;
+}
+
+}  // namespace libration

@@ -1,0 +1,40 @@
+// Where an elliptic function is asked, in the cells of a row.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "table/elliptic_values.hpp"
+#include "text/column_names.hpp"
+
+namespace libration {
+
+/// The columns of one function: k, m or m1, its argument u, phi or x, and the characteristic n of Pi.
+class elliptic_columns {
+public:
+    /// The quantities, for column_names.
+    static std::vector<known_column> known();
+    /// Whether there is a modulus.
+    static bool has_modulus(const column_names& names);
+    /// Throws input_error for a column that is missing, and for two moduli.
+    elliptic_columns(const column_names& names, const elliptic::named_function& function);
+
+    /// k, m or m1.
+    const std::string& modulus() const { return modulus_; }
+    bool has_argument() const { return argument_.has_value(); }
+    /// Throws error of the name of a column. The numbers as typed, or the doubles nearest to them.
+    elliptic_point read(const std::vector<std::string>& cells, bool as_doubles = false) const;
+
+private:
+    void find_modulus();
+    exact number_in(const std::vector<std::string>& cells, std::size_t at, bool as_double) const;
+
+    const column_names* names_;
+    const elliptic::named_function* function_;
+    std::string modulus_;
+    std::size_t modulus_at_ = 0;
+    std::optional<std::size_t> argument_, characteristic_;
+};
+
+}  // namespace libration
