@@ -20,5 +20,5 @@ by_integers() { "$build/libration-attack" --print 10000 | "$python" "$tests/atta
 part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
 part 'a million random values' "$build/libration-attack" 1000000
 part 'ten thousand random values by integers' by_integers
-part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build/fuzz"
+part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build"
 exit "$status"

@@ -217,7 +217,7 @@ FAULTS = [
          "const ball error = midpoint(x) - printed.value();"),
     ),
     *in_file(
-        ROOM + "scalar/ball/predicates.hpp", ["scalar/ball/ball_test.cpp"],
+        ROOM + "scalar/ball/predicates.hpp", ["scalar/ball/predicates_test.cpp"],
         ("the sign of a midpoint", "if (arb_is_positive(x.handle()) == 0 && arb_is_negative(x.handle()) == 0) {",
          "if (!is_finite(x)) {"),
         ("the lower end rounded up", "arb_get_lbound_arf(arb_midref(result.handle()), x.handle(), ball::working_bits());",
@@ -229,7 +229,7 @@ FAULTS = [
          "arb_set(result.handle(), a.handle());"),
     ),
     *in_file(
-        ROOM + "scalar/ball/traits.hpp", ["scalar/ball/ball_test.cpp", DESCENT],
+        ROOM + "scalar/ball/traits.hpp", ["scalar/ball/predicates_test.cpp"],
         ("nothing enclosed", "arb_add_error(result.handle(), bound.handle());",
          "static_cast<void>(bound);"),
         ("a ball cut without its rounding", "arb_set_round(result.handle(), x.handle(), ball::working_bits());\n        return result;",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants the faults of faults.py one at a time in a copy of the tree and lists the tests that catch each.
 
-    python3 tests/faults/plant.py BUILD [--jobs N] [--only WORD]
+    python3 tests/faults/plant.py BUILD [--jobs N] [--only WORD...]
 
 BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a, release for one. For each fault
 only the tests named beside it are compiled, and a source of the library where the fault is in one. A test catches a
@@ -135,9 +135,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--only", default="", help="faults in files, or of descriptions, with this in them")
+    parser.add_argument("--only", nargs="+", default=[""], help="faults with one of these in file or description")
     options = parser.parse_args()
-    faults = [f for f in FAULTS if options.only in f.file or options.only in f.what]
+    faults = [f for f in FAULTS if any(word in f"{f.file}: {f.what}" for word in options.only)]
     check_places(faults)
 
     begin = time.monotonic()

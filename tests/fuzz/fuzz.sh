@@ -1,19 +1,23 @@
 #!/usr/bin/env bash
-# tests/fuzz/fuzz.sh FOLDER [SECONDS]: the readers of numbers, CSV and lists of coefficients under clang's libFuzzer
-# with the address and undefined-behaviour sanitizers, SECONDS each (200: ten minutes in all). What is compiled
-# and found stays in FOLDER. Exit code 1 where one fails; the input that did is in FOLDER/NAME.found-*.
+# tests/fuzz/fuzz.sh BUILD [SECONDS]: the readers of numbers, CSV, lists of coefficients and command lines under clang's
+# libFuzzer with the address and undefined-behaviour sanitizers, SECONDS each (150: ten minutes in all). BUILD is the
+# folder of a release build; what is compiled and found stays in BUILD/fuzz. Exit code 1 where one fails; the input that
+# did is in BUILD/fuzz/NAME.found-*.
 set -euo pipefail
 
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 root=$(cd "$here/../.." && pwd)
-folder=$1
-seconds=${2-200}
+build=$1
+folder=$build/fuzz
+seconds=${2-150}
 mkdir -p "$folder"
 rm -f "$folder"/*.o  # which know nothing of headers
 
 flags=(-std=c++20 -O1 -g -w -fno-sanitize-recover=all -I"$root/include" -I"$root/src")
 sanitizers=address,undefined
-libraries=(-lfmt -lflint-arb -lflint -lmpfr -lgmp -lpthread)
+# What a target does not compile anew is not watched, but there; what it does comes first.
+archives=(-Wl,--allow-multiple-definition "$build"/liblibration-{sweep,proved}.a "$build/liblibration.a")
+libraries=(-lfmt -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
 
 # The sources of a target besides its own, as patterns.
 sources_of() {
@@ -23,6 +27,8 @@ sources_of() {
         csv) printf '%s\n' "$root"/src/text/csv_records.cpp ;;
         coefficient_list) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
             "$root"/src/libration/digits/*.cpp ;;
+        command_line) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
+            "$root"/src/option/*.cpp "$root"/src/text/*.cpp "$root"/src/motion/{period,motion_options}.cpp ;;
     esac
 }
 
@@ -37,12 +43,12 @@ compile() { # TARGET
         clang++ "${flags[@]}" -fsanitize=fuzzer-no-link,$sanitizers -c "$source" -o "$object" &
     done < <(sources_of "$1")
     wait
-    clang++ "${flags[@]}" -fsanitize=fuzzer,$sanitizers "$here/$1_fuzz.cpp" "${objects[@]}" "${libraries[@]}" \
+    clang++ "${flags[@]}" -fsanitize=fuzzer,$sanitizers "$here/$1_fuzz.cpp" "${objects[@]}" "${archives[@]}" "${libraries[@]}" \
         -o "$folder/$1_fuzz"
 }
 
 status=0
-for target in ${FUZZ_TARGETS-number csv coefficient_list}; do
+for target in ${FUZZ_TARGETS-number csv coefficient_list command_line}; do
     compile "$target"
     mkdir -p "$folder/$target.corpus"
     if "$folder/${target}_fuzz" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=4096 \

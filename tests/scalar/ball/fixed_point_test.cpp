@@ -94,6 +94,19 @@ TEST_CASE("fixed point encloses roots, and its radii are not wasteful", "[scalar
     }
 }
 
+TEST_CASE("fixed point takes the radius of a ball with it", "[scalar][ball_fixed]") {
+    const precision_scope scope(100);
+    const ball third = ball(1) / 3;
+    for (const int n : {1, 2, 4}) {
+        const ball wide = enclose(third, ldexp(ball(1), 10 - 64L * n));
+        const fixed_ball x(n, wide);
+        CHECK(contains(x.to_ball(), wide));
+        // 2^10 units, a unit for what is cut, and 2^-20 more for each of two roundings.
+        CHECK(x.radius() < 1024 * (1 + 1.0 / 256) + 1);
+        CHECK(x.radius() > 1024);
+    }
+}
+
 TEST_CASE("fixed point refuses what it cannot hold", "[scalar][ball_fixed]") {
     const fixed_ball one(2, mp_limb_t{1});
     const fixed_ball two = one + one;
