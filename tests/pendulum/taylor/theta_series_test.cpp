@@ -154,15 +154,18 @@ TEST_CASE("long expansions of mpfr at many digits are made of thetas where the p
 TEST_CASE("few digits and short series keep to the recurrence, and mpfr that is not told",
           "[theta_series][expansion]") {
     const precision_scope scope(50);
-    CHECK_FALSE(thetas_cost_less<ball>(true, 1'000));
-    CHECK_FALSE(thetas_cost_less<ball>(false, 500));
-    CHECK_FALSE(thetas_cost_less<mpfr>(true, 1'000));
+    const auto from = [](long bits_of_all) { return (bits_of_all + digits<mpfr>() - 1) / digits<mpfr>(); };
+    const long on_balls = from(tuning::thetas_from_bits_on_balls);
+    const long in_mpfr = from(tuning::thetas_from_bits_in_mpfr);
+    CHECK_FALSE(thetas_cost_less<ball>(true, on_balls - 1));
+    CHECK_FALSE(thetas_cost_less<ball>(false, (on_balls - 1) / 2));
+    CHECK_FALSE(thetas_cost_less<mpfr>(true, in_mpfr - 1));
     const precision_scope more(3000);
-    CHECK_FALSE(thetas_cost_less<ball>(true, 150));
-    CHECK_FALSE(thetas_cost_less<mpfr>(true, 120));
-    CHECK(thetas_cost_less<ball>(true, 200));
-    CHECK(thetas_cost_less<ball>(false, 100));
-    CHECK(thetas_cost_less<mpfr>(true, 150));
+    CHECK_FALSE(thetas_cost_less<ball>(true, tuning::thetas_from_power_on_balls - 1));
+    CHECK_FALSE(thetas_cost_less<mpfr>(true, tuning::thetas_from_power_in_mpfr - 1));
+    CHECK(thetas_cost_less<ball>(true, tuning::thetas_from_power_on_balls));
+    CHECK(thetas_cost_less<ball>(false, tuning::thetas_from_power_on_balls / 2));
+    CHECK(thetas_cost_less<mpfr>(true, tuning::thetas_from_power_in_mpfr));
     const exact_solution<mpfr> solution(with_energy("1.71"));
     const auto view = view_from(solution.of(), phase_of({}, solution));
     CHECK(start_and_head(*view, 0, 400).second == head_by::recurrence);

@@ -7,6 +7,7 @@
 #include <concepts>
 
 #include "libration/pendulum/taylor/singularity_view.hpp"
+#include "libration/pendulum/taylor/tuning.hpp"
 
 namespace libration::pendulum {
 
@@ -39,25 +40,26 @@ private:
 enum class head_by { recurrence, thetas };
 
 /// Whether the quotient of thetas (theta_series.hpp) is cheaper than the recurrence for the powers up to n, on balls or
-/// in mpfr with FLINT, whose recurrence costs half as much again. Measured at E = 1.71 about the top, recurrence and
-/// quotient in ms: at 50 digits for n = 800, balls 3.4 and 5.2, mpfr 6.8 and 5.1; at 200 for n = 400, 3.0 and 3.2, 3.9
-/// and 3.1; at 1000 for n = 200, 6.6 and 6.3, 10 and 6.9, and for n = 800, 96 and 35, 152 and 33; at 3000 for n = 400,
-/// 143 and 53, 194 and 62. Without symmetry the recurrence costs four times as much, the quotient twice.
+/// in mpfr with FLINT, as measured about points of symmetry (tuning.hpp). Without symmetry the recurrence costs four
+/// times as much, the quotient twice.
 template <scalar T>
 bool thetas_cost_less(bool symmetric, long n) {
     constexpr bool in_balls = proved_scalar<T>;
+    constexpr long power = in_balls ? tuning::thetas_from_power_on_balls : tuning::thetas_from_power_in_mpfr;
+    constexpr long bits = in_balls ? tuning::thetas_from_bits_on_balls : tuning::thetas_from_bits_in_mpfr;
     const long weighed = symmetric ? n : 2 * n;
-    return weighed >= (in_balls ? 160 : 128) && weighed * digits<T>() >= (in_balls ? 4L : 3L) << 16;
+    return weighed >= power && weighed * digits<T>() >= bits;
 }
 
-/// The power before which the recurrence costs less in every case, a quarter sooner without symmetry. Measured at E =
-/// 1.71 about the top to N = 600, recurrence and sums from 512 in microseconds: 22 and 47 in double, whose recurrence
-/// runs in vectors; to N = 800 102 and 93 in long double; in quad, from 87, to N = 150 161 and 196, to 200 279 and 204.
+/// The power before which the recurrence costs less in every case, as measured with symmetry (tuning.hpp), a quarter
+/// sooner without. The recurrence in double runs in vectors.
 template <scalar T>
 constexpr long least_lattice_power(bool symmetric) {
     long least = 16;
     if constexpr (fixed_scalar<T>) {
-        least = digits<T>() <= 53 ? 1024 : digits<T>() <= 64 ? 512 : 128;
+        least = digits<T>() <= 53   ? tuning::sums_from_power_in_double
+                : digits<T>() <= 64 ? tuning::sums_from_power_in_long_double
+                                    : tuning::sums_from_power_in_quad;
     }
     return symmetric ? least : least * 3 / 4;
 }
