@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <stdexcept>
 
-#include "libration/digits/agreed_values.hpp"
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/energy/period.hpp"
+#include "libration/pendulum/proved/proved_times.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -203,27 +203,15 @@ const std::optional<std::string>& motion_options::given(std::string_view option)
 }
 
 std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits) {
+    const auto needs_period = [](const exact& time) { return time.has_periods() && !time.is_zero(); };
+    std::vector<exact> with_period;
+    std::copy_if(times.begin(), times.end(), std::back_inserter(with_period), needs_period);
+    const auto proved = with_period.empty() ? std::vector<std::string>() : proved_times(of, with_period, digits);
+    auto next = proved.begin();
     std::vector<std::string> decimals;
     decimals.reserve(times.size());
-    std::map<long, mpfr> periods;  // by digits
-    const auto period_of = [&](long own_digits) {
-        const auto [place, missing] = periods.try_emplace(own_digits);
-        if (missing) {
-            place->second = effective_period(energy_level_of<mpfr>(of)) * quarters_per_period(of.regime());
-        }
-        return place->second;
-    };
     for (const exact& time : times) {
-        if (!time.has_periods() || time.is_zero()) {
-            decimals.push_back(decimal_of(time, digits));
-            continue;
-        }
-        const auto value = [&](long guard) {
-            const precision_scope scope(digits + guard);
-            const mpfr multiple = period_of(digits + guard) * from_rational<mpfr>(time.periods()) * time_unit<mpfr>(of);
-            return std::vector<mpfr>{multiple + from_exact<mpfr>(time.without_periods())};
-        };
-        decimals.push_back(to_decimal(agreed_values(digits, value).front(), digits));
+        decimals.push_back(needs_period(time) ? *next++ : decimal_of(time, digits));
     }
     return decimals;
 }

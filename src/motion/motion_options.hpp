@@ -57,8 +57,7 @@ private:
 /// The times of a motion in this regime: a list or a range, multiples of T among them where it has a period.
 std::vector<exact> times_of(const std::string& value, pendulum::regime r);
 
-/// The times as decimals in the motion's unit: exact where they end, else to `digits` digits, multiples of T among
-/// them.
+/// The times as decimals in the motion's unit: exact where they end, else to `digits` digits; multiples of T proved.
 std::vector<std::string> times_in_decimals(const pendulum::motion& of, const std::vector<exact>& times, long digits);
 
 /// An angle or a velocity as a decimal, exact where it ends, else to `digits` digits.
