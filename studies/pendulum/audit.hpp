@@ -14,6 +14,7 @@
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "run/parallel.hpp"
+#include "text/input_error.hpp"
 
 namespace libration::studies {
 
@@ -40,15 +41,25 @@ struct audit_case {
     double k;
 };
 
+/// E as a fraction: what a double k stands for is compared with it exactly.
+inline const rational& fraction_of(const sweep_energy& at) {
+    if (!at.value.is_fraction()) {
+        throw input_error("--energies", at.value.text, "is not a decimal or a fraction",
+                          "write energies such as 0.5,1.71,2.02, or gaps of the same form");
+    }
+    return at.value.coefficient;
+}
+
 inline audit_case case_of(const sweep_energy& at, const exact& time) {
     const precision_scope scope(proved_places);
-    const rational gap = 2 - at.value;
-    const pendulum::landen_motion motion(at.value, gap);
+    const rational& energy = fraction_of(at);
+    const rational gap = 2 - energy;
+    const pendulum::landen_motion motion(energy, gap);
     ball instant = from_exact<ball>(time.without_periods());
     if (time.has_periods()) {
         instant += pi<ball>() * from_rational<ball>(rational(time.periods() * 2)) / motion.mean();
     }
-    const auto k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(at.value / 2)))));
+    const auto k = narrow<double>(mpfr(sqrt(from_rational<mpfr>(rational(energy / 2)))));
     const std::string text = time.measure == unit::period ? to_proved_decimal(instant, digits_of_times).value().text
                                                           : decimal_of(time, digits_of_times);
     return {&at, &time, text, gap, narrow<double>(midpoint_of(instant)), k};
@@ -144,9 +155,10 @@ inline audit_row judged_row(const audit_case& one, const std::string& library, d
 
 inline table judged_rows(const audit_case& one, const std::string& library, double theta) {
     const rational instant(one.time);
-    const ball reference = pendulum::proved_theta(one.at->value, one.gap, instant, proved_places);
+    const ball reference = pendulum::proved_theta(fraction_of(*one.at), one.gap, instant, proved_places);
     const ball received = theta_of_received({one.k, one.time});
-    const cell condition = decimal_cell(pendulum::energy_condition(one.at->value, one.gap, instant), judged_digits);
+    const cell condition =
+        decimal_cell(pendulum::energy_condition(fraction_of(*one.at), one.gap, instant), judged_digits);
     const double ours =
         pendulum::exact_solution<double>(pendulum::motion::of_energy(one.at->value))(exactly(instant)).theta;
     return make_table(audit_columns(),
@@ -157,8 +169,8 @@ inline table judged_rows(const audit_case& one, const std::string& library, doub
 /// E = 0 and E >= 2, where there is no k below 1.
 inline std::vector<without_answer> without_modulus() {
     auto excluded = no_answer_at_limits("the motion is the constant 0", "the motion has no period");
-    excluded.push_back(
-        {"energy", [](const rational& energy) { return energy > 2; }, "2 asin(k cd) is not the solution"});
+    excluded.push_back({"energy", [](const exact& energy) { return sign_of_exact(energy - exactly(2)) > 0; },
+                        "2 asin(k cd) is not the solution"});
     return excluded;
 }
 

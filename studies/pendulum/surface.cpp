@@ -107,8 +107,8 @@ table rows_at(const sweep_energy& at, const pendulum_sweep& sweep, const std::ve
 }
 
 void require_surface(const pendulum_sweep& sweep) {
-    const bool critical =
-        std::any_of(sweep.energies.begin(), sweep.energies.end(), [](const sweep_energy& at) { return at.value == 2; });
+    const bool critical = std::any_of(sweep.energies.begin(), sweep.energies.end(),
+                                      [](const sweep_energy& at) { return sign_of_exact(at.value - exactly(2)) == 0; });
     for (const exact& time : sweep.times) {
         if (critical && time.has_periods()) {
             throw input_error("--times", time.text, "is a multiple of the period, which is infinite at the energy 2",

@@ -52,7 +52,7 @@ const column_list<uniform_row>& columns() {
         {"log10_energy", "log10 of E",
          [](const row& r) {
              const precision_scope scope(60);
-             return log10_cell(from_rational<mpfr>(r.at.value));
+             return log10_cell(from_exact<mpfr>(r.at.value));
          }},
         log10_gap_column<row>(),
     });

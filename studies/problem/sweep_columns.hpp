@@ -26,7 +26,7 @@ template <class Row>
 column_of<Row> log10_gap_column() {
     return {"log10_gap", "log10 of |2 - E|", [](const Row& r) {
                 const precision_scope scope(60);
-                return log10_cell(abs(from_rational<mpfr>(rational(2 - r.at.value))));
+                return log10_cell(abs(from_exact<mpfr>(exactly(2) - r.at.value)));
             }};
 }
 

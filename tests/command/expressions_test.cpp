@@ -71,6 +71,29 @@ TEST_CASE("energies, gaps and moduli are formulas", "[command][expressions]") {
                right_to_the_last_digit("0.140790357415502107321368302317427029788107"));
 }
 
+TEST_CASE("the energies of a sweep are formulas", "[command][expressions]") {
+    const temporary_folder folder;
+    const auto done = run_libration({"study", "error_norm", "--energies", "sqrt(2),2-1e-3", "--gaps", "2-sqrt(3)",
+                                     "--orders", "5", "--scalar", "ball:20", "--out", folder.path().string()},
+                                    folder.path());
+    REQUIRE(done.exit_code == 0);
+    const auto rows = read_table((folder.path() / "error_norm" / "error_norm.csv").string());
+    REQUIRE(rows.size() == 6);
+    CHECK(rows.at(0).at("energy_typed") == "sqrt(2)");
+    // T* = K(1/sqrt 2) and K(sqrt 3/2), where the series is worst.
+    CHECK_THAT(rows.at(0).at("time_of_maximum"),
+               right_to_the_last_digit("2.08597369819493659189088664455828109692870187"));
+    CHECK(rows.at(2).at("gap_typed") == "2-sqrt(3)");
+    CHECK_THAT(rows.at(2).at("time_of_maximum"),
+               right_to_the_last_digit("2.44134162189969172102105919094250513001668463"));
+    check_exit({"study", "error_norm", "--energies", "sqrt(4)", "--out", folder.path().string()}, 2,
+               {"sqrt(4)", "infinite"});
+    check_exit({"study", "error_norm", "--energies", "90deg", "--out", folder.path().string()}, 2,
+               {"--energies", "90deg"});
+    check_exit({"study", "audit_gsl", "--energies", "sqrt(2)", "--out", folder.path().string()}, 2,
+               {"--energies", "fraction"});
+}
+
 TEST_CASE("times are multiples of T and a number", "[command][expressions]") {
     const std::string theta = "-0.00184932389267006090338250544779013909225625";
     for (const words& how : {words{"--digits", "30"}, words{"--scalar", "ball:30"}, words{"--scalar", "double"}}) {

@@ -28,11 +28,11 @@ struct axis {
     /// by its gap g. Values of one put the usual ones of the others aside.
     std::string coordinate;
     /// The value of the coordinate; empty where the axis is its coordinate itself.
-    std::function<rational(const exact&)> to_coordinate;
+    std::function<exact(const exact&)> to_coordinate;
     /// The largest value of an axis of whole numbers; 0 for no bound.
     long largest = 0;
 
-    rational coordinate_of(const exact& value) const;
+    exact coordinate_of(const exact& value) const;
 };
 
 /// Values by the name of their axis, in the order in which they were typed; words stand in the text of their value.

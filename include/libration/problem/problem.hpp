@@ -18,12 +18,12 @@ struct problem {
 /// infinite".
 struct without_answer {
     std::string coordinate;
-    std::function<bool(const rational&)> at;
+    std::function<bool(const exact&)> at;
     std::string reason;
 };
 
 /// The reason why there is no answer at this value of a coordinate; empty where there is one.
 std::string reason_against(const std::vector<without_answer>& excluded, const std::string& coordinate,
-                           const rational& value);
+                           const exact& value);
 
 }  // namespace libration

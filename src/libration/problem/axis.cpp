@@ -26,9 +26,7 @@ bool is_plain_decimal(std::string_view text) {
 
 }  // namespace
 
-rational axis::coordinate_of(const exact& value) const {
-    return to_coordinate ? to_coordinate(value) : value.coefficient;
-}
+exact axis::coordinate_of(const exact& value) const { return to_coordinate ? to_coordinate(value) : value; }
 
 const std::vector<exact>& axis_values::of(const std::string& name) const {
     static const std::vector<exact> nothing;

@@ -42,16 +42,16 @@ TEMPLATE_LIST_TEST_CASE("an exact T* folds without error, another one with its e
         const energy_level<T> o = energy_level_of<T>(m);
         const T off = abs(T(effective_period_by(by, o) - effective_period(o))) * quarters_per_period(o.regime);
         for (const int periods : {0, 3}) {
-            const auto none = folding_error<T>(fraction(energy), {}, periods, 16);
+            const auto none = folding_error<T>(libration::exactly(fraction(energy)), {}, periods, 16);
             CHECK(none.error <= epsilon<T>() * 16 * (8 + abs(none.expected)));
-            const auto pair = folding_error<T>(fraction(energy), by, periods, 16);
-            const T estimate = folding_error_estimate<T>(fraction(energy), off, periods);
+            const auto pair = folding_error<T>(libration::exactly(fraction(energy)), by, periods, 16);
+            const T estimate = folding_error_estimate<T>(libration::exactly(fraction(energy)), off, periods);
             // dT is some 1e-6: the next order is dT^2, and the angles round.
             CHECK(abs(T(pair.error - estimate)) <= estimate / 1000 + epsilon<T>() * 16 * (8 + abs(pair.expected)));
             CHECK(abs(T(pair.found - pair.expected)) == pair.error);
         }
     }
-    CHECK_THROWS_AS(folding_error<T>(2, by, 1, 4), libration::error);
+    CHECK_THROWS_AS(folding_error<T>(libration::exactly(2), by, 1, 4), libration::error);
 }
 
 }  // namespace pendulum_folding_error_test

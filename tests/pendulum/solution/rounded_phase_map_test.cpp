@@ -41,9 +41,11 @@ TEMPLATE_LIST_TEST_CASE("late times lose what their size times epsilon is", "[ro
     for (const std::string energy : {"1.71", "2.02"}) {
         const motion m = with_energy(energy);
         const integer periods = 1'000'000;
-        const mpfr naive = phase_map_error<T>(fraction(energy), rounded_phase_map<T>(m), periods, 16);
-        const mpfr exactly_reduced = phase_map_error<T>(fraction(energy), phase_map<T>(m), periods, 16);
-        const mpfr bound = rounded_phase_map_bound<T>(fraction(energy), periods);
+        const mpfr naive =
+            phase_map_error<T>(libration::exactly(fraction(energy)), rounded_phase_map<T>(m), periods, 16);
+        const mpfr exactly_reduced =
+            phase_map_error<T>(libration::exactly(fraction(energy)), phase_map<T>(m), periods, 16);
+        const mpfr bound = rounded_phase_map_bound<T>(libration::exactly(fraction(energy)), periods);
         CHECK(naive <= bound);
         CHECK(naive > bound / 100);
         CHECK(exactly_reduced < 20 * widen(epsilon<T>()));

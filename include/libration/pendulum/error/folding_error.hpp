@@ -43,7 +43,7 @@ struct angle_pair {
 /// but T* errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations. Throws
 /// error at E = 2.
 template <rounding_scalar T>
-angle_pair<T> folding_error(const rational& energy, const period_rule& by, const integer& periods, int points) {
+angle_pair<T> folding_error(const exact& energy, const period_rule& by, const integer& periods, int points) {
     using std::abs;
     const motion m = motion::of_energy(energy);
     const exact_solution<T> truth(m);
@@ -64,9 +64,9 @@ angle_pair<T> folding_error(const rational& energy, const period_rule& by, const
 /// sqrt(2E) |dT| (p + 1) for an error dT of T: what folding_error is to first order in dT, where that T is too short.
 /// The motion is out of step by p + 1 times dT when it passes the last bottom of the period, with the speed sqrt(2E).
 template <scalar T>
-T folding_error_estimate(const rational& energy, const T& period_error, const integer& periods) {
+T folding_error_estimate(const exact& energy, const T& period_error, const integer& periods) {
     using std::sqrt;
-    return sqrt(from_rational<T>(rational(energy * 2))) * period_error * from_rational<T>(rational(periods + 1));
+    return sqrt(from_exact<T>(energy * exactly(2))) * period_error * from_rational<T>(rational(periods + 1));
 }
 
 }  // namespace libration::pendulum

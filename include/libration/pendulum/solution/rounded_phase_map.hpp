@@ -47,7 +47,7 @@ private:
 /// sqrt(2E) (p + 1) T epsilon: the largest error of theta that the rounding of t and T makes within the period after p
 /// whole ones, to first order; half of it by t, half by T.
 template <fixed_scalar T>
-mpfr rounded_phase_map_bound(const rational& energy, const integer& periods) {
+mpfr rounded_phase_map_bound(const exact& energy, const integer& periods) {
     const energy_level<mpfr> o = energy_level_of<mpfr>(motion::of_energy(energy));
     const mpfr latest =
         effective_period(o) * quarters_per_period(o.regime) * from_rational<mpfr>(rational(periods + 1));
@@ -75,7 +75,7 @@ inline mpfr angle_between(const mpfr& a, const mpfr& b, regime r) {
 /// 20 decimals: of the exact solution in T at the phases that a clock gives, against the exact solution in mpfr. The
 /// motion is the canonical one of an energy. At the working precision in force. Throws error at E = 2.
 template <fixed_scalar T, class Clock>
-mpfr phase_map_error(const rational& energy, const Clock& clock, const integer& periods, int points) {
+mpfr phase_map_error(const exact& energy, const Clock& clock, const integer& periods, int points) {
     const motion m = motion::of_energy(energy);
     const exact_solution<T> rounded(m);
     const exact_solution<mpfr> truth(m);

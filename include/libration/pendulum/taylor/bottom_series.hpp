@@ -11,8 +11,8 @@ namespace libration::pendulum {
 /// The motion of this energy that is at its lowest point at t = 0: libration passing theta = 0 with omega = -sqrt(2E),
 /// as the one released at +theta_max does T* after its start, rotation counterclockwise at theta = 2 pi [paper
 /// fig:series]. E = 2 starts as libration does.
-inline motion motion_from_bottom(const rational& energy) {
-    const bool rotates = energy > 2;
+inline motion motion_from_bottom(const exact& energy) {
+    const bool rotates = sign_of_exact(energy - exactly(2)) > 0;
     return motion::of_energy_from(energy, read_exact(rotates ? "2pi" : "0"), rotates ? 1 : -1);
 }
 
@@ -21,7 +21,7 @@ template <scalar T>
 class bottom_series {
 public:
     /// O(order^2). Throws error for a negative order and at E = 2.
-    bottom_series(const rational& energy, int order)
+    bottom_series(const exact& energy, int order)
         : exact_(motion_from_bottom(energy)),
           effective_period_(pendulum::effective_period(energy_level_of<T>(exact_.of()))),
           about_(expand(exact_, {expansion_point::place::start, {}}, order)) {}
@@ -63,7 +63,7 @@ private:
 
 /// Decimal digits by which the errors of order N at these times are below theta: inside the radius they fall like
 /// (t/R)^N. N^2 and a few digits for the constants are added.
-inline long bottom_digits_below(const rational& energy, int order, const std::vector<exact>& times) {
+inline long bottom_digits_below(const exact& energy, int order, const std::vector<exact>& times) {
     const precision_scope scope(20);
     const bottom_series<mpfr> bottom(energy, 0);
     mpfr nearest = bottom.radius();

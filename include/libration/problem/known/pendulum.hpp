@@ -16,13 +16,13 @@ namespace libration {
 struct sweep_energy {
     std::string energy;
     std::string gap;
-    rational value;  ///< E
+    exact value;  ///< E
     std::string energy_typed;
     std::string gap_typed;
 };
 
-/// The energy E, or the one that a gap means. Throws error for what is not an energy (negative, with
-/// pi).
+/// The energy E, or the one that a gap means. Throws error for what is not an energy (negative, an angle, a multiple of
+/// T), of the kind undecided where no precision shows that it is not negative.
 sweep_energy energy_from(const exact& energy);
 sweep_energy energy_from_gap(const exact& gap);
 

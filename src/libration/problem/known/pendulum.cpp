@@ -10,16 +10,23 @@ namespace {
 
 constexpr long digits_of_endless_decimals = 50;
 
-void require_energy(const exact& number, const rational& energy) {
-    require_plain_number(number);
-    if (energy < 0) {
+// A formula without T will do; a bare multiple of pi is an angle, which was not meant.
+void require_number(const exact& number) {
+    if (!number.is_number() || number.has_periods()) {
+        require_plain_number(number);
+    }
+}
+
+void require_energy(const exact& number, const exact& energy) {
+    if (sign_of_exact(energy) < 0) {
         throw error(error_kind::argument, "value", "", "has '" + number.text + "', which makes the energy negative");
     }
 }
 
 std::string text_of(const exact& number) { return decimal_of(number, digits_of_endless_decimals); }
 
-std::string text_of(const rational& value) { return decimal_of(value, digits_of_endless_decimals); }
+// The same formula twice is the same number, though no precision would show it.
+bool comes_before(const exact& a, const exact& b) { return a.text != b.text && sign_of_exact(a - b) < 0; }
 
 int order_from(std::string_view text) {
     constexpr int largest_order = 100'000;
@@ -68,7 +75,7 @@ axis gap_axis() {
             .remedy = "write gaps 2 - E such as 1e-3,-1e-3 or 1e-1:1e-12:12log",
             .check = [](const exact& gap) { energy_from_gap(gap); },
             .coordinate = "energy",
-            .to_coordinate = [](const exact& gap) { return rational(2 - gap.coefficient); }};
+            .to_coordinate = [](const exact& gap) { return exactly(2) - gap; }};
 }
 
 axis time_axis() {
@@ -122,12 +129,14 @@ axis period_by_axis() {
 }  // namespace
 
 sweep_energy energy_from(const exact& energy) {
-    require_energy(energy, energy.coefficient);
-    return {text_of(energy), text_of(rational(2 - energy.coefficient)), energy.coefficient, energy.text, ""};
+    require_number(energy);
+    require_energy(energy, energy);
+    return {text_of(energy), text_of(exactly(2) - energy), energy, energy.text, ""};
 }
 
 sweep_energy energy_from_gap(const exact& gap) {
-    const rational energy = 2 - gap.coefficient;
+    require_number(gap);
+    const exact energy = exactly(2) - gap;
     require_energy(gap, energy);
     return {text_of(energy), text_of(gap), energy, "", gap.text};
 }
@@ -160,7 +169,7 @@ pendulum_sweep::pendulum_sweep(const axis_values& values)
     std::transform(by_energy.begin(), by_energy.end(), std::back_inserter(energies), energy_from);
     std::transform(by_gap.begin(), by_gap.end(), std::back_inserter(energies), energy_from_gap);
     std::stable_sort(energies.begin(), energies.end(),
-                     [](const sweep_energy& a, const sweep_energy& b) { return a.value < b.value; });
+                     [](const sweep_energy& a, const sweep_energy& b) { return comes_before(a.value, b.value); });
     for (const exact& rule : values.of("period_by")) {
         period_rules.push_back(read_period_rule(rule.text));
     }
@@ -169,10 +178,11 @@ pendulum_sweep::pendulum_sweep(const axis_values& values)
 std::vector<without_answer> no_answer_at_limits(const std::string& at_rest, const std::string& critical) {
     std::vector<without_answer> excluded;
     if (!at_rest.empty()) {
-        excluded.push_back({"energy", [](const rational& energy) { return energy == 0; }, at_rest});
+        excluded.push_back({"energy", [](const exact& energy) { return sign_of_exact(energy) == 0; }, at_rest});
     }
     if (!critical.empty()) {
-        excluded.push_back({"energy", [](const rational& energy) { return energy == 2; }, critical});
+        excluded.push_back(
+            {"energy", [](const exact& energy) { return sign_of_exact(energy - exactly(2)) == 0; }, critical});
     }
     return excluded;
 }
