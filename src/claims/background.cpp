@@ -255,7 +255,7 @@ claim abstract_uniform_acceleration() {
                 const auto arc = arc_of<mpfr>(of_energy("1.71"));
                 const auto top = top_of(number("1.71"));
                 const auto ratio_at = [&](const mpfr& x) {
-                    const mpfr theta = by_flow(top.value, top.slope, x * arc.effective_period).value;
+                    const mpfr theta = by_flow(top.value, top.slope, x * arc.effective_period()).value;
                     return mpfr(abs(resummation_from_top(arc, 10)(x).value - theta) /
                                 abs(series_from_top(arc, 10)(x).value - theta));
                 };

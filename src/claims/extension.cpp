@@ -20,14 +20,15 @@ using namespace judging;
 class top_series {
 public:
     explicit top_series(const char* energy, int direction = 1) : arc_(arc_of<mpfr>(of_energy(energy))) {
-        const mpfr height = singularity_height(arc_.level) / arc_.effective_period;
+        const mpfr height = singularity_height(arc_.level()) / arc_.effective_period();
         const mpfr rate = log(1 + height * height) / 2;  // log(R/T*)
         const int order = nearest_integer(45 * log(mpfr(10)) / rate).convert_to<int>() + 2;
-        arc_.top.omega *= direction;
-        a_ = arc_series(arc_, order, recurrence::symmetric_squares);
+        auto start = arc_.start();
+        start.state.omega *= direction;
+        a_ = taylor_coefficients(start, order, arc_.effective_period(), recurrence::symmetric_squares);
     }
 
-    const mpfr& duration() const { return arc_.effective_period; }
+    const mpfr& duration() const { return arc_.effective_period(); }
     mpfr operator()(const mpfr& t) const { return evaluate(a_, mpfr(t / duration())).value; }
 
 private:
@@ -70,11 +71,11 @@ claim series_passes_the_bottom() {
                 mpfr largest(0);
                 for (const char* energy : {"0.5", "1.71", "2.02", "8"}) {
                     const auto arc = arc_of<mpfr>(of_energy(energy));
-                    const mpfr height = singularity_height(arc.level) / arc.effective_period;
+                    const mpfr height = singularity_height(arc.level()) / arc.effective_period();
                     const mpfr x = (1 + sqrt(1 + height * height)) / 2;
                     const mpfr sum = evaluate(arc_series(arc, 1000), x).value;
                     const auto top = top_of(number(energy));
-                    const mpfr theta = by_flow(top.value, top.slope, x * arc.effective_period).value;
+                    const mpfr theta = by_flow(top.value, top.slope, x * arc.effective_period()).value;
                     largest = std::max(largest, mpfr(abs(sum - theta)));
                 }
                 return by_test(largest < pow(mpfr(10), -15), largest);  // 0.96^1000 at E = 2.02
@@ -322,7 +323,7 @@ int terms_for(const char* energy, const mpfr& bound, int order) {
     int needed = 0;
     for (int n = 0; n <= order; ++n) {
         sum += a[n];
-        if (abs(sum - arc.bottom.value) > bound) {
+        if (abs(sum - arc.bottom().value) > bound) {
             needed = n + 1;
         }
     }

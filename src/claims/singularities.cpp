@@ -451,7 +451,7 @@ claim ratio_test_estimates_radius() {
                 largest = std::max(largest, estimate);
                 smallest = std::min(smallest, estimate);
             }
-            const auto b = printed_series(bottom_of("1.71"), 399, arc.effective_period);
+            const auto b = printed_series(bottom_of("1.71"), 399, arc.effective_period());
             const mpfr at_bottom = sqrt(abs(b[397] / b[399])) / lattice_distance("1.71", mpfr(0));
             const mpfr spread = largest / smallest;
             return by_tests(spread < mpfr(101) / 100, abs(at_bottom - 1) < mpfr(1) / 100, spread);

@@ -79,14 +79,9 @@ struct given {
 
 given<mpfr> given_by(const motion& m, int order) {
     const auto arc = arc_of<mpfr>(m);
-    const parity of_theta = arc.level.regime == regime::rotation ? parity::odd : parity::even;
     const auto lattice = *singularities<mpfr>(m);
     const auto top = phase_map<mpfr>::at_quarter(exact_solution<mpfr>::top_quarter(m));
-    return {{arc.top, arc.level.pair, of_theta},
-            lattice.radius(top),
-            lattice.height,
-            arc_series(arc, order),
-            arc_endpoint(arc)};
+    return {arc.start(), lattice.radius(top), lattice.height, arc_series(arc, order), arc_endpoint(arc)};
 }
 
 // The same numbers in another arithmetic.

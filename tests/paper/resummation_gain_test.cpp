@@ -24,7 +24,7 @@ struct comparison {
 
     jet<mpfr> truth(const mpfr& x) const {
         const auto s = solution.from_top(x);
-        return {s.theta, s.omega * d.effective_period};
+        return {s.theta, s.omega * d.effective_period()};
     }
     template <class F>
     mpfr norm(const F& f) const {
@@ -44,7 +44,7 @@ TEST_CASE("the norm gains about (e^2/4)(K~'/T*)^2 N^2, with the same geometric r
     const precision_scope precision(60);
     for (const std::string energy : {"0.5", "1.71", "1.9998", "2.02", "4"}) {
         const comparison c(with_energy(energy));
-        const mpfr ratio = singularity_height(c.d.level) / c.d.effective_period;
+        const mpfr ratio = singularity_height(c.d.level()) / c.d.effective_period();
         for (const int order : {40, 80}) {
             // The envelope over neighbouring orders: one error alone may be near a zero of sin(n phi).
             mpfr series(0);

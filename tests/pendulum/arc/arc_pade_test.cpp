@@ -20,7 +20,7 @@ TEST_CASE("a Pade approximant has the coefficients of theta that it was made of"
     for (const std::string energy : {"0.5", "1", "1.71", "2.02", "4"}) {
         INFO("E = " << energy);
         const fundamental_arc<mpfr> arc = arc_of<mpfr>(with_energy(energy));
-        const int parity = arc.level.regime == regime::rotation ? 1 : 0;
+        const int parity = arc.level().regime == regime::rotation ? 1 : 0;
         for (const int count : {1, 2, 5, 8}) {
             const auto f = pade_from_top(arc, count);
             // At x = 1e-6 what the two leave of each other is the first power beyond them.

@@ -68,7 +68,7 @@ norm_ratios ratios_at(const rational& energy) {
     const motion m = motion::of_energy(energy);
     const exact_solution<mpfr> solution(m);
     const auto d = arc_of<mpfr>(m);
-    const auto bounds = top_bounds<mpfr>::of(d.level);
+    const auto bounds = top_bounds<mpfr>::of(d.level());
     norm_ratios result;
     for (const int order : {4, 5, 7, 10, 21, 40, 60}) {
         result.series.add(bounds.series_norm(order), largest_error(solution, series_from_top(d, order)));
@@ -106,7 +106,7 @@ TEST_CASE("theorem A bounds the coefficients at random energies up to n = 200", 
     const precision_scope precision(60);
     for (const auto& energy : random_energies()) {
         const auto d = arc_of<mpfr>(motion::of_energy(energy));
-        const auto bounds = top_bounds<mpfr>::of(d.level);
+        const auto bounds = top_bounds<mpfr>::of(d.level());
         const auto a = rescale(arc_series(d, 200), mpfr(1 / bounds.rho));
         INFO("E = " << energy);
         int violations = 0;

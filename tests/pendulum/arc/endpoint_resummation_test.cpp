@@ -29,11 +29,12 @@ TEMPLATE_LIST_TEST_CASE("the derivatives at the bottom are those of the expansio
         // About the bottom by way of the exact solution, and the recurrence without symmetry.
         const auto expected =
             expand_by(recurrence::sine_cosine, exact_solution<T>(m), read_expansion_point("bottom"), 11);
-        const auto in_periods = rescale(expected.scaled, T(arc.effective_period / expected.scale));
+        const auto in_periods = rescale(expected.scaled, T(arc.effective_period() / expected.scale));
         REQUIRE(endpoint.size() == 12);
         for (int j = 0; j < 12; ++j) {
             using std::pow;
-            const T size = pow(T(arc.effective_period / expected.scale), j) + 1;  // |coefficients| K~'^j are below 4/j
+            const T size =
+                pow(T(arc.effective_period() / expected.scale), j) + 1;  // |coefficients| K~'^j are below 4/j
             CHECK_THAT(endpoint[static_cast<std::size_t>(j)], near<T>(in_periods[j], 60, size));
         }
         CHECK(arc_endpoint(arc, 0).empty());
@@ -50,7 +51,7 @@ TEMPLATE_LIST_TEST_CASE("two conditions make the paper's resummation, and its bo
         const auto two = endpoint_from_top(arc, 9, 2);
         const auto papers = resummation_from_top(arc, 9);
         CHECK_THAT(two(T(1) / 3).value, near<T>(papers(T(1) / 3).value, 4));
-        const auto bounds = top_bounds<T>::of(arc.level);
+        const auto bounds = top_bounds<T>::of(arc.level());
         CHECK_THAT(endpoint_norm(bounds, 9, 2), near<T>(bounds.resummation_norm(9), 40));
         CHECK_THROWS_AS(endpoint_norm(bounds, 0, 0), libration::error);  // theorem A begins with n = 4
         CHECK(two_point_from_top(arc, 4).order() == 4);
@@ -90,7 +91,7 @@ TEST_CASE("the two-point expansion falls or grows at its rate", "[endpoint_resum
         const precision_scope precision(160);
         const exact_solution<mpfr> truth(with_gap(gap));
         const auto arc = arc_of<mpfr>(with_gap(gap));
-        const mpfr rate = two_point_rate(top_bounds<mpfr>::of(arc.level));
+        const mpfr rate = two_point_rate(top_bounds<mpfr>::of(arc.level()));
         CHECK((rate > 1) == (gap == "1e-6"));
         const mpfr measured = pow(mpfr(largest(truth, arc, 110) / largest(truth, arc, 30)), mpfr(mpfr(1) / 80));
         CHECK(abs(measured / rate - 1) < mpfr("0.04"));  // powers of N: (110/30)^(-3/2) over 80 steps is 0.976

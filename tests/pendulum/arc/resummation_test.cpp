@@ -40,11 +40,11 @@ TEMPLATE_LIST_TEST_CASE("the descent goes from the top to the bottom of the exac
         const exact_solution<T> solution(with_energy(energy));
         const auto top = solution.from_top(T(0));
         const auto bottom = solution.from_top(T(1));
-        CHECK_THAT(d.top.theta, near<T>(top.theta, 2));
-        CHECK_THAT(d.top.omega, near<T>(top.omega, 2));
-        CHECK_THAT(d.bottom.value, near<T>(bottom.theta, 1));
-        CHECK_THAT(d.bottom.slope, near<T>(bottom.omega, 2));
-        CHECK((d.bottom.slope < 0) == (fraction(energy) < 2));  // the bob of libration falls towards smaller angles
+        CHECK_THAT(d.top().theta, near<T>(top.theta, 2));
+        CHECK_THAT(d.top().omega, near<T>(top.omega, 2));
+        CHECK_THAT(d.bottom().value, near<T>(bottom.theta, 1));
+        CHECK_THAT(d.bottom().slope, near<T>(bottom.omega, 2));
+        CHECK((d.bottom().slope < 0) == (fraction(energy) < 2));  // the bob of libration falls towards smaller angles
     }
     CHECK_THROWS_AS(arc_of<T>(with_energy("2")), libration::error);
 }
@@ -58,8 +58,8 @@ TEMPLATE_LIST_TEST_CASE("theta_N has the value and the slope of theta at T*, wha
         for (const int order : {0, 1, 2, 5, 20, 41}) {
             INFO("E = " << energy << ", N = " << order);
             const jet<T> end = resummation_from_top(d, order)(T(1));
-            CHECK(end.value == d.bottom.value);
-            CHECK(end.slope == d.bottom.slope * d.effective_period);
+            CHECK(end.value == d.bottom().value);
+            CHECK(end.slope == d.bottom().slope * d.effective_period());
         }
     }
 }
@@ -89,8 +89,8 @@ TEMPLATE_LIST_TEST_CASE("theta_N starts with the coefficients of the series", "[
             const auto a = arc_series(d, order);
             // theta* + omega* T* (x-1) + (1-x)^2 sum h_n x^n, expanded by Cauchy products.
             auto polynomial = power_series<T>::zero(order);
-            polynomial[0] = d.bottom.value - d.bottom.slope * d.effective_period;
-            polynomial[1] = d.bottom.slope * d.effective_period;
+            polynomial[0] = d.bottom().value - d.bottom().slope * d.effective_period();
+            polynomial[1] = d.bottom().slope * d.effective_period();
             auto square = power_series<T>::zero(order);
             square[0] = T(1);
             square[1] = T(-2);
@@ -100,7 +100,7 @@ TEMPLATE_LIST_TEST_CASE("theta_N starts with the coefficients of the series", "[
             for (int n = 0; n <= order; ++n) {
                 INFO("E = " << energy << ", n = " << n);
                 // The running sums reach n times the size of theta and omega* T*, and are taken back.
-                CHECK_THAT(whole[n], near<T>(a[n], 1, T((1 + d.effective_period) * (n + 1))));
+                CHECK_THAT(whole[n], near<T>(a[n], 1, T((1 + d.effective_period()) * (n + 1))));
             }
         }
     }
@@ -118,11 +118,11 @@ TEMPLATE_LIST_TEST_CASE("theta_N in the form of the appendix has the alpha and b
             const auto corrected = endpoint_corrected(a, arc_endpoint(d));
             REQUIRE(corrected.order() == order + 2);
             // (efficient) in t, with sigma_N - theta* for the printed sigma_N.
-            const T period = d.effective_period;
+            const T period = d.effective_period();
             const auto in_time = rescale(a, T(1 / period));
             const jet<T> sigma = evaluate(in_time, period);
-            const T off = sigma.value - d.bottom.value;
-            const T slope_off = d.bottom.slope - sigma.slope;
+            const T off = sigma.value - d.bottom().value;
+            const T slope_off = d.bottom().slope - sigma.slope;
             const T power = power_of(period, order);
             const T alpha = -(off * (order + 2)) / (power * period) - slope_off / power;
             const T beta = off * (order + 1) / (power * period * period) + slope_off / (power * period);
@@ -140,10 +140,10 @@ TEMPLATE_LIST_TEST_CASE("the ahat_n in t are the convolution of the paper", "[re
     for (const auto& energy : energies_tested) {
         const int order = 12;
         const auto d = arc_of<T>(with_energy(energy));
-        const T period = d.effective_period;
+        const T period = d.effective_period();
         auto b = rescale(arc_series(d, order), T(1 / period));
-        b[0] += -d.bottom.value + period * d.bottom.slope;  // (b), with theta*
-        b[1] -= d.bottom.slope;
+        b[0] += -d.bottom().value + period * d.bottom().slope;  // (b), with theta*
+        b[1] -= d.bottom().slope;
         const auto inner = resummation_from_top(d, order).inner();
         for (int n = 0; n <= order; ++n) {
             INFO("E = " << energy << ", n = " << n);

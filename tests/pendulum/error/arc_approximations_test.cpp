@@ -33,7 +33,7 @@ TEST_CASE("a size takes as many numbers as asked for", "[descent_approximations]
     const precision_scope precision(30);
     for (const std::string energy : {"1.71", "4"}) {
         const fundamental_arc<mpfr> arc = arc_of<mpfr>(with_energy(energy));
-        const int parity = parity_from_top(arc.level.regime);
+        const int parity = parity_from_top(arc.level().regime);
         for (const approximation a : all_approximations) {
             for (int count = 1; count <= 12; ++count) {
                 INFO("E = " << energy << ", " << name_of(a) << ", " << count);

@@ -16,7 +16,7 @@ namespace {
 mpfr error_at(const motion& m, int order, const mpfr& x) {
     const fundamental_arc<mpfr> arc = arc_of<mpfr>(m);
     const separatrix_sum<mpfr> sum(m);
-    const mpfr from_bottom = (x - 1) * arc.effective_period;
+    const mpfr from_bottom = (x - 1) * arc.effective_period();
     return series_from_top(arc, order)(x).value - sum.at({2, from_bottom, decided_sign(from_bottom)}).value;
 }
 

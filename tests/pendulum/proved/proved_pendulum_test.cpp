@@ -98,7 +98,7 @@ TEST_CASE("proved bounds of the tail and of the resummation hold between balls",
         const motion m = with_energy(energy);
         const exact_solution<ball> truth(m);
         const auto arc = arc_of<ball>(m);
-        const auto bounds = top_bounds<ball>::of(arc.level);
+        const auto bounds = top_bounds<ball>::of(arc.level());
         for (const int order : {4, 11, 30}) {
             const auto series = series_from_top(arc, order);
             const auto resummed = resummation_from_top(arc, order);

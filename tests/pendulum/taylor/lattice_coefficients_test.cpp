@@ -158,7 +158,7 @@ TEST_CASE("the series of the way down is that of the recurrence, clockwise too",
         const auto found = arc_series(arc, order);
         const auto checked = arc_series(arc, order, recurrence::symmetric_squares);
         REQUIRE(found.order() == order);
-        const mpfr ratio = top_bounds<mpfr>::of(arc.level).rho;
+        const mpfr ratio = top_bounds<mpfr>::of(arc.level()).rho;
         mpfr unit = 8;
         for (int n = 1; n <= order; ++n) {
             unit *= ratio;

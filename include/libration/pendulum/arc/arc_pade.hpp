@@ -47,13 +47,13 @@ private:
 /// coefficient is 0); M = 0 is the series. The system loses about 3/2 digits a degree of Q. O(count^3). Throws
 /// error when count < 1.
 template <rounding_scalar T>
-arc_pade<T> pade_from_top(const fundamental_arc<T>& d, int count) {
+arc_pade<T> pade_from_top(const fundamental_arc<T>& arc, int count) {
     if (count < 1) {
         throw error(error_kind::argument, "number of coefficients", std::to_string(count),
                     "of a Pade approximant is below 1");
     }
-    const int parity = d.level.regime == regime::rotation ? 1 : 0;
-    const series::power_series<T> a = arc_series(d, 2 * count - parity);
+    const int parity = arc.level().regime == regime::rotation ? 1 : 0;
+    const series::power_series<T> a = arc_series(arc, 2 * count - parity);
     std::vector<T> g;
     g.reserve(static_cast<std::size_t>(count) + 1);
     for (int n = parity; n <= a.order(); n += 2) {

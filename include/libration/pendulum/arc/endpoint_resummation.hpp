@@ -29,7 +29,7 @@ namespace libration::pendulum {
 /// theta^(j)(T*) T*^j/j!, j = 0 .. m-1, from the series about the bottom, where theta is odd but for its constant. They
 /// grow like (T*/K~')^j. O(m^2). Throws error for a negative m.
 template <scalar T>
-std::vector<T> arc_endpoint(const fundamental_arc<T>& d, int conditions) {
+std::vector<T> arc_endpoint(const fundamental_arc<T>& arc, int conditions) {
     if (conditions < 0) {
         throw error(error_kind::argument, "number of conditions", std::to_string(conditions),
                     "at the bottom is not one that there is");
@@ -37,22 +37,22 @@ std::vector<T> arc_endpoint(const fundamental_arc<T>& d, int conditions) {
     if (conditions == 0) {
         return {};
     }
-    const pendulum_state<T> bottom{d.bottom.value, d.bottom.slope, T(0), T(1)};
-    return taylor_coefficients(taylor_start<T>{bottom, d.level.pair, series::parity::odd}, conditions - 1,
-                               d.effective_period)
+    const pendulum_state<T> bottom{arc.bottom().value, arc.bottom().slope, T(0), T(1)};
+    return taylor_coefficients(taylor_start<T>{bottom, arc.level().pair, series::parity::odd}, conditions - 1,
+                               arc.effective_period())
         .coefficients();
 }
 
 /// theta as a function of x from the series to the power N and m derivatives at the bottom, of degree N + m.
 template <scalar T>
-endpoint_approximant<T> endpoint_from_top(const fundamental_arc<T>& d, int order, int conditions) {
-    return {arc_series(d, order), arc_endpoint(d, conditions)};
+endpoint_approximant<T> endpoint_from_top(const fundamental_arc<T>& arc, int order, int conditions) {
+    return {arc_series(arc, order), arc_endpoint(arc, conditions)};
 }
 
 /// The two-point expansion, m = N + 1.
 template <scalar T>
-endpoint_approximant<T> two_point_from_top(const fundamental_arc<T>& d, int order) {
-    return endpoint_from_top(d, order, order + 1);
+endpoint_approximant<T> two_point_from_top(const fundamental_arc<T>& arc, int order) {
+    return endpoint_from_top(arc, order, order + 1);
 }
 
 /// T*^2/(4 K~' R), by which N more on both ends multiplies the error of the two-point expansion; above 1 it diverges.

@@ -39,8 +39,7 @@ struct pade_poles {
 /// theta about the top: a_n R^n, n = 0 .. N, with R the radius of convergence.
 template <scalar T>
 series::power_series<T> theta_in_radii(const fundamental_arc<T>& arc, const T& radius, int order) {
-    const series::parity of_theta = arc.level.regime == regime::rotation ? series::parity::odd : series::parity::even;
-    return taylor_coefficients(taylor_start<T>{arc.top, arc.level.pair, of_theta}, order, radius);
+    return taylor_coefficients(arc.start(), order, radius);
 }
 
 /// The series in s = (t/R)^2 from theta's coefficients a_n R^n about the top.
@@ -100,13 +99,13 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
     const singularity_lattice<T> lattice = *singularities<T>(m);
     const T radius = modulus_of(complex_number<T>{lattice.effective_period, lattice.height});
     const auto theta = theta_in_radii(arc, radius, order);
-    const auto speed = order < 2 ? series::power_series<T>() : speed_in_square(theta, arc.level.regime);
+    const auto speed = order < 2 ? series::power_series<T>() : speed_in_square(theta, arc.level().regime);
     for (int down = (speed.order() + 1) / 2; down >= 1; --down) {
         const int up = speed.order() - down;
         // A denominator of a lower degree is that of another approximant.
         if (const auto approximant = pade(speed, up, down, negligible);
             approximant && approximant->denominator[down] != 0) {
-            const auto found = poles_in_time(*approximant, arc.level.regime, radius, lattice);
+            const auto found = poles_in_time(*approximant, arc.level().regime, radius, lattice);
             return found ? std::optional(pade_poles<T>{up, down, *found}) : std::nullopt;
         }
     }

@@ -32,7 +32,7 @@ class arc_errors {
 public:
     /// Throws error for E = 0 (theta is constant) and E = 2.
     explicit arc_errors(const motion& m)
-        : truth_(m), second_route_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level)) {}
+        : truth_(m), second_route_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level())) {}
 
     const top_bounds<mpfr>& bounds() const { return bounds_; }
     const fundamental_arc<mpfr>& arc() const { return arc_; }
@@ -134,7 +134,7 @@ private:
         const auto state = truth_.from_top(x);
         const motion& m = truth_.of();
         const int mirrored = m.regime() == regime::rotation ? m.direction() : 1;
-        return {canonical(state.theta), state.omega * mirrored * arc_.effective_period};
+        return {canonical(state.theta), state.omega * mirrored * arc_.effective_period()};
     }
 
     // theta of the canonical motion from that of a motion in any well and direction.
@@ -148,7 +148,7 @@ private:
     }
 
     mpfr second_theta(const mpfr& x) const {
-        return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, arc_.effective_period)).value);
+        return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, arc_.effective_period())).value);
     }
 
     const std::vector<series::jet<mpfr>>& truth_at(const std::vector<double>& points) {

@@ -66,7 +66,8 @@ public:
     static constexpr long most_digits = 4000;
 
     /// Throws error for E = 0, E = 2 and more than most_digits digits, which long double cannot hold.
-    arc_orders(const motion& m, long digits) : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level)) {
+    arc_orders(const motion& m, long digits)
+        : truth_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level())) {
         if (digits > most_digits) {
             throw error(error_kind::argument, "number of digits", std::to_string(digits),
                         "is more than " + std::to_string(most_digits));
@@ -149,15 +150,15 @@ public:
         series::jet<mpfr> at = partial_sum(order, x);
         if (method == arc_method::resummed) {
             const auto i = static_cast<std::size_t>(order);
-            const mpfr defect = arc_.bottom.value - values_[i];
-            const mpfr tilt = arc_.bottom.slope * arc_.effective_period - slopes_[i] - defect * (order + 1);
+            const mpfr defect = arc_.bottom().value - values_[i];
+            const mpfr tilt = arc_.bottom().slope * arc_.effective_period() - slopes_[i] - defect * (order + 1);
             const mpfr power = pow(x, order);
             const mpfr line = defect + tilt * (x - 1);
             at.value += power * x * line;
             at.slope += power * (line * (order + 1) + x * tilt);
         }
         const auto state = truth_.from_top(x);
-        return {at.value - state.theta, at.slope - state.omega * arc_.effective_period};
+        return {at.value - state.theta, at.slope - state.omega * arc_.effective_period()};
     }
 
 private:

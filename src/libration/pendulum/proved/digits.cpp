@@ -74,7 +74,7 @@ proved_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_me
     const long below = digits_below(pendulum::motion::of_energy(energy), order);
     return proved_value(given_digits(digits), [&] {
         const precision_scope wider(working_digits() + below);
-        return pendulum::proved_arc_errors(energy).norm(method, order).value;
+        return pendulum::proved_arc_errors(libration::exactly(energy)).norm(method, order).value;
     });
 }
 

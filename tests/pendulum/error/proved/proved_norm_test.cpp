@@ -23,7 +23,7 @@ TEST_CASE("proved norms hold those of refined samples", "[proved_norm]") {
         const motion m = motion::of_energy(energy);
         const long below = digits_below(m, 21);
         const precision_scope scope(wanted + below + 20);
-        const proved_arc_errors proved(energy);
+        const proved_arc_errors proved(libration::exactly(energy));
         arc_errors sampled(m);
         for (const auto method : both) {
             for (const int order : {0, 1, 8, 21}) {
@@ -44,7 +44,7 @@ TEST_CASE("proved norms are below the bounds A and A2, by theorem and by number"
     for (const char* text : {"0.5", "1.71", "1.999999", "2.000001", "4"}) {
         const rational energy = energy_of(text);
         const precision_scope scope(60);
-        const proved_arc_errors proved(energy);
+        const proved_arc_errors proved(libration::exactly(energy));
         const auto bounds = top_bounds<ball>::of(energy_level_of<ball>(motion::of_energy(energy)));
         for (const int order : {4, 11, 30}) {
             INFO("E = " << text << ", N = " << order);
@@ -59,7 +59,7 @@ TEST_CASE("a polynomial of higher order than the panels has its norm too", "[pro
     const motion m = motion::of_energy(energy);
     // 60 digits make panels of the order 110 or so; the polynomial has the degree 150 and is 1e-36 away from theta.
     const precision_scope scope(60);
-    const proved_arc_errors proved(energy);
+    const proved_arc_errors proved(libration::exactly(energy));
     const proved_maximum found = proved.norm(arc_method::series, 150);
     const auto bounds = top_bounds<ball>::of(energy_level_of<ball>(m));
     CHECK(certainly_less(found.value, bounds.series_norm(150)));
@@ -68,9 +68,9 @@ TEST_CASE("a polynomial of higher order than the panels has its norm too", "[pro
 
 TEST_CASE("equilibria have no norm", "[proved_norm]") {
     const precision_scope scope(30);
-    CHECK_THROWS_AS(proved_arc_errors(rational(0)), libration::error);
-    CHECK_THROWS_AS(proved_arc_errors(rational(2)), libration::error);
-    CHECK_THROWS_AS(proved_arc_errors(rational(1)).norm(arc_method::series, -1), libration::error);
+    CHECK_THROWS_AS(proved_arc_errors(libration::exactly(0)), libration::error);
+    CHECK_THROWS_AS(proved_arc_errors(libration::exactly(2)), libration::error);
+    CHECK_THROWS_AS(proved_arc_errors(libration::exactly(1)).norm(arc_method::series, -1), libration::error);
 }
 
 }  // namespace pendulum_proved_norm_test

@@ -25,9 +25,9 @@ public:
     /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms), with
     /// polynomials of the order J >= 3, half of the bits unless given. O(K J^2). Throws error for E = 0 and 2 and for
     /// a lower order, precision_exhausted.
-    explicit proved_arc_errors(const rational& energy, std::optional<int> order = {})
+    explicit proved_arc_errors(const exact& energy, std::optional<int> order = {})
         : motion_(motion::of_energy(energy)), arc_(arc_of<ball>(motion_)) {
-        const singularity_lattice<ball> lattice{arc_.effective_period, singularity_height(arc_.level)};
+        const singularity_lattice<ball> lattice{arc_.effective_period(), singularity_height(arc_.level())};
         const ball panels = lattice.effective_period * 2 / lattice.height;
         count_ = static_cast<int>(nearest_integer(upper_bound(panels)) + 1);
         order_ = order.value_or(digits<ball>() / 2 + 8);
@@ -38,7 +38,7 @@ public:
     }
 
     /// T*.
-    const ball& effective_period() const { return arc_.effective_period; }
+    const ball& effective_period() const { return arc_.effective_period(); }
 
     /// The norm of order N, and the fraction of T* where it is attained. O(K N^2) and the search. Throws
     /// precision_exhausted where the working precision is too low, error for N < 0.
