@@ -55,12 +55,16 @@ const study& audit_gsl() {
         .question = "How many digits of theta does GSL leave in double when the energy comes close to 2?",
         .reading =
             "Correct digits of theta (absolute where |theta| < 1) against the gap 2 - E, one panel a time. Circles: "
-            "our own double from the exact gap, never more than 4 units in the last place of max(1, |theta|) off. "
+            "our own double from the exact gap, at most {{max error_ulp of audit_gsl where library=libration to 2}} "
+            "units in the last place of max(1, |theta|) off. "
             "Dots: GSL from the nearest double of k = sqrt(E/2), by 2 asin(k cd(t, k)). Dashed: how far theta of that "
             "double is from the theta that was meant, so what no code can win back that takes k alone. Most of the "
-            "loss is that: at a gap of 1e-15 and t = 3T/16 three digits are left. GSL adds its own, up to 1.5e7 units "
-            "at t = 0.7, where the arcsine of a number next to 1 keeps half of its digits, and at gaps about 2e-8, up "
-            "to 1e7 units at t = 10, where Boost.Math loses 800 at most.",
+            "loss is that: at a gap of 1e-15 and t = 3T/16 "
+            "{{the correct_digits of audit_gsl where gap=1e-15 time_typed=3T/16 library=gsl to 2}} digits are left. "
+            "GSL adds its own, up to {{max own_ulp of audit_gsl where time=0.7 library=gsl to 2}} units at t = 0.7, "
+            "where the arcsine of a number next to 1 keeps half of its digits, and at gaps about 2e-8, up to "
+            "{{max own_ulp of audit_gsl where time=10 library=gsl to 1}} units at t = 10, where Boost.Math loses "
+            "{{max own_ulp of audit_boost where time=10 library=boost to 1}} at most.",
         .of = &pendulum_problem(),
         .parameters = audit_parameters(),
         .quick = quick_audit(),

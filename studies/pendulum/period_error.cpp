@@ -97,8 +97,9 @@ const study& period_error() {
         .question = "How large is the error of T* by the series of K and by its resummation, at each energy and order?",
         .reading =
             "Dashed: T* from the series (Kold) cut after k^(2N); solid: from its resummation (Knew) with as many "
-            "terms; crosses: the proved bounds of both, which are never more than 1.4 times the error and so lie on "
-            "the curves. Left over the energy, right towards the separatrix, where rotation (circles) falls on "
+            "terms; crosses: the proved bounds of both, which are at most "
+            "{{max bound_over_error of period_error to 3}} times the error and so lie on the curves. Left over the "
+            "energy, right towards the separatrix, where rotation (circles) falls on "
             "libration. Both sums are too small at every order, and both lose their rate as E goes to 2: the error of "
             "the series then grows like the period itself, and that of the resummation settles at 1/(8N + 7), the "
             "algebraic tail of its brackets, which more terms reduce only in proportion.",

@@ -314,10 +314,14 @@ const study& error_norm() {
             "bounds A and A2, which are proved for them. Left over the energy, right towards the separatrix. The "
             "resummation gains a factor that grows like N^2, and both lose their rate as E goes to 2. The horizontal "
             "line is the paper's baseline, the Runge-Kutta march in double with its step against the closed solution "
-            "at E = 2 on [0, 10]. It is 2e-10 for the step 1e-5, about a million units in the last place: neither the "
-            "precision of the machine nor the truncation of the method, but the rounding of a million steps, which the "
-            "separatrix multiplies by up to e^10 (the baseline table: 1e-14 without that growth; in long double 1e-14 "
-            "with it; less with 1e-4 than with 1e-5). The second figure repeats the same norms in double, long double "
+            "at E = 2 on [0, 10]. It is {{the norm of error_norm_baseline where step=1e-5 scalar=double to 1}} for the "
+            "step 1e-5, {{the norm_in_epsilon of error_norm_baseline where step=1e-5 scalar=double to 1}} units in the "
+            "last place: neither the precision of the machine nor the truncation of the method, but the rounding of a "
+            "million steps, which the separatrix multiplies by up to e^10 (the baseline table: "
+            "{{the norm_without_growth of error_norm_baseline where step=1e-5 scalar=double to 1}} without that "
+            "growth; in long double {{the norm of error_norm_baseline where step=1e-5 scalar=long-double to 1}} with "
+            "it; {{the norm of error_norm_baseline where step=1e-4 scalar=double to 1}} with the step 1e-4). The "
+            "second figure repeats the same norms in double, long double "
             "and quad: each falls to the rounding of its arithmetic and stays there.",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26", "energies E, in m g l"},
