@@ -14,7 +14,7 @@ TEST_CASE("an energy of a sweep keeps its text and derives the gap exactly", "[p
     const sweep_energy e = energy_from(read_exact("1.710"));
     CHECK(e.energy == "1.710");
     CHECK(e.gap == "0.29");
-    CHECK(e.value == rational(171, 100));
+    CHECK(e.value.coefficient == rational(171, 100));
     CHECK(e.energy_typed == "1.710");
     CHECK(e.gap_typed.empty());
     CHECK(energy_from(read_exact("2")).gap == "0");
@@ -25,11 +25,11 @@ TEST_CASE("a gap of 1e-30 is the energy 1.999...9 with thirty nines", "[problem]
     const sweep_energy below = energy_from_gap(read_exact("1e-30"));
     CHECK(below.gap == "1e-30");
     CHECK(below.energy == "1." + std::string(30, '9'));
-    CHECK(below.value == 2 - read_exact("1e-30").coefficient);
+    CHECK(below.value.coefficient == 2 - read_exact("1e-30").coefficient);
     const sweep_energy above = energy_from_gap(read_exact("-1e-30"));
     CHECK(above.gap == "-1e-30");
     CHECK(above.energy == "2." + std::string(29, '0') + "1");
-    CHECK(read_exact(above.energy).coefficient == above.value);
+    CHECK(read_exact(above.energy).coefficient == above.value.coefficient);
     CHECK(energy_from_gap(read_exact("2")).energy == "0");
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("a fraction stands as a decimal, exact where it ends, and as it was ty
     const sweep_energy endless = energy_from(read_exact("1/3"));
     CHECK(endless.energy == "0." + std::string(50, '3'));
     CHECK(endless.gap == "1." + std::string(48, '6') + "7");
-    CHECK(endless.value == rational(1, 3));
+    CHECK(endless.value.coefficient == rational(1, 3));
     const sweep_energy by_gap = energy_from_gap(read_exact("1/3"));
     CHECK(by_gap.gap_typed == "1/3");
     CHECK(by_gap.energy_typed.empty());
@@ -68,18 +68,18 @@ TEST_CASE("a sweep holds the energies of both axes by size", "[problem]") {
     REQUIRE(sweep.energies.size() == 3);
     CHECK(sweep.energies[0].energy == "0.5");
     CHECK(sweep.energies[1].gap == "1");
-    CHECK(sweep.energies[2].value == rational(101, 50));
+    CHECK(sweep.energies[2].value.coefficient == rational(101, 50));
     CHECK(sweep.periods == std::vector<integer>{1'000'000'000});
     CHECK(sweep.times.empty());
 }
 
 TEST_CASE("where a study has no answer is said with its reason", "[problem]") {
     const auto excluded = no_answer_at_limits("it rests", "the period is infinite");
-    CHECK(reason_against(excluded, "energy", 0) == "it rests");
-    CHECK(reason_against(excluded, "energy", 2) == "the period is infinite");
-    CHECK(reason_against(excluded, "energy", rational(1999999, 1000000)).empty());
-    CHECK(reason_against(excluded, "time", 2).empty());
-    CHECK(reason_against(no_answer_at_limits("", "infinite"), "energy", 0).empty());
+    CHECK(reason_against(excluded, "energy", exactly(0)) == "it rests");
+    CHECK(reason_against(excluded, "energy", exactly(2)) == "the period is infinite");
+    CHECK(reason_against(excluded, "energy", exactly(rational(1999999, 1000000))).empty());
+    CHECK(reason_against(excluded, "time", exactly(2)).empty());
+    CHECK(reason_against(no_answer_at_limits("", "infinite"), "energy", exactly(0)).empty());
 }
 
 TEST_CASE("what is no energy is refused", "[problem]") {
