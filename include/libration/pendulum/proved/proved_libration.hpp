@@ -127,7 +127,7 @@ private:
         if (exponent + bits() > 900) {
             throw precision_exhausted("a nome");
         }
-        return std::ldexp(1.0, static_cast<int>(std::max(0L, exponent + bits())));
+        return std::ldexp(double{1}, static_cast<int>(std::max(0L, exponent + bits())));
     }
 
     void descend(std::size_t levels);
