@@ -11,8 +11,8 @@ namespace libration {
 namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_alnum(char c) { return is_letter(c) || is_digit(c); }
+bool is_decimal_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_alnum(char c) { return is_letter(c) || is_decimal_digit(c); }
 
 const std::map<std::string, std::string>& symbols() {
     static const std::map<std::string, std::string> all{
@@ -31,7 +31,7 @@ public:
         while (at_ < text_.size()) {
             if (is_letter(now()) && !after_word()) {
                 word();
-            } else if (is_digit(now()) && !after_word()) {
+            } else if (is_decimal_digit(now()) && !after_word()) {
                 number();
             } else if (!index("sup")) {
                 other();
@@ -63,8 +63,8 @@ private:
         }
         // thetabar is no theta, and T0 no letter with an index.
         out_ += known ? symbol->second : letters;
-        if (known && is_digit(now())) {
-            out_ += "<sub>" + take(is_digit) + "</sub>";
+        if (known && is_decimal_digit(now())) {
+            out_ += "<sub>" + take(is_decimal_digit) + "</sub>";
         }
         if (known || letters.size() == 1 || letters == "sum") {
             if (now() == '~' && now(1) == '\'') {
@@ -116,10 +116,10 @@ private:
 
     // 1e-6, 2.5e-7, or without a power.
     void number() {
-        const std::string mantissa = take([](char c) { return is_digit(c) || c == '.'; });
+        const std::string mantissa = take([](char c) { return is_decimal_digit(c) || c == '.'; });
         const std::size_t sign = now() == 'e' && now(1) == '-' ? 1 : 0;
         std::size_t end = at_ + 1 + sign;
-        while (end < text_.size() && is_digit(text_[end])) {
+        while (end < text_.size() && is_decimal_digit(text_[end])) {
             ++end;
         }
         const bool power = now() == 'e' && end > at_ + 1 + sign && (end == text_.size() || !is_letter(text_[end]));

@@ -20,7 +20,7 @@ const std::string png_resolution = "\0\0\0\x09pHYs\0\0\x2e\x23\0\0\x2e\x23\x01\x
 constexpr std::size_t png_header_bytes = 33;  // signature and IHDR
 
 // The content without white space at its end.
-std::string_view trimmed(const std::string& content) {
+std::string_view trimmed_image(const std::string& content) {
     const std::size_t last = content.find_last_not_of(" \t\r\n");
     return std::string_view(content).substr(0, last == std::string::npos ? 0 : last + 1);
 }
@@ -171,8 +171,8 @@ bool is_whole_image(const std::string& extension, const std::string& content) {
     if (extension == ".png") {
         return content.ends_with(png_end);
     }
-    return (extension == ".pdf" && trimmed(content).ends_with("%%EOF")) ||
-           (extension == ".svg" && trimmed(content).ends_with("</svg>"));
+    return (extension == ".pdf" && trimmed_image(content).ends_with("%%EOF")) ||
+           (extension == ".svg" && trimmed_image(content).ends_with("</svg>"));
 }
 
 std::string finished_image(const std::string& extension, const std::string& content) {
