@@ -1,4 +1,5 @@
 // libration elliptic: proved digits of elliptic functions and integrals.
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -31,16 +32,24 @@ int run_elliptic(const elliptic_options& options) {
     if (request.has_characteristic()) {
         columns.push_back({"n", ""});
     }
+    if (request.is_complex()) {
+        columns.push_back({"imaginary", ""});
+    }
     table data(std::move(columns));
     for (const elliptic_point& at : request.points) {
+        const auto value = at.imaginary ? complex_texts(*function, at, digits)
+                                        : std::array<std::string, 2>{function_text(*function, at, digits), "0"};
         table_row_cells row{options.function,
                             at.argument ? read_cell(at.argument->text) : cell(),
                             read_cell(at.parameter.typed.text),
-                            number_cell(function_text(*function, at, digits)),
+                            number_cell(value[0]),
                             digits,
                             "proved"};
         if (at.characteristic) {
             row.push_back(read_cell(at.characteristic->text));
+        }
+        if (request.is_complex()) {
+            row.push_back(number_cell(value[1]));
         }
         data.add_row(std::move(row));
     }

@@ -17,8 +17,8 @@ using namespace elliptic;
 
 namespace {
 
-constexpr std::array<const char*, 3> modulus_columns{"k", "m", "m1"};
-constexpr std::array<const char*, 4> input_columns{"u", "phi", "x", "n"};
+constexpr std::array<const char*, 4> modulus_columns{"k", "m", "m1", "q"};
+constexpr std::array<const char*, 5> input_columns{"u", "phi", "x", "z", "n"};
 
 }  // namespace
 
@@ -54,8 +54,11 @@ elliptic_columns::elliptic_columns(const column_names& names, const named_functi
 }
 
 void elliptic_columns::find_modulus() {
-    for (const char* const name : modulus_columns) {
+    for (const std::string name : modulus_columns) {
         const auto at = names_->find(name);
+        if (at && (name == "q") != function_->of_nome) {
+            continue;
+        }
         if (at && !modulus_.empty()) {
             throw input_error(fmt::format("{} has both '{}' and '{}': leave one out by --columns {}=-", names_->file(),
                                           modulus_, name, names_->own(*at)));
@@ -64,8 +67,8 @@ void elliptic_columns::find_modulus() {
         modulus_at_ = at.value_or(modulus_at_);
     }
     if (modulus_.empty()) {
-        throw input_error(fmt::format("{} has no modulus: its columns are {}; it needs 'k', 'm' or 'm1'",
-                                      names_->file(), names_->listed()));
+        throw input_error(fmt::format("{} has no modulus: its columns are {}; it needs {}", names_->file(),
+                                      names_->listed(), function_->of_nome ? "'q'" : "'k', 'm' or 'm1'"));
     }
 }
 

@@ -10,7 +10,7 @@
 
 namespace libration {
 
-/// The columns of one function: k, m or m1, its argument u, phi or x, and the characteristic n of Pi.
+/// The columns of one function: k, m or m1, of theta functions q, its argument u, phi, x or z, and the characteristic n of Pi.
 class elliptic_columns {
 public:
     /// The quantities, for column_names.
@@ -20,7 +20,7 @@ public:
     /// Throws input_error for a column that is missing, and for two moduli.
     elliptic_columns(const column_names& names, const elliptic::named_function& function);
 
-    /// k, m or m1.
+    /// k, m, m1 or q.
     const std::string& modulus() const { return modulus_; }
     bool has_argument() const { return argument_.has_value(); }
     /// Throws error of the name of a column. The numbers as typed, or the doubles nearest to them.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "option/options.hpp"
 #include "run/grid.hpp"
@@ -20,8 +22,34 @@ namespace {
 
 constexpr const char* modulus_remedy = "write a number such as 0.8, 4/5, 1e-30 or, for --m and --m1, -3";
 constexpr const char* argument_remedy = "write a number such as 1.5, 3/2 or pi/4, or several with commas between them";
-constexpr std::array<const char*, 3> argument_options{"--u", "--phi", "--x"};
-constexpr std::array<const char*, 3> modulus_options{"--k", "--m", "--m1"};
+constexpr std::array<const char*, 4> argument_options{"--u", "--phi", "--x", "--z"};
+constexpr std::array<const char*, 4> modulus_options{"--k", "--m", "--m1", "--q"};
+
+// What follows a complex number's i, which is not that of pi: "1+2i", "i", "0.5-3/2i", "1+pi*i".
+bool is_complex_text(const std::string& item) {
+    return item.ends_with('i') && (!item.ends_with("pi") || item.ends_with("*i"));
+}
+
+struct complex_argument {
+    exact real;
+    std::optional<exact> imaginary;
+};
+
+complex_argument read_complex(const std::string& item) {
+    if (!is_complex_text(item)) {
+        return {read_exact(item), std::nullopt};
+    }
+    std::string text = item.substr(0, item.size() - (item.ends_with("*i") ? 2 : 1));
+    std::size_t at = text.find_last_of("+-");
+    while (at != std::string::npos && at > 0 && (text[at - 1] == 'e' || text[at - 1] == 'E')) {
+        at = text.find_last_of("+-", at - 1);
+    }
+    at = at == std::string::npos ? 0 : at;
+    std::string imaginary = text.substr(at);
+    imaginary += imaginary.empty() || imaginary == "+" || imaginary == "-" ? "1" : "";
+    return {at == 0 ? exactly(0) : read_exact(text.substr(0, at)),
+            read_exact(imaginary.starts_with('+') ? imaginary.substr(1) : imaginary)};
+}
 
 std::vector<exact> read_moduli(const std::string& option, const std::string& typed, elliptic_grid grid) {
     if (grid == elliptic_grid::one) {
@@ -36,13 +64,23 @@ std::vector<exact> read_moduli(const std::string& option, const std::string& typ
     return moduli;
 }
 
+void refuse(const char* option, const option_words& said, std::string_view function, const std::string& remedy) {
+    if (said[option]) {
+        throw input_error(option, *said[option], fmt::format("has no meaning for {}", function), remedy);
+    }
+}
+
 std::vector<typed_parameter> read_parameters(elliptic_request& request, const option_words& said, elliptic_grid grid) {
     std::vector<typed_parameter> parameters;
     std::string chosen;
+    const named_function& function = *request.functions.front();
     for (const std::string option : modulus_options) {
         const auto& typed = said[option];
         if (!typed) {
             continue;
+        }
+        if ((option == "--q") != function.of_nome) {
+            refuse(option.c_str(), said, function.name, function.of_nome ? "write --q" : "write --m");
         }
         if (!chosen.empty()) {
             throw input_error(option, *typed, "comes together with " + chosen + " '" + *said[chosen] + "'",
@@ -56,19 +94,41 @@ std::vector<typed_parameter> read_parameters(elliptic_request& request, const op
         }
     }
     if (chosen.empty()) {
-        throw input_error("no modulus is given: add --k K, --m M (m = k^2) or --m1 M1 (m1 = 1 - m)");
+        throw input_error(function.of_nome ? "no nome is given: add --q Q"
+                                           : "no modulus is given: add --k K, --m M (m = k^2) or --m1 M1 (m1 = 1 - m)");
     }
     return parameters;
 }
 
-void refuse(const char* option, const option_words& said, std::string_view function, const std::string& remedy) {
-    if (said[option]) {
-        throw input_error(option, *said[option], fmt::format("has no meaning for {}", function), remedy);
+using arguments_list = std::vector<std::pair<std::optional<exact>, std::optional<exact>>>;
+
+bool has_complex_item(const std::string& words) {
+    std::istringstream items(words);
+    for (std::string item; std::getline(items, item, ',');) {
+        if (is_complex_text(item)) {
+            return true;
+        }
     }
+    return false;
 }
 
-// The arguments; one that is nothing where the functions have none.
-std::vector<std::optional<exact>> read_arguments(elliptic_request& request, const option_words& said) {
+// A list with complex numbers in it: no ranges.
+arguments_list complex_arguments(const std::string& option, const std::string& words) {
+    arguments_list arguments;
+    std::istringstream items(words);
+    for (std::string item; std::getline(items, item, ',');) {
+        auto [real, imaginary] = reading(option, words, argument_remedy, [&] { return read_complex(item); });
+        for (const auto& part : {std::optional(real), imaginary}) {
+            reading(option, words, argument_remedy, [&] { return !part || (require_argument("u", *part), true); });
+        }
+        real.text = item;
+        arguments.emplace_back(std::move(real), std::move(imaginary));
+    }
+    return arguments;
+}
+
+// The arguments with their imaginary parts; one that is nothing where the functions have none.
+arguments_list read_arguments(elliptic_request& request, const option_words& said, elliptic_grid grid) {
     const named_function& function = *request.functions.front();
     const std::string wanted = function.argument.empty() ? "" : "--" + std::string(function.argument);
     for (const char* const option : argument_options) {
@@ -77,7 +137,7 @@ std::vector<std::optional<exact>> read_arguments(elliptic_request& request, cons
         }
     }
     if (wanted.empty() || (function.may_be_complete && !said[wanted])) {
-        return {std::nullopt};
+        return {{std::nullopt, std::nullopt}};
     }
     request.argument = std::string(function.argument);
     const auto& value = said[wanted];
@@ -87,10 +147,14 @@ std::vector<std::optional<exact>> read_arguments(elliptic_request& request, cons
                                       : request.argument == "u" ? "U"
                                                                 : "X"));
     }
-    std::vector<std::optional<exact>> arguments;
+    if (grid == elliptic_grid::one && request.argument == "u" && function.name != "am" &&
+        has_complex_item(*value)) {
+        return complex_arguments(wanted, *value);
+    }
+    arguments_list arguments;
     for (const exact& argument : reading(wanted, *value, argument_remedy, [&] { return read_grid(*value); })) {
         reading(wanted, *value, argument_remedy, [&] { return require_argument(request.argument, argument), 0; });
-        arguments.emplace_back(argument);
+        arguments.emplace_back(argument, std::nullopt);
     }
     return arguments;
 }
@@ -108,15 +172,15 @@ std::optional<exact> read_characteristic(const named_function& function, const o
 
 void read_grid_points(elliptic_request& request, const option_words& said, elliptic_grid grid) {
     const auto parameters = read_parameters(request, said, grid);
-    const auto arguments = read_arguments(request, said);
+    const auto arguments = read_arguments(request, said, grid);
     const auto characteristic = read_characteristic(*request.functions.front(), said);
     if (parameters.size() * arguments.size() > static_cast<std::size_t>(most_grid_values)) {
         throw input_error("--" + request.modulus, *said["--" + request.modulus],
                           fmt::format("makes more than {} rows", most_grid_values), "choose fewer values");
     }
     for (const typed_parameter& parameter : parameters) {
-        for (const auto& argument : arguments) {
-            request.points.push_back({argument, parameter, characteristic});
+        for (const auto& [argument, imaginary] : arguments) {
+            request.points.push_back({argument, parameter, characteristic, imaginary});
         }
     }
 }
@@ -124,7 +188,7 @@ void read_grid_points(elliptic_request& request, const option_words& said, ellip
 // Each row of the file is a point.
 void read_points(elliptic_request& request, const option_words& said) {
     const std::string& path = *said["--points"];
-    for (const std::string option : {"--u", "--phi", "--x", "--n", "--k", "--m", "--m1"}) {
+    for (const std::string option : {"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--q"}) {
         if (said[option]) {
             throw input_error(option, *said[option], "comes together with --points '" + path + "'",
                               "give it as a column of the file");
@@ -149,9 +213,9 @@ void require_argument(const std::string& name, const exact& argument) {
 }
 
 typed_parameter parameter_of(const std::string& quantity, const exact& typed) {
-    const typed_parameter parameter{typed, quantity == "k"    ? &real_parameter::from_modulus
-                                           : quantity == "m"  ? &real_parameter::from_parameter
-                                           : quantity == "m1" ? &real_parameter::from_complement
+    const typed_parameter parameter{typed, quantity == "k"                      ? &real_parameter::from_modulus
+                                           : quantity == "m" || quantity == "q" ? &real_parameter::from_parameter
+                                           : quantity == "m1"                   ? &real_parameter::from_complement
                                                               : throw std::logic_error("no modulus: " + quantity)};
     static_cast<void>(parameter.value());
     return parameter;
@@ -169,13 +233,16 @@ void offer_elliptic(option_words& said, CLI::App& command) {
     const auto offer = [&](const char* option, const char* type_name, const char* help) {
         said.offer(command, option, type_name, help);
     };
-    offer("--u", "U", "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list");
+    offer("--u", "U",
+          "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list; `elliptic` takes 1+2i too, not for am");
     offer("--phi", "A", "amplitude of F, E, D, Pi, Zeta: 1.5, 3pi/4, 60deg, or a list");
     offer("--x", "X", "argument of the inverses arcsn, arccn, ...: 0.5, 1/3, or a list");
+    offer("--z", "Z", "argument of theta1 .. theta4: 0.5, pi/4, or a list");
     offer("--n", "N", "the characteristic of Pi");
     offer("--k", "K", "the modulus k");
     offer("--m", "M", "the parameter m = k^2, any real number");
     offer("--m1", "M1", "the complementary parameter m1 = 1 - m: 1e-30 keeps its digits");
+    offer("--q", "Q", "the nome of theta1 .. theta4");
 }
 
 elliptic_request read_elliptic(const std::vector<const named_function*>& functions, const option_words& said,

@@ -1,6 +1,7 @@
 // What `elliptic` and `table` are asked about elliptic functions: functions, arguments and moduli.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,20 +14,23 @@ namespace libration {
 /// Every function at every point.
 struct elliptic_request {
     std::vector<const elliptic::named_function*> functions;
-    std::string modulus;                 ///< k, m or m1
-    std::string argument;                ///< u, phi or x; empty where the functions have none
+    std::string modulus;                 ///< k, m, m1 or q
+    std::string argument;                ///< u, phi, x or z; empty where the functions have none
     std::vector<elliptic_point> points;  ///< of a grid, the parameters first
 
     bool has_characteristic() const { return functions.front()->has_characteristic; }
+    bool is_complex() const {
+        return std::any_of(points.begin(), points.end(), [](const elliptic_point& at) { return at.imaginary; });
+    }
 };
 
-/// --u, --phi, --x, --n, --k, --m, --m1.
+/// --u, --phi, --x, --z, --n, --k, --m, --m1, --q.
 void offer_elliptic(option_words& said, CLI::App& command);
 
 /// The names of all functions: "am, sn, ...".
 std::string elliptic_names();
 
-/// Whether one parameter may be given, or lists and ranges of them.
+/// Whether one parameter may be given, and complex arguments u, or lists and ranges of parameters.
 enum class elliptic_grid { one, lists };
 
 /// Reads what was said for functions that take the same argument; with lists also --points, a file with columns.
@@ -34,7 +38,7 @@ enum class elliptic_grid { one, lists };
 elliptic_request read_elliptic(const std::vector<const elliptic::named_function*>& functions, const option_words& said,
                                elliptic_grid grid);
 
-/// The parameter of --k, --m or --m1, without the dashes, from a number; throws error where there is none.
+/// The parameter of --k, --m, --m1 or --q, without the dashes, from a number; throws error where there is none.
 typed_parameter parameter_of(const std::string& quantity, const exact& typed);
 
 /// A number that an argument of this name may be: an angle for phi. Throws error.

@@ -17,7 +17,9 @@ namespace {
 
 constexpr long first_condition_digits = 40;
 
-long digits_lost(const elliptic_point& at) { return at.argument ? elliptic::digits_before_point(*at.argument) : 0; }
+long digits_before_point_of(const exact& argument) { return elliptic::digits_before_point(argument); }
+
+long digits_lost(const elliptic_point& at) { return at.argument ? digits_before_point_of(*at.argument) : 0; }
 
 // Whether the value is infinite: a matter of exact numbers, so that any precision tells where it is one.
 int infinite_at(const named_function& function, const elliptic_point& at) {
@@ -47,6 +49,23 @@ std::string function_text(const named_function& function, const elliptic_point& 
                     fmt::format("makes {} too large or too small to be printed: choose an argument nearer to 0",
                                 function.name));
     }
+}
+
+std::array<std::string, 2> complex_texts(const named_function& function, const elliptic_point& at, long digits) {
+    const auto parts = [&] {
+        const precision_scope wider(working_digits() + digits_lost(at) + digits_before_point_of(*at.imaginary));
+        return complex_quotient(function.name, *at.argument, *at.imaginary, at.parameter.value());
+    };
+    const bool pole = with_growing_precision({0, 20, most_guard_digits}, std::string(function.name),
+                                             [&](const precision_run& /*run*/) { return std::optional(!parts()); });
+    if (pole) {
+        return {"inf", "inf"};
+    }
+    const auto texts = proved_decimals(digits, [&] {
+        const complex_parts value = *parts();
+        return std::vector<ball>{value.real, value.imaginary};
+    });
+    return {texts[0].text, texts[1].text};
 }
 
 std::string condition_text(const named_function& function, const elliptic_point& at) {

@@ -1,6 +1,7 @@
 // Values of elliptic functions as text, and how well conditioned they are.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace libration {
 
-/// A modulus k, parameter m or complementary parameter m1 as typed.
+/// A modulus k, parameter m, complementary parameter m1 or nome q as typed.
 struct typed_parameter {
     exact typed;
     elliptic::real_parameter (*from)(const exact&);
@@ -22,6 +23,7 @@ struct elliptic_point {
     std::optional<exact> argument;  ///< nothing where the function has none
     typed_parameter parameter;
     std::optional<exact> characteristic = std::nullopt;
+    std::optional<exact> imaginary = std::nullopt;  ///< of a complex argument
 
     elliptic::function_arguments exactly() const { return {argument, parameter.value(), characteristic}; }
 };
@@ -33,6 +35,10 @@ true_value value_at(const elliptic::named_function& function, const elliptic_poi
 /// `digits` proved digits; inf or -inf where the function is infinite, 0 where it is 0. Throws error where the function
 /// is not real, where the digits are not decided, and where no exponent holds the value.
 std::string function_text(const elliptic::named_function& function, const elliptic_point& at, long digits);
+
+/// The same of a complex argument: the real and the imaginary part, each with so many proved digits.
+std::array<std::string, 2> complex_texts(const elliptic::named_function& function, const elliptic_point& at,
+                                         long digits);
 
 /// Three digits of the condition number, computed with twice the digits until they stay: heuristic. inf where it is
 /// infinite, or the function is.

@@ -119,7 +119,7 @@ std::vector<const named_function*> functions_of(const std::string& list) {
     const named_function& first = *functions.front();
     for (const named_function* const each : functions) {
         if (each->argument != first.argument || each->has_characteristic != first.has_characteristic ||
-            each->may_be_complete != first.may_be_complete) {
+            each->of_nome != first.of_nome || each->may_be_complete != first.may_be_complete) {
             throw input_error("table", list, "mixes functions of different arguments",
                               "name functions of u, of phi, of x, or K and nome alone");
         }

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* motions = "pendulum";
 constexpr std::array<const char*, 8> motion_names{"--energies",  "--gaps",   "--theta0",  "--omega0",
                                                   "--direction", "--length", "--gravity", "--times"};
-constexpr std::array<const char*, 7> function_names{"--u", "--phi", "--x", "--n", "--k", "--m", "--m1"};
+constexpr std::array<const char*, 9> function_names{"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--q"};
 
 constexpr const char* rigour = "proved to one unit in the last place";
 
@@ -28,7 +28,8 @@ std::vector<std::string> comment_lines(const table_order& order, const table& da
     std::vector<std::string> lines{
         order.what == motions ? "Reference values of the pendulum theta'' + sin theta = 0."
                               : "Reference values of the elliptic functions " + order.what + ".",
-        "Made by: " + without_controls(command, command.size()), fmt::format("{} significant digits, {}.", order.digits, rigour),
+        "Made by: " + without_controls(command, command.size()),
+        fmt::format("{} significant digits, {}.", order.digits, rigour),
         fmt::format("Typed numbers that no decimal holds, such as T/8 or pi/3, stand with {} digits.",
                     order.digits + more_input_digits)};
     std::string made_with;

@@ -1,5 +1,6 @@
 // The proved digits of `libration elliptic` against the reference tables, mpmath, exact values and identities; at any
 // real parameter also against the theta functions of Arb.
+#include <array>
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -211,6 +212,67 @@ TEST_CASE("integrals of all kinds, zeta and nome have the digits of mpmath", "[c
         INFO(command_line(line));
         CHECK_THAT(elliptic_value(line + words{"--digits", "36"}), right_to_the_last_digit(expected));
     }
+}
+
+TEST_CASE("the twelve functions at complex arguments have the digits of mpmath", "[command][elliptic]") {
+    // mpmath, mp.dps = 45: ellipfun('sn', mpc('0.7', '1.2'), m=mpf(m)), 'dc'.
+    struct known_value {
+        std::string function, m, real, imaginary;
+    };
+    for (const known_value& each :
+         {known_value{"sn", "0.3", "1.28667283558101798180149601441822329971371",
+                      "0.928044558960483512883160300913089008960405"},
+          {"dc", "0.3", "0.616977230258932568230426348525898443775347", "0.23578743461077345982139872203072922884816"},
+          {"sn", "-3", "-0.806534909469170546969304114697964672552538", "0.71558069722900058290427375427480087703159"},
+          {"dc", "-3", "-0.793195550865023385171990026295523902010915", "1.40286968528436444614828763610460141196449"},
+          {"sn", "1.5", "1.29776547220736190043604384250261584327443", "0.261170253177050688446214501989991256723306"},
+          {"dc", "1.5", "1.37430696076014098811709915591039555144698",
+           "-0.146983476353898909842150860926049579215071"}}) {
+        const auto rows = elliptic_of({each.function, "--u", "0.7+1.2i", "--m=" + each.m, "--digits", "36"});
+        CHECK_THAT(rows.at(0).at("value"), right_to_the_last_digit(each.real));
+        CHECK_THAT(rows.at(0).at("imaginary"), right_to_the_last_digit(each.imaginary));
+    }
+    // sn(iy|m) = i sc(y|1-m), cn(iy|m) = nc(y|1-m) [DLMF 22.6.19]; the other parts are 0. Poles and real numbers beside.
+    const auto on_axis = elliptic_of({"sn", "--u=-1.2i,0.7,0.7-1e-1*i,i", "--m", "0.3"});
+    REQUIRE(on_axis.size() == 4);
+    CHECK(on_axis[0].at("value") == "0");
+    CHECK(on_axis[0].at("imaginary") == "-" + elliptic_value({"sc", "--u", "1.2", "--m1", "0.3"}));
+    CHECK((on_axis[1].at("imaginary") == "0" &&
+           on_axis[1].at("value") == elliptic_value({"sn", "--u", "0.7", "--m", "0.3"})));
+    CHECK(on_axis[2].at("imaginary").starts_with("-0.0"));
+    const auto secant = elliptic_of({"cn", "--u", "1.2i", "--m", "0.3"}).at(0);
+    CHECK((secant.at("imaginary") == "0" && secant.at("value") == elliptic_value({"nc", "--u", "1.2", "--m1", "0.3"})));
+    CHECK(elliptic_of({"sn", "--u", "pi/2*i", "--m", "1"}).at(0).at("value") == "inf");
+    check_refused({"sn", "--u", "1+xi", "--m", "0.3"}, "--u '1+xi'");
+    check_refused({"am", "--u", "1+2i", "--m", "0.3"}, "--u '1+2i'");
+}
+
+TEST_CASE("theta functions have the digits of mpmath and their zeros", "[command][elliptic]") {
+    // mpmath, mp.dps = 45: jtheta(j, mpf('0.5'), mpf(q)).
+    const std::vector<std::array<std::string, 3>> known{
+        {"theta1", "0.1", "0.527983605456447412474452275120940595310534"},
+        {"theta2", "0.1", "0.987796549635890838119452277857836056248134"},
+        {"theta3", "0.1", "1.10797722982633339107317277730960374557794"},
+        {"theta4", "0.1", "0.891856311439047490514579849953830097719558"},
+        {"theta1", "0.9", "0.00010255294415899876935084359043504742523265"},
+        {"theta2", "0.9", "0.509025691789701288889677621165240615636109"},
+        {"theta3", "0.9", "0.509025691789701288889677621353607747276387"},
+        {"theta4", "0.9", "0.000102552944159021803906252763262719961863008"},
+        {"theta3", "-0.3", "0.669116004144182651417310396645177637679034"}};
+    for (const auto& [function, q, expected] : known) {
+        INFO(function << " " << q);
+        CHECK_THAT(elliptic_value({function, "--z", "0.5", "--q=" + q, "--digits", "36"}),
+                   right_to_the_last_digit(expected));
+    }
+    CHECK((elliptic_value({"theta1", "--z", "3pi", "--q", "0.1"}) == "0" &&
+           elliptic_value({"theta2", "--z=-pi/2", "--q", "0.1"}) == "0"));
+    CHECK((elliptic_value({"theta1", "--z", "1", "--q", "0"}) == "0" &&
+           number_of(elliptic_value({"theta3", "--z", "1", "--q", "0"})) == 1));
+    check_refused({"theta1", "--z", "1", "--q", "1"}, "q '1' is not between -1 and 1");
+    check_refused({"theta1", "--z", "1", "--q=-0.1"}, "q '-0.1' is negative");
+    check_refused({"theta1", "--z", "1", "--m", "0.5"}, "--m '0.5'");
+    check_refused({"theta1", "--z", "1"}, "--q");
+    check_refused({"sn", "--u", "1", "--q", "0.5"}, "--q '0.5'");
 }
 
 TEST_CASE("the integrals satisfy Legendre's relation and their limits", "[command][elliptic]") {

@@ -89,6 +89,34 @@ TEST_CASE("the twelve functions overlap with quotients of Arb's theta functions"
     }
 }
 
+TEST_CASE("complex arguments obey the addition theorem", "[elliptic][proved]") {
+    // sn^2 + cn^2 = 1, dn^2 + m sn^2 = 1, and symmetry; the digits themselves are in tests/command.
+    const precision_scope scope(60);
+    for (const std::string m : {"-3", "0", "0.3", "1", "1.5"}) {
+        INFO("m = " << m);
+        const real_parameter p = real_parameter::from_parameter(read_exact(m));
+        const auto at = [&](const char* name) {
+            return *complex_quotient(name, read_exact("0.7"), read_exact("-1.2"), p);
+        };
+        const auto square = [](const complex_parts& z) {
+            return complex_parts{z.real * z.real - z.imaginary * z.imaginary, z.real * z.imaginary * 2};
+        };
+        const complex_parts sn = square(at("sn"));
+        const complex_parts cn = square(at("cn"));
+        const complex_parts dn = square(at("dn"));
+        const ball parameter = from_exact<ball>(p.m());
+        CHECK(overlaps(ball(sn.real + cn.real), ball(1)));
+        CHECK(contains_zero(ball(sn.imaginary + cn.imaginary)));
+        CHECK(overlaps(ball(dn.real + parameter * sn.real), ball(1)));
+        CHECK(contains_zero(ball(dn.imaginary + parameter * sn.imaginary)));
+        CHECK(certainly_less(radius_of(sn.real), pow(ball(10), -50)));
+        // The conjugate argument has the conjugate value.
+        const complex_parts mirrored = *complex_quotient("sd", read_exact("0.7"), read_exact("1.2"), p);
+        CHECK(overlaps(mirrored.real, at("sd").real));
+        CHECK(overlaps(mirrored.imaginary, -at("sd").imaginary));
+    }
+}
+
 TEST_CASE("the amplitude is continuous across 0 and 1 and has sn for its sine", "[elliptic][proved]") {
     const precision_scope scope(60);
     for (const std::string m : {"-3", "-1e-30", "0", "1e-30", "0.3", "1", "1.5"}) {
@@ -106,7 +134,7 @@ TEST_CASE("the amplitude is continuous across 0 and 1 and has sn for its sine", 
 }
 
 TEST_CASE("names are those of the catalogue", "[elliptic][proved]") {
-    CHECK(named_functions().size() == 32);
+    CHECK(named_functions().size() == 36);
     CHECK(find_function("sm") == nullptr);
     CHECK(find_function("E")->may_be_complete);
     CHECK(find_function("Pi")->has_characteristic);

@@ -13,8 +13,8 @@ namespace libration::elliptic {
 
 /// Where a function is asked, exactly.
 struct function_arguments {
-    std::optional<exact> argument;  ///< u, phi or x; nothing for complete integrals and the nome
-    real_parameter parameter;
+    std::optional<exact> argument;  ///< u, phi, x or z; nothing for complete integrals and the nome
+    real_parameter parameter;       ///< m; of the theta functions q
     std::optional<exact> characteristic = std::nullopt;  ///< n of Pi
 };
 
@@ -24,12 +24,14 @@ struct function_arguments {
 ///   K, E, D, Pi: the complete integrals, E, D and Pi with phi the incomplete ones, and F       [DLMF 19.2(ii)]
 ///   Zeta: E(phi|m) - E(m)/K(m) F(phi|m)                                                        [DLMF 22.16.32]
 ///   nome: exp(-pi K(1-m)/K(m))                                                                 [DLMF 22.2.1]
+///   theta1 .. theta4: theta_j(z, q), -1 < q < 1, the first two for q >= 0                      [DLMF 20.2(i)]
 /// m = k^2, D = (F - E)/m, Pi(n; phi|m) = int_0^phi dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)).
 struct named_function {
     std::string_view name;
-    std::string_view argument;     ///< "u", "phi", "x", or nothing
+    std::string_view argument;     ///< "u", "phi", "x", "z", or nothing
     bool may_be_complete = false;  ///< whether the argument may be left out
     bool has_characteristic = false;
+    bool of_nome = false;  ///< whether the parameter is the nome q
     /// The value at the working precision; `exactly` where it is a fraction for exact reasons, `infinite` at poles and
     /// where an integral diverges (+1 at a pole of either sign). Any real m where the value is real.
     /// Throws error of the kind argument where it is not real, precision_exhausted where the precision does not decide.
@@ -37,6 +39,18 @@ struct named_function {
 
     true_value operator()(const function_arguments& at) const { return value(name, at); }
 };
+
+/// A complex number in its parts.
+struct complex_parts {
+    ball real;
+    ball imaginary;
+};
+
+/// pq(x + iy|m) of the twelve functions, from those of x at m and of y at 1 - m [DLMF 22.6(iv), 22.8(i)]. A part that
+/// is 0 for exact reasons is the ball 0; nothing at a pole. Throws error of the kind argument for another function,
+/// precision_exhausted where the precision does not decide.
+std::optional<complex_parts> complex_quotient(std::string_view name, const exact& x, const exact& y,
+                                              const real_parameter& parameter);
 
 /// All of them.
 std::span<const named_function> named_functions();

@@ -16,31 +16,6 @@ namespace {
 
 using range = real_parameter::range;
 
-bool is_exact_zero(const ball& x) { return is_exact(x) && contains_zero(x); }
-
-// sn, cn and dn at u, in this order.
-jacobi_values<ball> triple_at(const exact& u, const real_parameter& p) {
-    const range where = p.where();
-    if (u.is_zero() || where == range::zero || where == range::one) {
-        const auto value = [&](jacobi_function f) {
-            return u.is_zero() ? ball(f == jacobi_function::sn ? 0 : 1) : jacobi_value(f, u, p.within());
-        };
-        return {value(jacobi_function::sn), value(jacobi_function::cn), value(jacobi_function::dn)};
-    }
-    const ball stretch = p.stretch();
-    const auto at = jacobi(ball(from_exact<ball>(u) * stretch), p.reduced());
-    switch (where) {
-        case range::negative: return {at.sn / at.dn / stretch, at.cn / at.dn, 1 / at.dn};
-        case range::above: return {at.sn / stretch, at.dn, at.cn};
-        default: return at;
-    }
-}
-
-// The letter of a name: at m = 0 dn is 1, at m = 1 it is cn.
-char letter_at(char letter, range where) {
-    return letter != 'd' ? letter : where == range::zero ? 'n' : where == range::one ? 'c' : 'd';
-}
-
 ball of_letter(char letter, const jacobi_values<ball>& at) {
     switch (letter) {
         case 's': return at.sn;
@@ -127,6 +102,27 @@ true_value inverse_of_positive(std::string_view function, const exact& x, const 
 }
 
 }  // namespace
+
+jacobi_values<ball> triple_at(const exact& u, const real_parameter& p) {
+    const range where = p.where();
+    if (u.is_zero() || where == range::zero || where == range::one) {
+        const auto value = [&](jacobi_function f) {
+            return u.is_zero() ? ball(f == jacobi_function::sn ? 0 : 1) : jacobi_value(f, u, p.within());
+        };
+        return {value(jacobi_function::sn), value(jacobi_function::cn), value(jacobi_function::dn)};
+    }
+    const ball stretch = p.stretch();
+    const auto at = jacobi(ball(from_exact<ball>(u) * stretch), p.reduced());
+    switch (where) {
+        case range::negative: return {at.sn / at.dn / stretch, at.cn / at.dn, 1 / at.dn};
+        case range::above: return {at.sn / stretch, at.dn, at.cn};
+        default: return at;
+    }
+}
+
+char letter_at(char letter, range where) {
+    return letter != 'd' ? letter : where == range::zero ? 'n' : where == range::one ? 'c' : 'd';
+}
 
 true_value amplitude_value(std::string_view /*name*/, const function_arguments& at) {
     const exact& u = *at.argument;

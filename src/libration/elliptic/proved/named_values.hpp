@@ -12,6 +12,15 @@ true_value inverse_value(std::string_view name, const function_arguments& at);
 true_value integral_value(std::string_view name, const function_arguments& at);
 true_value zeta_value(std::string_view name, const function_arguments& at);
 true_value nome_value(std::string_view name, const function_arguments& at);
+true_value theta_value(std::string_view name, const function_arguments& at);
+
+/// sn, cn and dn at u.
+jacobi_values<ball> triple_at(const exact& u, const real_parameter& p);
+
+/// A letter of a name: at m = 0 dn is 1, at m = 1 it is cn.
+char letter_at(char letter, real_parameter::range where);
+
+inline bool is_exact_zero(const ball& x) { return is_exact(x) && contains_zero(x); }
 
 /// K of a parameter below 1, pi/(2 agm(1, k')) [DLMF 19.8.5].
 ball complete_value(const real_parameter& p);
