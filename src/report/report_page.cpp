@@ -43,6 +43,9 @@ std::string opening(const published& results) {
             "<a href=\"#verdict\">Does the paper hold?</a><a href=\"#corrections\">What does not hold as printed</a>"
             "<a href=\"#confirmed\">What holds</a>";
     }
+    if (!claims_by(results.claims, true).empty()) {
+        text += "<a href=\"#beyond\">Beyond the paper</a>";
+    }
     return text + R"(<a href="#words">Words and symbols</a><a href="#figures">Figures</a>)" +
            (results.references.empty() ? "" : R"(<a href="#references">Reference values</a>)") +
            "<a href=\"#provenance\">How it was made</a></nav>\n</div></header>\n";

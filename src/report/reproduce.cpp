@@ -116,6 +116,7 @@ private:
                 continue;
             }
             cores_.take(static_cast<int>(i));
+            say_line(fmt::format("{}{} (about {:.1f} s)", before_of(i), parts_[i].name, parts_[i].seconds));
             threads.emplace_back([this, i, &failures] { make(i, failures[i]); });
             if (alone) {
                 threads.back().join();
@@ -127,10 +128,8 @@ private:
     void make(std::size_t i, std::string& failure) {
         const part& own = parts_[i];
         const core_share share(cores_, static_cast<int>(i), core_share::taken);
-        const std::string before = fmt::format("part {} of {}, ", i + 1, parts_.size());
-        say_line(fmt::format("{}{} (about {:.1f} s)", before, own.name, own.seconds));
         try {
-            own.make({before, whole_, i});
+            own.make({before_of(i), whole_, i});
             const std::lock_guard lock(mutex_);
             record_.add(own.name);
         } catch (const std::exception& problem) {
@@ -138,6 +137,8 @@ private:
         }
         whole_->reached(i, 1);
     }
+
+    std::string before_of(std::size_t i) const { return fmt::format("part {} of {}, ", i + 1, parts_.size()); }
 
     const std::vector<part>& parts_;
     unfinished_run& record_;

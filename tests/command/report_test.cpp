@@ -68,6 +68,14 @@ TEST_CASE("reproduce makes the chosen studies, the claims, and pages of both", "
         CHECK(page.find("id=\"" + (*at)[1].str() + "\"") != std::string::npos);
     }
 
+    // The menu leads to every chapter.
+    const std::string menu = page.substr(page.find("<nav>"), page.find("</nav>") - page.find("<nav>"));
+    const std::regex chapter(R"re(<h2 id="([^"]+)")re");
+    for (std::sregex_iterator at(page.begin(), page.end(), chapter); at != std::sregex_iterator(); ++at) {
+        INFO((*at)[1]);
+        CHECK(menu.find("href=\"#" + (*at)[1].str() + "\"") != std::string::npos);
+    }
+
     const auto claims = libration::from_csv(text_of_file(out / "claims.csv"));
     CHECK(count_of(page, "<article ") == claims.rows().size());
     const std::string index = text_of_file(out / "README.md");
