@@ -15,6 +15,38 @@ if(NOT config OR NOT headers)
     message(FATAL_ERROR "no package file or no headers in ${PREFIX}")
 endif()
 
-if(PROGRAM)
-    execute_process(COMMAND ${PREFIX}/${PROGRAM} --version COMMAND_ERROR_IS_FATAL ANY)
+if(NOT PROGRAM)
+    return()
+endif()
+execute_process(COMMAND ${PREFIX}/${PROGRAM} --version COMMAND_ERROR_IS_FATAL ANY)
+foreach(needed IN ITEMS share/libration/studies/style.gp share/libration/studies/errata.md.in
+        share/doc/libration/README.md share/doc/libration/docs/tutorial.md share/doc/libration/docs/readers/read_table.py)
+    if(NOT EXISTS ${PREFIX}/${needed})
+        message(FATAL_ERROR "${needed} is not installed")
+    endif()
+endforeach()
+
+# It makes a study, its figures and a report, and asks its peer where that was built, with what is installed alone.
+set(work ${PREFIX}/work)
+file(MAKE_DIRECTORY ${work})
+set(quick study period_error --energies 0.5,1.5 --orders 2)
+execute_process(COMMAND ${PREFIX}/${PROGRAM} ${quick} --out out
+    WORKING_DIRECTORY ${work} ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${PREFIX}/${PROGRAM} reproduce --only period_error
+    WORKING_DIRECTORY ${work} ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+if(NOT EXISTS ${work}/out/period_error/period_error.svg OR NOT EXISTS ${work}/reproduced/index.html)
+    message(FATAL_ERROR "the installed program makes no figure or no report")
+endif()
+if(EXISTS ${BUILD}/libration-gsl-theta)
+    execute_process(COMMAND ${PREFIX}/${PROGRAM} study audit_gsl --gaps 1e-3 --times 1
+        OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endif()
+
+# Without its own scripts it draws nothing: it does not look into the tree it came from.
+file(RENAME ${PREFIX}/share/libration ${PREFIX}/share/hidden)
+execute_process(COMMAND ${PREFIX}/${PROGRAM} figure period_error --out out
+    WORKING_DIRECTORY ${work} ERROR_QUIET RESULT_VARIABLE code)
+file(RENAME ${PREFIX}/share/hidden ${PREFIX}/share/libration)
+if(code EQUAL 0)
+    message(FATAL_ERROR "the installed program draws with the scripts of the source tree")
 endif()

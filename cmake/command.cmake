@@ -73,11 +73,12 @@ file(RELATIVE_PATH studies_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/
 target_compile_definitions(libration-sweep PUBLIC
     LIBRATION_STUDIES_DIR="${PROJECT_SOURCE_DIR}/studies"
     LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
-if(TARGET libration-gsl-theta)
-    # Started as a process and never linked; it does not belong to what is installed.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/studies/pendulum/audit_gsl.cpp PROPERTIES
-        COMPILE_DEFINITIONS LIBRATION_GSL_THETA="$<TARGET_FILE:libration-gsl-theta>")
-endif()
+# Programs that ours starts stand beside it in the build folder, and where they are installed.
+set(installed_peers_dir ${CMAKE_INSTALL_LIBEXECDIR}/libration)
+file(RELATIVE_PATH peers_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_peers_dir})
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/run/program_files.cpp PROPERTIES
+    COMPILE_DEFINITIONS "LIBRATION_BUILD_DIR=\"${PROJECT_BINARY_DIR}\";LIBRATION_INSTALLED_PEERS_DIR=\"${peers_from_program}\""
+    SKIP_UNITY_BUILD_INCLUSION ON)
 
 add_executable(libration-command ${command_sources})
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
@@ -94,3 +95,14 @@ install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}
     COMPONENT command
     FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")
+if(TARGET libration-gsl-theta)
+    install(TARGETS libration-gsl-theta RUNTIME DESTINATION ${installed_peers_dir} COMPONENT command)
+endif()
+# The documentation, with the readers of tables.
+install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
+    DESTINATION ${CMAKE_INSTALL_DOCDIR}
+    COMPONENT command)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+
+# What `cmake --install` takes: `./run install` builds that much.
+add_custom_target(libration-installable DEPENDS libration libration-proved libration-command)

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "run/child_program.hpp"
+#include "run/program_files.hpp"
 #include "text/image.hpp"
 #include "text/input_error.hpp"
 #include "text/table.hpp"
@@ -97,11 +98,7 @@ bool is_figure(const std::string& file) {
 }
 
 std::string studies_folder() {
-    if (fs::exists(LIBRATION_STUDIES_DIR)) {
-        return LIBRATION_STUDIES_DIR;
-    }
-    std::error_code error;
-    return (fs::read_symlink("/proc/self/exe", error).parent_path() / LIBRATION_INSTALLED_STUDIES_DIR).string();
+    return runs_from_build_folder() ? LIBRATION_STUDIES_DIR : path_from_program(LIBRATION_INSTALLED_STUDIES_DIR);
 }
 
 void draw_figures(const study& what, const std::string& folder) {

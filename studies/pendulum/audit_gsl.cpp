@@ -7,6 +7,7 @@
 
 #include "audit.hpp"
 #include "run/child_program.hpp"
+#include "run/program_files.hpp"
 #include "text/input_error.hpp"
 
 namespace libration::studies {
@@ -16,14 +17,13 @@ namespace {
 
 // GSL is under the GPL, so it is asked in a process of its own. Throws input_error where that program was not built.
 std::string gsl_program() {
-#ifdef LIBRATION_GSL_THETA
-    if (std::filesystem::exists(LIBRATION_GSL_THETA)) {
-        return LIBRATION_GSL_THETA;
+    std::string path = peer_program("libration-gsl-theta");
+    if (!std::filesystem::exists(path)) {
+        throw input_error(
+            "the study audit_gsl asks the GNU Scientific Library, whose program is not here: install it (Debian: "
+            "apt-get install libgsl-dev), configure, build and install again");
     }
-#endif
-    throw input_error(
-        "the study audit_gsl asks the GNU Scientific Library, whose program is not here: install it (Debian: apt-get "
-        "install libgsl-dev), configure and build again, and run the program of the build folder");
+    return path;
 }
 
 std::vector<double> by_gsl(const std::vector<audited_input>& inputs) {
