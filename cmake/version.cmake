@@ -5,6 +5,7 @@
 set(program_sources include src studies cmake CMakeLists.txt CMakePresets.json)
 
 set(COMMIT unknown)
+set(YEAR "")
 find_program(GIT git)
 if(GIT)
     execute_process(
@@ -20,6 +21,9 @@ if(GIT)
         execute_process(
             COMMAND ${GIT} -C ${SOURCE_DIR} status --porcelain -- ${program_sources}
             OUTPUT_VARIABLE changes ERROR_QUIET)
+        execute_process(
+            COMMAND ${GIT} -C ${SOURCE_DIR} log -1 --format=%cd --date=format:%Y
+            OUTPUT_VARIABLE YEAR OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
         if(NOT failed)
             set(COMMIT ${head})
             if(changes)

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
+#include <string>
 #include <vector>
 
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
+#include "option/near_word.hpp"
 #include "option/subcommand.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
@@ -37,22 +40,41 @@ std::string with_short_words(std::string message, int argc, char** argv) {
     return message;
 }
 
-// The first word that nothing in the program expects.
+// The first word that nothing in the program expects: after a subcommand it is an option that it does not have.
 std::string unexpected_word(const CLI::App& program) {
     const auto words = program.remaining(true);
-    for (const auto& word : words) {
-        if (word.starts_with("-")) {
-            return word;
+    if (!program.get_subcommands().empty()) {
+        for (const auto& word : words) {
+            if (word.starts_with("-")) {
+                return word;
+            }
         }
     }
     return words.empty() ? "" : words.front();
 }
 
-// CLI11's own complaint as one line with a remedy.
+// The names of the subcommands, and of the options of one.
+std::vector<std::string> names_in(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* each : app.get_subcommands([](const CLI::App* /*all*/) { return true; })) {
+        names.push_back(each->get_name());
+    }
+    for (const CLI::Option* each : app.get_options()) {
+        for (const std::string& name : each->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+// CLI11's own complaint as one line with a remedy, and the name that was perhaps meant.
 int complain_of_usage(const CLI::App& program, const std::string& problem) {
     const std::string unexpected = unexpected_word(program);
-    const std::string line = unexpected.empty() ? problem : libration::quotation(unexpected) + " is not understood";
     const auto chosen = program.get_subcommands();
+    const std::string near = libration::suggestion(unexpected.substr(0, unexpected.find('=')),
+                                                   names_in(chosen.empty() ? program : *chosen.front()));
+    const std::string line =
+        unexpected.empty() ? problem : libration::quotation(unexpected) + " is not understood" + near;
     const std::string help =
         chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
     return complain(fmt::format("{}: see {}", line, help), bad_input);
@@ -84,6 +106,13 @@ int run(const libration::subcommand& command) {
     }
 }
 
+// Help and version, which CLI11 writes to stdout.
+int say_help(const CLI::App& program, const CLI::ParseError& problem) {
+    const int code = program.exit(problem);
+    std::cout.flush();
+    return std::cout ? code : complain("stdout cannot be written", failed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -103,7 +132,7 @@ int main(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        return problem.get_exit_code() == 0 ? program.exit(problem)
+        return problem.get_exit_code() == 0 ? say_help(program, problem)
                                             : complain_of_usage(program, with_short_words(problem.what(), argc, argv));
     }
     const auto chosen = std::find_if(commands.begin(), commands.end(),

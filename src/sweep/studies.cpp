@@ -1,30 +1,101 @@
-// libration studies: each study with its question, its parameters and its cost.
+// libration studies: each study with its question, its parameters and its cost; one of them at length.
 #include <fmt/format.h>
 
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "sweep/study.hpp"
+#include "sweep/study_files.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 
 namespace {
 
-int list_studies() {
-    for (const study* each : all_studies()) {
-        fmt::print("{}{}\n    {}\n", each->name, each->label.empty() ? "" : "  [paper " + each->label + "]",
-                   each->question);
-        for (const study_parameter& parameter : each->parameters) {
-            fmt::print("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
-                       parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
-        }
-        fmt::print("    {:<12} {:.1f} s on two cores\n", "cost", each->seconds);
+std::string text_of(const study& each) {
+    std::string text = fmt::format("{}{}\n    {}\n", each.name,
+                                   each.label.empty() ? "" : "  [paper " + each.label + "]", each.question);
+    for (const study_parameter& parameter : each.parameters) {
+        text += fmt::format("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
+                            parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
     }
+    return text + fmt::format("    {:<12} {:.1f} s on two cores\n", "cost", each.seconds);
+}
+
+// What else there is to say of one.
+std::string more_text_of(const study& each) {
+    std::string text;
+    for (const without_answer& left : each.excluded) {
+        text += fmt::format("    {:<12} {}: {}\n", "no answer", left.coordinate, left.reason);
+    }
+    std::string quick;
+    for (const study_parameter& parameter : each.quick) {
+        quick += fmt::format(" {} {}", parameter.option, parameter.usual);
+    }
+    return text +
+           fmt::format(
+               "    {0:<12} {1}\n    {2:<12} libration study {3} --out out\n    {4:<12} libration study {3}{5}\n",
+               "title", each.title, "run it", each.name, "quickly", quick);
+}
+
+nlohmann::ordered_json json_of(const study& each) {
+    const auto or_null = [](const std::string& text) {
+        return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+    };
+    nlohmann::ordered_json object{{"name", each.name},
+                                  {"title", each.title},
+                                  {"figure", or_null(each.label)},
+                                  {"question", each.question},
+                                  {"seconds", each.seconds},
+                                  {"proved", each.offers == arithmetics::proved_too},
+                                  {"parameters", nlohmann::ordered_json::array()}};
+    for (const study_parameter& parameter : each.parameters) {
+        object["parameters"].push_back(
+            {{"option", parameter.option}, {"usual", or_null(parameter.usual)}, {"meaning", parameter.meaning}});
+    }
+    return object;
+}
+
+struct studies_options {
+    std::optional<std::string> name;
+    std::string format = "text";
+};
+
+int list_studies(const studies_options& options) {
+    const auto chosen =
+        options.name ? std::vector<const study*>{&study_named("studies", *options.name)} : all_studies();
+    if (options.format == "json") {
+        auto list = nlohmann::ordered_json::array();
+        for (const study* each : chosen) {
+            list.push_back(json_of(*each));
+        }
+        write_to_stdout(list.dump(2) + '\n');
+        return 0;
+    }
+    if (options.format != "text") {
+        throw input_error("--format", options.format, "is no format", "write text or json");
+    }
+    std::string text;
+    for (const study* each : chosen) {
+        text += text_of(*each) + (options.name ? more_text_of(*each) : "");
+    }
+    write_to_stdout(text);
     return 0;
 }
 
 }  // namespace
 
 subcommand studies_command(CLI::App& program) {
-    return {program.add_subcommand("studies", "list the studies: question, parameters, cost"), list_studies};
+    const auto options = std::make_shared<studies_options>();
+    CLI::App* command = program.add_subcommand("studies", "list the studies: question, parameters, cost");
+    command->add_option("NAME", options->name, "this study alone, at length");
+    command->add_option("--format", options->format, "text or json")->type_name("FORMAT")->capture_default_str();
+    return {command, [options] { return list_studies(*options); }};
 }
 
 }  // namespace libration

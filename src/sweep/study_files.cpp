@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "option/near_word.hpp"
 #include "option/options.hpp"
 #include "run/provenance.hpp"
 #include "run/sha256.hpp"
@@ -242,11 +243,13 @@ const study& study_named(std::string_view option, std::string_view name) {
     if (found != studies.end()) {
         return **found;
     }
-    std::string names;
+    std::vector<std::string> names;
+    names.reserve(studies.size());
     for (const study* candidate : studies) {
-        names += (names.empty() ? "" : ", ") + candidate->name;
+        names.push_back(candidate->name);
     }
-    throw input_error(std::string(option), std::string(name), "is not a study", "choose one of " + names);
+    throw input_error(std::string(option), std::string(name), "is not a study" + suggestion(name, names),
+                      fmt::format("choose one of {}", fmt::join(names, ", ")));
 }
 
 }  // namespace libration

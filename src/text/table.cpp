@@ -178,7 +178,10 @@ std::string to_json(const table& data) {
     for (const auto& row : data.rows()) {
         nlohmann::ordered_json object;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            object[data.columns()[i].name] = row[i].text();
+            auto& value = object[data.columns()[i].name];
+            if (!row[i].is_empty()) {
+                value = row[i].text();
+            }
         }
         out.push_back(std::move(object));
     }

@@ -2,6 +2,7 @@
 // stdout and no file is left behind.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -341,6 +342,39 @@ TEST_CASE("advice names options that the subcommand has", "[command][bad input]"
 TEST_CASE("reproduce refuses its parameters before it says what it runs", "[command][bad input]") {
     const temporary_folder folder;
     check_refused({"reproduce", "--jobs", "0", "--out", (folder.path() / "out").string()}, {"--jobs '0'"}, folder);
+}
+
+TEST_CASE("a mistyped name is the one that is named, with the near one", "[command][bad input]") {
+    check_refused({"perod", "--energy", "1"}, {"'perod'", "did you mean period?"});
+    check_refused({"period", "--enrgy", "1"}, {"'--enrgy'", "did you mean --energy?"});
+    check_refused({"period", "--enrgy=1"}, {"'--enrgy=1'", "did you mean --energy?"});
+    check_refused({"study", "eror_norm"}, {"'eror_norm'", "did you mean error_norm?"});
+    check_refused({"studies", "surfac"}, {"'surfac'", "did you mean surface?"});
+    check_refused({"figure", "teams"}, {"'teams'", "did you mean terms?"});
+    check_refused({"reproduce", "--only", "uniforn"}, {"'uniforn'", "did you mean uniform?"});
+    const finished_process far = run_libration({"xyzzy"});
+    CHECK(far.exit_code == 2);
+    CHECK(far.err.find("did you mean") == std::string::npos);
+}
+
+TEST_CASE("what does not fit onto stdout ends in 1, help and lists too", "[command][bad input]") {
+    for (const words& order : {words{"--help"},
+                               {"--version"},
+                               {"--help-all"},
+                               {"period", "--help"},
+                               {"studies"},
+                               {"studies", "--format", "json"},
+                               {"cite"},
+                               {"period", "--energy", "1"}}) {
+        INFO(command_line(order));
+        std::string line = std::string(LIBRATION_COMMAND);
+        for (const std::string& word : order) {
+            line += " " + word;
+        }
+        const int status = std::system((line + " >/dev/full 2>/dev/null").c_str());
+        REQUIRE(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 1);
+    }
 }
 
 }  // namespace command_bad_input_test

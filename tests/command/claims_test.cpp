@@ -1,6 +1,7 @@
 // `libration claims`: the verdicts on the paper, and the commands that show them.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -82,7 +83,9 @@ TEST_CASE("a claim that there is not is refused", "[command][claims]") {
 TEST_CASE("cite prints BibTeX for the program and the paper", "[command]") {
     const std::string text = output_of({"cite"});
     CHECK(text.starts_with("@software{libration,\n"));
-    CHECK(text.find("@unpublished{pendulum_series,\n") != std::string::npos);
+    CHECK(text.find("@misc{pendulum_series,\n") != std::string::npos);
+    CHECK(text.find("eprint        = {2108.09395}") != std::string::npos);
+    CHECK(std::regex_search(text, std::regex("year +=")));
     CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
 }
 

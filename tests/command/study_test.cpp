@@ -96,6 +96,30 @@ TEST_CASE("all scalars of a study are one table on stdout, with one header line"
     CHECK(scalars == words{"ball:50", "ball:50", "double", "double", "long-double", "long-double", "quad", "quad"});
 }
 
+TEST_CASE("one study is listed at length, and all of them as JSON", "[command][study]") {
+    const std::string one = output_of({"studies", "error_norm"});
+    for (const std::string part : {"error_norm  [paper fig:error]\n", "libration study error_norm --out out\n",
+                                   "the period is infinite", "--energies 1.71,2.02"}) {
+        INFO(part);
+        CHECK(one.find(part) != std::string::npos);
+    }
+    CHECK(one.find("period_error") == std::string::npos);
+    const auto json = nlohmann::json::parse(output_of({"studies", "--format", "json"}));
+    std::string names;
+    for (const auto& each : json) {
+        names += each.at("name").get<std::string>() + "\n";
+        CHECK(each.at("seconds").get<double>() > 0);
+        CHECK((each.at("figure").is_null() || each.at("figure").get<std::string>().starts_with("fig:")));
+        for (const auto& parameter : each.at("parameters")) {
+            CHECK(parameter.at("option").get<std::string>().starts_with("--"));
+            CHECK(parameter.at("usual") != "");
+        }
+    }
+    CHECK(names.find("error_norm\n") != std::string::npos);
+    CHECK(nlohmann::json::parse(output_of({"studies", "cost", "--format", "json"})).size() == 1);
+    CHECK(run_libration({"studies", "--format", "csv"}).exit_code == 2);
+}
+
 TEST_CASE("studies are listed with question, parameters and cost", "[command][study]") {
     const std::string list = output_of({"studies"});
     for (const std::string part :

@@ -1,0 +1,32 @@
+#include "option/near_word.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace option_near_word_test {
+
+using namespace libration;
+
+TEST_CASE("the distance of words counts letters left out, too many, wrong and exchanged", "[option][near word]") {
+    CHECK(letters_apart("", "") == 0);
+    CHECK(letters_apart("period", "period") == 0);
+    CHECK(letters_apart("perod", "period") == 1);
+    CHECK(letters_apart("perriod", "period") == 1);
+    CHECK(letters_apart("pariod", "period") == 1);
+    CHECK(letters_apart("peroid", "period") == 1);
+    CHECK(letters_apart("", "abc") == 3);
+    CHECK(letters_apart("kitten", "sitting") == 3);  // Levenshtein's own example
+    CHECK(letters_apart("sitting", "kitten") == 3);
+}
+
+TEST_CASE("the nearest word is found where one is near", "[option][near word]") {
+    const std::vector<std::string> words{"period", "radius", "reference", "cite"};
+    CHECK(near_word("perod", words) == "period");
+    CHECK(near_word("refrence", words) == "reference");
+    CHECK(near_word("sight", words) == std::nullopt);
+    CHECK(near_word("", words) == std::nullopt);
+    CHECK(near_word(std::string(10'000'000, 'a'), words) == std::nullopt);
+    CHECK(suggestion("raduis", words) == " (did you mean radius?)");
+    CHECK(suggestion("xyzzy", words).empty());
+}
+
+}  // namespace option_near_word_test
