@@ -18,6 +18,7 @@ part() { # NAME COMMAND...
 by_integers() { "$build/libration-attack" --print 10000 | "$python" "$tests/attack/by_integers.py"; }
 
 part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
+part 'conditions that no test decides both ways' "$python" "$tests/coverage/coverage.py" "$build" --jobs "$(nproc)"
 part 'a million random values' "$build/libration-attack" 1000000
 part 'ten thousand random values by integers' by_integers
 part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build"

@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""The branch coverage of the files that docs/proved.md names, by clang.
+
+    python3 tests/coverage/coverage.py BUILD [--jobs N]
+
+BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a. The tests of TESTS, and the
+sources of the library that belong to the files, are compiled with counters and run. Every condition that is never true,
+or never false, in any test has to stand in argued.py with a reason; where one does not, and where a reason has no such
+condition left, the exit code is 1.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from argued import ARGUED
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# GCC's quadmath for the archives, which GCC has compiled.
+LIBRARIES = ["-lflint-arb", "-lflint", "-lmpfr", "-lgmp"]
+TESTS = """
+    truncation/bounds_test.cpp truncation/columns_test.cpp truncation/descent_test.cpp truncation/panels_test.cpp
+    truncation/refusals_test.cpp truncation/theta_series_test.cpp
+    scalar/ball/arctangent_test.cpp scalar/ball/decimal_test.cpp scalar/ball/fixed_point_test.cpp
+    digits/proved/proved_decimals_test.cpp approximant/proved/maximum_test.cpp
+    elliptic/proved/proved_elliptic_test.cpp elliptic/proved/proved_functions_test.cpp
+    pendulum/proved/landen_motion_test.cpp pendulum/proved/proved_canonical_test.cpp
+    pendulum/proved/proved_motion_test.cpp pendulum/error/proved/proved_norm_test.cpp
+    pendulum/motion/decision_test.cpp pendulum/motion/motion_test.cpp
+    pendulum/taylor/lattice_coefficients_test.cpp pendulum/taylor/singularity_view_test.cpp
+    pendulum/arc/bounds_test.cpp pendulum/arc/uniform_remainder_test.cpp
+""".split()
+
+
+def named_files():
+    """The headers that the page names, and the sources of the library of the same stem."""
+    text = (ROOT / "docs/proved.md").read_text()
+    headers = [f"include/libration/{name}" for name in sorted(set(re.findall(r"`([a-z_/]+\.hpp)`", text)))]
+    sources = [h.replace("include", "src", 1).replace(".hpp", ".cpp") for h in headers]
+    return headers, [s for s in sources if (ROOT / s).exists()]
+
+
+def run(command, **more):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
+    if done.returncode != 0:
+        sys.exit(f"{command}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
+    return done.stdout
+
+
+def flags():
+    names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference"}
+    return ["clang++", "-std=c++20", "-O1", "-w", *(f'-D{name}="{value}"' for name, value in names.items()),
+            *(f"-I{ROOT}/{room}" for room in ("include", "tests", "src"))]
+
+
+def compiled(folder, jobs, sources):
+    """The objects of Catch2's main, of the tests and of the sources, these two with counters."""
+    (folder / "main.cpp").write_text("#define CATCH_CONFIG_MAIN\n#include <catch2/catch.hpp>\n")
+    shutil.copy(ROOT / "tests/precompiled.hpp", folder / "precompiled.hpp")
+    counting = [*flags(), "-fprofile-instr-generate", "-fcoverage-mapping"]
+    run([*counting, "-x", "c++-header", folder / "precompiled.hpp", "-o", folder / "precompiled.hpp.pch"])
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        work = [pool.submit(run, [*flags(), "-c", folder / "main.cpp", "-o", folder / "main.o"])]
+        objects = []
+        for source in [f"tests/{test}" for test in TESTS] + sources:
+            objects.append(folder / (source.replace("/", "_") + ".o"))
+            included = ["-include", folder / "precompiled.hpp"] if source.startswith("tests/") else []
+            work.append(pool.submit(run, [*counting, *included, "-c", ROOT / source, "-o", objects[-1]]))
+        for each in work:
+            each.result()
+    return objects
+
+
+def counts_of(folder, files):
+    """By file, line and column of a condition, how often it was true and false, in all instantiations together."""
+    run(["llvm-profdata", "merge", "-sparse", folder / "raw", "-o", folder / "profile"])
+    text = run(["llvm-cov", "export", folder / "program", f"-instr-profile={folder / 'profile'}",
+                *(ROOT / name for name in files)])
+    counts = collections.defaultdict(lambda: [0, 0])
+    for each in json.loads(text)["data"][0]["files"]:
+        name = each["filename"].removeprefix(f"{ROOT}/")
+        for line, column, _, _, true, false, *_ in each["branches"]:
+            counts[name, line, column][0] += true
+            counts[name, line, column][1] += false
+    return counts
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    options = parser.parse_args()
+    build = options.build.resolve()
+    folder = build / "coverage"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+
+    headers, sources = named_files()
+    objects = compiled(folder, options.jobs, sources)
+    run(["clang++", "-fprofile-instr-generate", folder / "main.o", *objects, "-Wl,--allow-multiple-definition",
+         build / "liblibration-proved.a", build / "liblibration.a", *LIBRARIES,
+         run(["g++", "-print-file-name=libquadmath.so"]).strip(), "-o", folder / "program"])
+    run([folder / "program"], cwd=folder, env={**os.environ, "LLVM_PROFILE_FILE": str(folder / "raw")})
+
+    seen = missed = 0
+    used = set()
+    for (name, number, column), counts in sorted(counts_of(folder, headers + sources).items()):
+        seen += sum(count > 0 for count in counts)
+        if all(counts):
+            continue
+        text = (ROOT / name).read_text().splitlines()[number - 1].strip()
+        if "if constexpr" in text:  # decided when it is compiled
+            continue
+        if (name, text) in ARGUED:
+            used.add((name, text))
+            continue
+        missed += 1
+        never = "neither" if not any(counts) else "never true" if not counts[0] else "never false"
+        print(f"{name}:{number}:{column}: {never}: {text}")
+    idle = sorted(set(ARGUED) - used)
+    for name, text in idle:
+        print(f"{name}: no condition is open where argued.py has a reason: {text}")
+    print(f"{seen} outcomes of conditions seen in {len(headers)} headers and {len(sources)} sources, {len(used)} lines argued, "
+          f"{missed} open")
+    sys.exit(1 if missed or idle else 0)
+
+
+if __name__ == "__main__":
+    main()
