@@ -20,7 +20,8 @@ import shutil
 import subprocess
 import sys
 
-from argued import ARGUED
+sys.dont_write_bytecode = True  # a tree that is tested stays as it is
+from argued import ARGUED  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # GCC's quadmath for the archives, which GCC has compiled.

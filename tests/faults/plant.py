@@ -20,7 +20,8 @@ import sys
 import time
 import xml.etree.ElementTree as xml
 
-from faults import FAULTS
+sys.dont_write_bytecode = True  # a tree that is tested stays as it is
+from faults import FAULTS  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIMIT = 120  # seconds, of a test program that takes a few
