@@ -37,8 +37,10 @@ int run_elliptic(const elliptic_options& options) {
     }
     table data(std::move(columns));
     for (const elliptic_point& at : request.points) {
-        const auto value = at.imaginary ? complex_texts(*function, at, digits)
-                                        : std::array<std::string, 2>{function_text(*function, at, digits), "0"};
+        const auto value = answer_at(request, at, [&] {
+            return at.imaginary ? complex_texts(*function, at, digits)
+                                : std::array<std::string, 2>{function_text(*function, at, digits), "0"};
+        });
         table_row_cells row{options.function,
                             at.argument ? read_cell(at.argument->text) : cell(),
                             read_cell(at.parameter.typed.text),

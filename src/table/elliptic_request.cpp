@@ -147,8 +147,7 @@ arguments_list read_arguments(elliptic_request& request, const option_words& sai
                                       : request.argument == "u" ? "U"
                                                                 : "X"));
     }
-    if (grid == elliptic_grid::one && request.argument == "u" && function.name != "am" &&
-        has_complex_item(*value)) {
+    if (grid == elliptic_grid::one && request.argument == "u" && function.name != "am" && has_complex_item(*value)) {
         return complex_arguments(wanted, *value);
     }
     arguments_list arguments;
@@ -197,6 +196,7 @@ void read_points(elliptic_request& request, const option_words& said) {
     const point_file file("--points", path, said["--columns"], elliptic_columns::known());
     const elliptic_columns columns(file.names(), *request.functions.front());
     request.modulus = columns.modulus();
+    request.from_file = true;
     request.argument = columns.has_argument() ? std::string(request.functions.front()->argument) : "";
     for (const point_file::row& row : file.rows()) {
         request.points.push_back(file.reading(row, [&](const auto& cells) { return columns.read(cells); }));
@@ -204,6 +204,22 @@ void read_points(elliptic_request& request, const option_words& said) {
 }
 
 }  // namespace
+
+void refuse_input(const elliptic_request& request, const elliptic_point& at, const error& complaint) {
+    const bool of_modulus = complaint.subject() == "m" || complaint.subject() == "q";
+    const bool of_argument = !request.argument.empty() && complaint.subject() == request.argument;
+    const bool of_characteristic = complaint.subject() == "n";
+    if (complaint.kind() != error_kind::argument || !(of_modulus || of_argument || of_characteristic)) {
+        throw;
+    }
+    const std::string name = of_modulus ? request.modulus : complaint.subject();
+    const auto& typed = of_modulus ? std::optional(at.parameter.typed) : of_argument ? at.argument : at.characteristic;
+    const std::string remedy = of_modulus    ? "write another one, such as 0.8"
+                               : of_argument ? "write an argument nearer to 0"
+                                             : "write a smaller one";
+    throw input_error((request.from_file ? "column " : "--") + name, typed ? typed->text : complaint.value(),
+                      complaint.reason(), remedy);
+}
 
 void require_argument(const std::string& name, const exact& argument) {
     const bool angle = argument.measure == unit::degree && name != "phi";

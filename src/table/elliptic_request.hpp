@@ -17,12 +17,27 @@ struct elliptic_request {
     std::string modulus;                 ///< k, m, m1 or q
     std::string argument;                ///< u, phi, x or z; empty where the functions have none
     std::vector<elliptic_point> points;  ///< of a grid, the parameters first
+    bool from_file = false;              ///< the points are rows of --points
 
     bool has_characteristic() const { return functions.front()->has_characteristic; }
     bool is_complex() const {
         return std::any_of(points.begin(), points.end(), [](const elliptic_point& at) { return at.imaginary; });
     }
 };
+
+/// The complaint of a function about one of its inputs, as one about the option or the column that gave it. Throws
+/// input_error; what leaves something open, and what is about no input, as it is.
+[[noreturn]] void refuse_input(const elliptic_request& request, const elliptic_point& at, const error& complaint);
+
+/// compute() of a point, whose complaints name the option or the column.
+template <class Compute>
+auto answer_at(const elliptic_request& request, const elliptic_point& at, const Compute& compute) {
+    try {
+        return compute();
+    } catch (const error& complaint) {
+        refuse_input(request, at, complaint);
+    }
+}
 
 /// --u, --phi, --x, --z, --n, --k, --m, --m1, --q.
 void offer_elliptic(option_words& said, CLI::App& command);

@@ -46,8 +46,7 @@ std::string function_text(const named_function& function, const elliptic_point& 
             throw;
         }
         throw error(error_kind::argument, std::string(function.argument), at.argument ? at.argument->text : "",
-                    fmt::format("makes {} too large or too small to be printed: choose an argument nearer to 0",
-                                function.name));
+                    fmt::format("makes {} too large or too small to be printed", function.name));
     }
 }
 

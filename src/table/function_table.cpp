@@ -89,7 +89,9 @@ public:
     }
 
 private:
-    cell value_of(const named_function& function) const { return number_cell(function_text(function, at_, digits_)); }
+    cell value_of(const named_function& function) const {
+        return answer_at(request_, at_, [&] { return number_cell(function_text(function, at_, digits_)); });
+    }
     cell condition_of(const named_function& function) const { return number_cell(condition_text(function, at_)); }
 
     const elliptic_request& request_;

@@ -334,7 +334,7 @@ TEST_CASE("advice names options that the subcommand has", "[command][bad input]"
         INFO(done.err);
         CHECK(done.exit_code == 2);
         CHECK(done.err.find("--scalar") == std::string::npos);
-        CHECK(done.err.find("u '1e20' makes " + function + " too large or too small to be printed: choose") !=
+        CHECK(done.err.find("u '1e20' makes " + function + " too large or too small to be printed: write") !=
               std::string::npos);
     }
 }
