@@ -22,4 +22,5 @@ part 'conditions that no test decides both ways' "$python" "$tests/coverage/cove
 part 'a million random values' "$build/libration-attack" 1000000
 part 'ten thousand random values by integers' by_integers
 part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build"
+part 'the coverage of the radius' "$build/libration-tests" '[.long]'
 exit "$status"

@@ -106,6 +106,76 @@ TEMPLATE_LIST_TEST_CASE("no list makes a test answer with what is no number", "[
     }
 }
 
+TEST_CASE("an apparent singularity of a fitted equation is not the nearest one", "[convergence][radius_verdict]") {
+    const precision_scope scope(50);
+    // (1-x)^(2/3) + (1+x)^(-5/2): its second-order equation is singular at 0.5789 too, where the sum is analytic.
+    auto sum = binomial_series(mpfr(1), mpfr(mpfr(2) / 3), 40);
+    const auto other = binomial_series(mpfr(-1), mpfr(mpfr(-5) / 2), 40);
+    for (int n = 0; n <= 40; ++n) {
+        sum[n] += other[n];
+    }
+    const auto found = report(sum).verdict;
+    REQUIRE(found.radius);
+    CHECK(covers(found, mpfr(1)));
+    CHECK(found.uncertainty < mpfr("1e-30"));
+    REQUIRE(found.exponent);
+    CHECK(abs(mpfr(*found.exponent + mpfr(5) / 2)) <= found.exponent_uncertainty);
+}
+
+TEST_CASE("a verdict tells a kind and an exponent only where they are seen, and with an uncertainty",
+          "[convergence][radius_verdict]") {
+    const precision_scope scope(30);
+    // Relative noise of 1e-8 on (1 - x/2)^(3/2), five times.
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        auto noisy = binomial_series(mpfr(2), mpfr(mpfr(3) / 2), 39);
+        unsigned state = seed;
+        for (int n = 0; n <= 39; ++n) {
+            state = state * 1103515245U + 12345U;
+            noisy[n] *= 1 + mpfr(static_cast<int>(state >> 16U) % 2001 - 1000) / 100'000'000'000;
+        }
+        const auto found = report(noisy).verdict;
+        INFO(seed << " " << found.note);
+        REQUIRE(found.radius);
+        CHECK(covers(found, mpfr(2)));
+        CHECK(found.uncertainty < mpfr("0.1"));
+        CHECK((found.kind == singularity_kind::algebraic || found.kind == singularity_kind::unknown));
+        if (found.exponent) {
+            CHECK(found.exponent_uncertainty > 0);
+            CHECK(abs(mpfr(*found.exponent - mpfr(3) / 2)) <= found.exponent_uncertainty);
+        }
+    }
+}
+
+namespace {
+
+radius_estimate<double> said(const std::string& method, double radius, double uncertainty, bool may_decide = true) {
+    radius_estimate<double> e;
+    e.method = method;
+    e.radius = radius;
+    e.uncertainty = uncertainty;
+    e.may_decide = may_decide;
+    return e;
+}
+
+}  // namespace
+
+TEST_CASE("what the others say decides between answers, and a contradiction widens", "[convergence][radius_verdict]") {
+    const coefficient_pattern pattern;
+    // Certain of itself and alone, against three that agree.
+    const auto outvoted = verdict_of<double>({said("a", 0.58, 1e-30), said("b", 1.0001, 1e-3), said("c", 1, 1e-4),
+                                              said("d", 0.9999, 1e-3), said("e", 0.98, 0.54)},
+                                             pattern);
+    CHECK(*outvoted.radius == 1);
+    CHECK_THAT(outvoted.note, Catch::Contains("confirmed by"));
+    // An uncertainty of the size of the answer confirms nothing: four times its own is left.
+    const auto alone = verdict_of<double>({said("a", 1, 1e-6), said("e", 0.975, 0.541)}, pattern);
+    CHECK(alone.uncertainty == Approx(4e-6));
+    // The distance and the other's own uncertainty.
+    const auto apart = verdict_of<double>({said("a", 1, 1e-6), said("b", 1.25, 0.125)}, pattern);
+    CHECK(apart.uncertainty == Approx(0.375));
+    CHECK_THAT(apart.note, Catch::Contains("contradicted by b"));
+}
+
 TEST_CASE("answers in a unit are lengths", "[convergence][radius_report]") {
     radius_estimate<double> one;
     one.radius = 1;
@@ -137,6 +207,7 @@ TEST_CASE("exponents are told as simple fractions within their uncertainty", "[c
     CHECK(kind_of(with(0.0001, 0.001)) == singularity_kind::logarithm);
     CHECK(kind_of(with(0.3333, 0.00001)) == singularity_kind::algebraic);
     CHECK(kind_of(with(0.3333, 0.5)) == singularity_kind::unknown);
+    CHECK(kind_of(with(0.01, 0.06)) == singularity_kind::unknown);
 }
 
 }  // namespace convergence_radius_report_test

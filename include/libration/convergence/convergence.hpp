@@ -1,7 +1,9 @@
-// The radius of convergence and the nearest singularities from a list of coefficients: start with report_on_radius().
+// The radius of convergence and the nearest singularities from a list of coefficients: start with report_on_list(), or
+// with report_on_radius() for coefficients in their unit.
 #pragma once
 
 #include "libration/convergence/list/coefficient_list.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/list_report.hpp"
 #include "libration/convergence/radius_report.hpp"
 #include "libration/convergence/radius_verdict.hpp"

@@ -30,6 +30,10 @@ enum class radius_test_kind {
     recurrence,  ///< a recurrence fitted to the coefficients
 };
 
+/// How many times its uncertainty a verdict takes of a test that may not decide: straight lines through ratios look more
+/// certain than they are where singularities are confluent, essential or near to each other.
+inline int caution_of(radius_test_kind kind) { return kind == radius_test_kind::ratios ? 8 : 2; }
+
 /// A test: how it is called, and how far it is trusted.
 template <rounding_scalar T>
 struct radius_test {
@@ -111,6 +115,9 @@ radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noi
         for (const auto& test : tests) {
             report.tests.push_back(test.run(test.as_given ? all : part));
             report.tests.back().may_decide = test.may_decide;
+            if (!test.may_decide) {
+                report.tests.back().caution = caution_of(test.kind);
+            }
         }
         report.verdict = verdict_of(report.tests, report.pattern);
     }
@@ -131,6 +138,7 @@ radius_estimate<T> in_unit(radius_estimate<T> estimate, const T& unit) {
     if (estimate.radius) {
         *estimate.radius *= unit;
         estimate.uncertainty *= unit;
+        estimate.nearer *= unit;
     }
     if (estimate.position) {
         *estimate.position = *estimate.position * unit;

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "libration/convergence/list/coefficient_pattern.hpp"
@@ -32,17 +31,22 @@ std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
     return std::nullopt;
 }
 
-/// pole for a negative integer, logarithm for 0 and other integers, algebraic otherwise.
+/// pole for a negative integer, logarithm for 0 and other integers, algebraic otherwise; unknown where an integer lies
+/// within an uncertainty that allows other exponents too.
 template <rounding_scalar T>
 singularity_kind kind_of(const radius_estimate<T>& estimate) {
+    using std::abs;
     if (!estimate.exponent) {
         return singularity_kind::unknown;
     }
     const auto simple = simple_exponent(estimate);
-    if (!simple || boost::multiprecision::denominator(*simple) != 1) {
-        return estimate.exponent_uncertainty * 8 > 1 ? singularity_kind::unknown : singularity_kind::algebraic;
+    if (simple && boost::multiprecision::denominator(*simple) == 1) {
+        return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
     }
-    return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
+    const rational nearest(nearest_integer(widen(*estimate.exponent)));
+    const bool may_be_whole = abs(T(*estimate.exponent - from_rational<T>(nearest))) <= estimate.exponent_uncertainty;
+    return may_be_whole || estimate.exponent_uncertainty * 8 > 1 ? singularity_kind::unknown
+                                                                 : singularity_kind::algebraic;
 }
 
 /// The root test's answer for a lacunary series, which has its whole circle of convergence as a boundary if its
@@ -61,55 +65,185 @@ radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests
     return no_estimate<T>("verdict", "a lacunary series, of which the root test gives no radius");
 }
 
-/// The answers of the tests that may decide, or of all to a factor of 3/2 where these have none, by growing relative
+/// An answer as the verdict weighs it: its uncertainty, and the probability that it is about the nearest singularity at
+/// all, both calibrated on the population of tests/convergence/radius_families.hpp.
+template <rounding_scalar T>
+struct weighed_answer {
+    const radius_estimate<T>* of;
+    T uncertainty;
+    T trust;
+    const T& radius() const { return *of->radius; }
+};
+
+/// All answers with an uncertainty below the answer, which counts as often as the test's caution asks; by growing relative
 /// uncertainty.
 template <rounding_scalar T>
-std::vector<radius_estimate<T>> answers_by_certainty(const std::vector<radius_estimate<T>>& tests) {
-    std::vector<radius_estimate<T>> answers;
-    const auto take = [&](bool all) {
-        std::copy_if(tests.begin(), tests.end(), std::back_inserter(answers), [&](const auto& each) {
-            return each.radius && (each.may_decide || (all && each.uncertainty * 2 < *each.radius));
-        });
-    };
-    take(false);
-    if (answers.empty()) {
-        take(true);
+std::vector<weighed_answer<T>> weighed_answers(const std::vector<radius_estimate<T>>& tests) {
+    std::vector<weighed_answer<T>> answers;
+    for (const auto& each : tests) {
+        if (each.radius) {
+            const T uncertainty = each.uncertainty * each.caution;
+            if (uncertainty < *each.radius) {
+                answers.push_back({&each, uncertainty, each.may_decide ? T(T(19) / 20) : T(T(4) / 5)});
+            }
+        }
     }
     std::stable_sort(answers.begin(), answers.end(), [](const auto& a, const auto& b) {
-        return a.uncertainty * *b.radius < b.uncertainty * *a.radius;
+        return a.uncertainty * b.radius() < b.uncertainty * a.radius();
     });
     return answers;
 }
 
-/// The most certain answer, confirmed by another one: where it differs from all others by more than both allow, the
-/// least difference is the uncertainty.
+/// log of the probability, up to a common factor, of all answers where answer i is right to its uncertainty: each other
+/// one is either right too, and then as near as both uncertainties allow, beyond which its density falls like the
+/// fourth power; or it may be anywhere between 0 and two radii.
+template <rounding_scalar T>
+T log_evidence(const std::vector<weighed_answer<T>>& answers, std::size_t i) {
+    using std::abs;
+    using std::log;
+    const weighed_answer<T>& lead = answers[i];
+    T sum = log(lead.trust);
+    for (std::size_t j = 0; j < answers.size(); ++j) {
+        if (j != i) {
+            const T allowed = lead.uncertainty + answers[j].uncertainty + lead.radius() * epsilon<T>();
+            const T apart = abs(lead.radius() - answers[j].radius()) / allowed;
+            const T size = lead.radius() < answers[j].radius() ? lead.radius() : answers[j].radius();
+            const T density = size / allowed / (apart > 1 ? T(apart * apart * apart * apart) : T(1));
+            sum += log(T(answers[j].trust * density + 1 - answers[j].trust));
+        }
+    }
+    return sum;
+}
+
+/// The answer for which the others speak most, among the tests that may decide and are certain to a sixteenth, or among
+/// all to a factor of 3/2 where there is none; nothing where there is no such answer either.
+template <rounding_scalar T>
+std::optional<std::size_t> leading_answer(const std::vector<weighed_answer<T>>& answers) {
+    const auto most_believed = [&](auto may_lead) {
+        std::optional<std::size_t> best;
+        T most(0);
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            if (may_lead(answers[i])) {
+                const T evidence = log_evidence(answers, i);
+                if (!best || evidence > most) {
+                    best = i;
+                    most = evidence;
+                }
+            }
+        }
+        return best;
+    };
+    const auto decided =
+        most_believed([](const auto& a) { return a.of->may_decide && a.uncertainty * 16 < a.radius(); });
+    return decided
+               ? decided
+               : most_believed([](const auto& a) { return a.of->may_decide || a.of->uncertainty * 2 < a.radius(); });
+}
+
+/// What another answer says of the leading one.
+template <rounding_scalar T>
+struct witness {
+    std::string what;  ///< "confirmed by domb-sykes"
+    T uncertainty;     ///< that is left
+};
+
+/// The most certain answer that agrees; where none does, the one that contradicts least, by its distance and its own
+/// uncertainty; where no other is certain to a quarter of the radius, four times the answer's own uncertainty, or twice
+/// where that already is more than its test says.
+template <rounding_scalar T>
+witness<T> witness_of(const std::vector<weighed_answer<T>>& answers, std::size_t lead) {
+    using std::abs;
+    const T own = answers[lead].uncertainty;
+    const weighed_answer<T>* confirms = nullptr;
+    const weighed_answer<T>* contradicts = nullptr;
+    T doubt(0);
+    for (std::size_t j = 0; j < answers.size(); ++j) {
+        const auto& other = answers[j];
+        if (j == lead || other.uncertainty * 4 > other.radius()) {
+            continue;
+        }
+        const T apart = abs(answers[lead].radius() - other.radius());
+        if (apart <= own + other.uncertainty) {
+            confirms = confirms == nullptr || other.uncertainty < confirms->uncertainty ? &other : confirms;
+        } else if (contradicts == nullptr || apart + other.uncertainty < doubt) {
+            contradicts = &other;
+            doubt = apart + other.uncertainty;
+        }
+    }
+    if (confirms != nullptr) {
+        return {", confirmed by " + confirms->of->method, own};
+    }
+    if (contradicts != nullptr) {
+        return {", contradicted by " + contradicts->of->method, doubt};
+    }
+    return {", confirmed by no other test", T(own * (answers[lead].of->may_decide ? 4 : 2))};
+}
+
+/// Where an agreeing test that may decide has seen a weaker singularity nearer, twice its distance is the uncertainty,
+/// unless the answer is certain to three quarters of the digits: then nothing weaker is left in them.
+template <rounding_scalar T>
+void add_nearer(witness<T>& said, const std::vector<weighed_answer<T>>& answers, std::size_t lead) {
+    using std::abs;
+    using std::sqrt;
+    const T root = sqrt(epsilon<T>());
+    if (said.uncertainty < answers[lead].radius() * root * T(sqrt(root))) {
+        return;
+    }
+    for (const auto& other : answers) {
+        const T apart = abs(answers[lead].radius() - other.radius());
+        const bool agrees = apart <= answers[lead].uncertainty + other.uncertainty;
+        if (agrees && other.of->may_decide && other.of->nearer * 2 > said.uncertainty) {
+            said = {", doubted by a nearer root of " + other.of->method, T(other.of->nearer * 2)};
+        }
+    }
+}
+
+/// The exponent of an answer, or, where that is the assumption of its test, the one that an agreeing test has measured
+/// and is more certain of; nothing that is uncertain by more than a half.
+template <rounding_scalar T>
+void choose_exponent(radius_estimate<T>& verdict, const std::vector<weighed_answer<T>>& answers, const T& own) {
+    using std::abs;
+    if (verdict.exponent_assumed) {
+        for (const auto& other : answers) {
+            const bool agrees = abs(*verdict.radius - other.radius()) <= own + other.uncertainty;
+            if (agrees && other.of->may_decide && other.of->exponent && !other.of->exponent_assumed &&
+                (other.of->exponent_uncertainty < verdict.exponent_uncertainty)) {
+                verdict.exponent = other.of->exponent;
+                verdict.exponent_uncertainty = other.of->exponent_uncertainty;
+            }
+        }
+    }
+    if (verdict.exponent && own < verdict.uncertainty) {
+        verdict.exponent_uncertainty *= verdict.uncertainty / own;
+    }
+    if (verdict.exponent && verdict.exponent_uncertainty * 2 > 1) {
+        verdict.exponent.reset();
+        verdict.exponent_uncertainty = T(0);
+    }
+}
+
+/// The answer for which the others speak most, with what is left of its certainty where they do not confirm it.
 template <rounding_scalar T>
 radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, const coefficient_pattern& pattern) {
-    using std::abs;
     if (pattern.lacunary) {
         return lacunary_verdict(tests);
     }
-    const auto answers = answers_by_certainty(tests);
-    if (answers.empty()) {
+    const auto answers = weighed_answers(tests);
+    const auto lead = leading_answer(answers);
+    if (!lead) {
         return no_estimate<T>("verdict", "no test gives a radius to a factor of 3/2: " + pattern.text());
     }
-    radius_estimate<T> verdict = answers.front();
+    const T own = answers[*lead].uncertainty;
+    auto said = witness_of(answers, *lead);
+    add_nearer(said, answers, *lead);
+    radius_estimate<T> verdict = *answers[*lead].of;
+    if (!(said.uncertainty < *verdict.radius)) {
+        return no_estimate<T>("verdict", "no test is certain to the size of the radius: " + verdict.method + said.what);
+    }
+    verdict.note = "by " + verdict.method + said.what;
     verdict.method = "verdict";
-    verdict.note = "by " + answers.front().method;
-    const radius_estimate<T>* witness = nullptr;
-    T doubt(0);
-    for (std::size_t i = 1; i < answers.size(); ++i) {
-        const T apart = abs(*verdict.radius - *answers[i].radius);
-        const T left = apart <= verdict.uncertainty + answers[i].uncertainty ? verdict.uncertainty : apart;
-        if (witness == nullptr || left < doubt) {
-            witness = &answers[i];
-            doubt = left;
-        }
-    }
-    if (witness != nullptr) {
-        verdict.note += (doubt > verdict.uncertainty ? ", contradicted by " : ", confirmed by ") + witness->method;
-        verdict.uncertainty = doubt > verdict.uncertainty ? doubt : verdict.uncertainty;
-    }
+    verdict.uncertainty = said.uncertainty;
+    choose_exponent(verdict, answers, own);
     verdict.kind = kind_of(verdict);
     return verdict;
 }

@@ -15,6 +15,7 @@
 
 #include "libration/convergence/estimate/followed_root.hpp"
 #include "libration/convergence/estimate/recurrence_fit.hpp"
+#include "libration/convergence/estimate/visible_root.hpp"
 
 namespace libration::convergence {
 
@@ -30,6 +31,7 @@ struct fitted_singularity {
 struct fitted_singularities {
     int degree = 0;  ///< M
     std::vector<fitted_singularity> nearest;
+    mpfr nearer = mpfr(0);  ///< how much nearer another degree has one; 0 where none has
 };
 
 namespace fitting {
@@ -64,7 +66,22 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
     return fitted_singularity{at[0], exponents[0].re, left_after(at, s), left_after(exponents, s).likely};
 }
 
-/// The singularities of one degree: the root nearest to 0 and the others no further than a tenth more.
+/// The roots from `first` on that may matter beside it: up to half as far away again, six at most.
+inline std::vector<root_with_exponent> roots_beside(const leading_polynomials& q,
+                                                    const std::vector<complex_number<mpfr>>& roots, std::size_t first,
+                                                    const recurrence_form& form, int stride) {
+    constexpr std::size_t most = 6;
+    std::vector<root_with_exponent> beside;
+    for (std::size_t i = first; i < roots.size() && beside.size() < most; ++i) {
+        if (modulus_of(roots[i]) * 2 <= modulus_of(roots[first]) * 5) {
+            beside.push_back({roots[i], exponent_at(q, roots[i], form, stride)});
+        }
+    }
+    return beside;
+}
+
+/// The singularities of one degree: the root nearest to 0 that the coefficients show and the others no further than a
+/// tenth more.
 inline std::optional<fitted_singularities> singularities_of_degree(const wide_series& series,
                                                                    const recurrence_form& form, int degree) {
     const auto count = static_cast<int>(series.c.size());
@@ -77,13 +94,16 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
         }
         fits.push_back(*std::move(fit));
     }
-    fitted_singularities found{degree, {}};
+    fitted_singularities found{degree, {}, mpfr(0)};
     const auto starts = starting_roots(fits[0].top);
-    for (const auto& start : starts) {
-        if (modulus_of(start) * 10 > modulus_of(starts.front()) * 11) {
-            break;
-        }
-        auto singularity = followed(fits, start, form, series.stride, fewer[4]);
+    std::size_t first = 0;
+    while (form.highest > form.lowest && first < starts.size() &&
+           !is_visible(series, roots_beside(fits[0], starts, first, form, series.stride))) {
+        ++first;
+    }
+    for (std::size_t i = first; i < starts.size() && modulus_of(starts[i]) * 10 <= modulus_of(starts[first]) * 11;
+         ++i) {
+        auto singularity = followed(fits, starts[i], form, series.stride, fewer[4]);
         if (!singularity && found.nearest.empty()) {
             return std::nullopt;
         }
@@ -94,22 +114,70 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     return found.nearest.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
-/// Where few digits are certain, steps may be small by chance: the error is then thought to be four times what the
-/// steps say, or four times the distance from the root of the next degree on either side, whichever is nearer.
-inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best) {
-    constexpr int few_digits = 1'000'000;
+/// The root of another degree that is nearest to a point.
+inline const fitted_singularity& nearest_to(const fitted_singularities& other, const complex_number<mpfr>& at) {
+    return *std::min_element(other.nearest.begin(), other.nearest.end(), [&](const auto& a, const auto& b) {
+        return modulus_of(a.at - at) < modulus_of(b.at - at);
+    });
+}
+
+/// Where a degree is the one of an exact recurrence, how many of its last steps the error may be: 4 where it is certain
+/// to fine^(7/8) of its root; 16 where it is to ten digits, four more than the degree before, and no less than the next,
+/// which agrees, for there rounding alone is left, and grows; 0 otherwise.
+inline int steps_of_exact_degree(const std::vector<fitted_singularities>& all, std::size_t best, const mpfr& fine) {
+    const auto safe = [&](std::size_t i) -> const mpfr& { return all[i].nearest.front().moved.safe; };
+    const auto& at = all[best].nearest.front().at;
+    if (safe(best) < modulus_of(at) * fine / sqrt(sqrt(sqrt(fine)))) {
+        return 4;
+    }
+    const mpfr ten_digits = pow(mpfr(10), 10);
+    if (best + 1 >= all.size() || safe(best) * ten_digits > modulus_of(at) ||
+        (best > 0 && safe(best - 1) < safe(best) * 10'000)) {
+        return 0;
+    }
+    const fitted_singularity& next = nearest_to(all[best + 1], at);
+    return next.moved.safe >= safe(best) && modulus_of(next.at - at) <= next.moved.safe * 4 ? 16 : 0;
+}
+
+/// Steps may be small by chance: unless the degree is that of an exact recurrence, the error is thought to be four times what the steps say,
+/// or four times the second smallest distance from the roots of the two next degrees on either side; a single degree is
+/// believed two thirds of its digits. No error is thought to be below a sixteenth of the last steps.
+inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best, const mpfr& fine) {
     fitted_singularity& first = all[best].nearest.front();
-    if (first.moved.safe * few_digits < modulus_of(first.at) || all.size() == 1) {
+    first.moved.likely = std::max(first.moved.likely, mpfr(first.moved.safe / 16));
+    if (const int steps = steps_of_exact_degree(all, best, fine); steps > 0) {
+        first.moved.likely = std::max(first.moved.likely, mpfr(first.moved.safe * steps));
         return;
     }
-    std::optional<mpfr> nearest;
-    for (const std::size_t other : {best - 1, best + 1}) {
-        if (other < all.size()) {  // best - 1 wraps around at 0
-            const mpfr apart = modulus_of(all[other].nearest.front().at - first.at);
-            nearest = nearest && *nearest < apart ? *nearest : apart;
+    if (all.size() == 1) {
+        const mpfr size = modulus_of(first.at);
+        first.moved.likely = std::max(first.moved.likely, mpfr(size * cbrt(pow(mpfr(first.moved.safe / size), 2))));
+        return;
+    }
+    std::vector<mpfr> apart;
+    for (std::size_t other = best < 2 ? 0 : best - 2; other < all.size() && other <= best + 2; ++other) {
+        if (other != best) {
+            apart.push_back(modulus_of(nearest_to(all[other], first.at).at - first.at));
         }
     }
-    first.moved.likely = std::max(first.moved.likely, *nearest) * 4;
+    std::sort(apart.begin(), apart.end());
+    first.moved.likely = std::max(first.moved.likely, apart[apart.size() > 1 ? 1 : 0]) * 4;
+}
+
+/// A weak singularity nearer than a strong one shows in some degrees only, and less certain than that: how much nearer
+/// the furthest root is that lies before the best one and moves by less than an eighth of its distance; 0 for none.
+inline mpfr distance_of_nearer(const std::vector<fitted_singularities>& all, std::size_t best) {
+    const fitted_singularity& first = all[best].nearest.front();
+    mpfr most(0);
+    for (const fitted_singularities& other : all) {
+        for (const fitted_singularity& root : other.nearest) {
+            const mpfr nearer = modulus_of(first.at) - modulus_of(root.at);
+            if (nearer > most && nearer > first.moved.likely && root.moved.safe * 8 < nearer) {
+                most = nearer;
+            }
+        }
+    }
+    return most;
 }
 
 }  // namespace fitting
@@ -149,13 +217,21 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
     if (all.empty()) {
         return std::nullopt;
     }
-    fitting::compare_with_neighbours(all, best);
-    return all[best];
+    fitting::compare_with_neighbours(all, best, fine);
+    all[best].nearer = fitting::distance_of_nearer(all, best);
+    return std::move(all[best]);
 }
 
-/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the
-/// error that is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and
-/// a rounding of the coefficients.
+/// The exponent that the form presupposes is known no better than the position allows: another one moves the root by
+/// about 1/K^2 of its size, K the number of coefficients.
+inline mpfr uncertainty_of_assumption(const fitted_singularity& found, int count) {
+    return found.moved.likely / modulus_of(found.at) * count * count;
+}
+
+/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the error
+/// that is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and a rounding
+/// of the coefficients. A verdict takes three times that of a form that presupposes the exponent, unless six digits are
+/// certain: what is neither a pole nor a logarithm settles slowly there.
 template <rounding_scalar T>
 radius_estimate<T> estimate_by_recurrence(const std::string& method, const strided_series<T>& c,
                                           const recurrence_form& form) {
@@ -179,13 +255,19 @@ radius_estimate<T> estimate_by_recurrence(const std::string& method, const strid
     result.method = method;
     result.position = complex_number<T>{in_scalar(first.at.re), in_scalar(first.at.im)};
     const mpfr radius = modulus_of(first.at);
+    result.exponent_assumed = form.highest == form.lowest;
+    result.caution = result.exponent_assumed && first.moved.likely * 1'000'000 > radius ? 3 : 1;
     result.radius = in_scalar(radius);
     result.uncertainty = in_scalar(first.moved.likely) * safety + *result.radius * rounding;
     if (result.uncertainty >= *result.radius) {
         return no_estimate<T>(method, "its roots do not settle");
     }
+    result.nearer = in_scalar(found->nearer);
+    const int count = c.last() + 1;
     result.exponent = in_scalar(first.exponent);
-    result.exponent_uncertainty = in_scalar(first.exponent_moved) * safety;
+    result.exponent_uncertainty =
+        in_scalar(result.exponent_assumed ? uncertainty_of_assumption(first, count) : first.exponent_moved) * safety +
+        rounding * count;
     const mpfr certain = first.moved.likely + radius * widen(rounding);
     for (const fitted_singularity& each : found->nearest) {
         // Roots that mean nothing lie near the circle too, but they do not stay: half of the digits are asked for.

@@ -32,13 +32,16 @@ struct radius_estimate {
     std::string method;
     std::optional<T> radius;                    ///< nothing where the test does not apply; `note` says why then
     T uncertainty = T(0);                       ///< of the radius, absolute
+    T nearer = T(0);                            ///< a weaker singularity may be nearer by this; 0 where none was seen
     std::optional<complex_number<T>> position;  ///< of one nearest singularity, the one of least argument >= 0
     std::optional<T> exponent;                  ///< nu of (1 - x/x0)^nu there; 0 is a logarithm
     T exponent_uncertainty = T(0);
+    bool exponent_assumed = false;  ///< the test presupposes it
     singularity_kind kind = singularity_kind::unknown;
     int count = 0;            ///< singularities on the circle of convergence; 0 where the test does not tell
     std::string note;         ///< the reason for no radius, or what a reader should know
     bool may_decide = false;  ///< its test is one whose uncertainty can be trusted (radius_test)
+    int caution = 1;          ///< a verdict takes its uncertainty so many times
 };
 
 /// The answer of a test that does not apply.
@@ -65,15 +68,18 @@ radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
     result.method = estimate.method;
     result.radius = wide(estimate.radius);
     result.uncertainty = widen(estimate.uncertainty);
+    result.nearer = widen(estimate.nearer);
     if (estimate.position) {
         result.position = complex_number<mpfr>{widen(estimate.position->re), widen(estimate.position->im)};
     }
     result.exponent = wide(estimate.exponent);
     result.exponent_uncertainty = widen(estimate.exponent_uncertainty);
+    result.exponent_assumed = estimate.exponent_assumed;
     result.kind = estimate.kind;
     result.count = estimate.count;
     result.note = estimate.note;
     result.may_decide = estimate.may_decide;
+    result.caution = estimate.caution;
     return result;
 }
 

@@ -78,6 +78,7 @@ radius_estimate<T> in_variable(radius_estimate<T> in_power, int stride) {
     if (in_power.radius && stride > 1) {
         const T radius = stride_root(*in_power.radius, stride);
         in_power.uncertainty *= radius / (*in_power.radius * stride);
+        in_power.nearer *= radius / (*in_power.radius * stride);
         in_power.radius = radius;
     }
     if (in_power.position) {

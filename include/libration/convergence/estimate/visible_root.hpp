@@ -1,0 +1,136 @@
+// Whether the coefficients show a singularity at all: a differential equation fitted to them may be singular where its
+// solution is not.
+//
+// A singularity at w with the exponent nu adds A w^-k k^(-nu-1) (1 + a/k + ...) to c_k. Where the coefficients fall as
+// slowly as that, it is the nearest one. Where they fall faster, A is small, or 0 at an apparent singularity.
+// The A of both are unknowns of a linear system from the last coefficients; one that is there stays as the last
+// coefficients are left out, and what rounding or the rest of the function makes of a 0 does not.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "libration/convergence/estimate/recurrence_fit.hpp"
+#include "libration/scalar/complex_number.hpp"
+
+namespace libration::convergence::fitting {
+
+/// A root w (im >= 0) and the exponent there.
+struct root_with_exponent {
+    complex_number<mpfr> at;
+    mpfr exponent;
+};
+
+/// Whether the largest |c_k w^k| k^(nu+1) of the last eighth is more than 2^-10 of that at half of the list.
+inline bool as_large_as_coefficients(const wide_series& series, const root_with_exponent& root) {
+    const auto count = static_cast<int>(series.c.size());
+    const mpfr size = log2(modulus_of(root.at));
+    const auto largest = [&](int first, int last) {
+        std::optional<mpfr> most;
+        for (int k = std::max(1, first); k <= last; ++k) {
+            const mpfr& c = series.c[static_cast<std::size_t>(k)];
+            if (c != 0) {
+                const mpfr now = log2(mpfr(abs(c))) + size * k + (root.exponent + 1) * log2(mpfr(k));
+                most = most && *most > now ? *most : now;
+            }
+        }
+        return most;
+    };
+    const int width = std::max(4, count / 8);
+    const auto late = largest(count - width, count - 1);
+    const auto early = largest(count / 2 - width / 2, count / 2 + width / 2);
+    return !late || !early || *late + 10 >= *early;
+}
+
+/// w^-(k - k0) k^-(nu + 1 + s) at k = k0 - back as one or two columns: the real and, off the axis, the imaginary part.
+inline void add_columns(std::vector<mpfr>& row, const root_with_exponent& root, int k, int k0, int terms) {
+    complex_number<mpfr> power{mpfr(1)};
+    for (int j = k; j < k0; ++j) {
+        power = power * root.at;
+    }
+    const mpfr falling = mpfr(k0) / k;
+    mpfr factor = pow(falling, mpfr(root.exponent + 1));
+    for (int s = 0; s < terms; ++s, factor *= falling) {
+        row.push_back(power.re * factor);
+        if (root.at.im != 0) {
+            row.push_back(power.im * factor);
+        }
+    }
+}
+
+/// |A w^-k| k^(-nu-1) of the first root by the coefficients up to k0, the others taken from them at once; nothing where
+/// the equations are singular.
+inline std::optional<mpfr> amplitude_of_first(const wide_series& series, const std::vector<root_with_exponent>& roots,
+                                              int k0, int terms) {
+    std::vector<std::vector<mpfr>> a;
+    std::vector<mpfr> b;
+    std::size_t unknowns = 0;
+    for (const auto& root : roots) {
+        unknowns += static_cast<std::size_t>(terms) * (root.at.im == 0 ? 1 : 2);
+    }
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        const int k = k0 - static_cast<int>(i);
+        if (k < 1) {
+            return std::nullopt;
+        }
+        std::vector<mpfr> row;
+        for (const auto& root : roots) {
+            add_columns(row, root, k, k0, terms);
+        }
+        a.push_back(std::move(row));
+        b.push_back(series.c[static_cast<std::size_t>(k)]);
+    }
+    const auto solution = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * 64));
+    if (!solution) {
+        return std::nullopt;
+    }
+    mpfr sum(0);
+    const int parts = roots.front().at.im == 0 ? 1 : 2;
+    for (int part = 0; part < parts; ++part) {
+        const mpfr& x = (*solution)[static_cast<std::size_t>(part)];
+        sum += x * x;
+    }
+    return mpfr(sqrt(sum));
+}
+
+/// Whether there is a reason to doubt a root: the coefficients have fallen below it by 2^10, or its exponent is a whole
+/// number of 1 or more, as where a solution is analytic.
+inline bool is_doubtful(const wide_series& series, const root_with_exponent& root) {
+    const mpfr whole(nearest_integer(root.exponent));
+    const bool analytic = whole >= 1 && abs(root.exponent - whole) * 100 < 1;
+    return analytic || !as_large_as_coefficients(series, root);
+}
+
+/// Whether the first root is a singularity that the coefficients show, the others being those near it: nothing speaks
+/// against it, or its amplitude, carried from k0 to the last coefficient, stays within a quarter for k0 down to three
+/// quarters of the list.
+inline bool is_visible(const wide_series& series, const std::vector<root_with_exponent>& roots) {
+    if (!is_doubtful(series, roots.front())) {
+        return true;
+    }
+    const int last = static_cast<int>(series.c.size()) - 1;
+    std::size_t columns = 0;
+    for (const auto& root : roots) {
+        columns += root.at.im == 0 ? 1 : 2;
+    }
+    const int terms = std::clamp(last / 3 / static_cast<int>(columns), 1, 8);
+    const auto now = amplitude_of_first(series, roots, last, terms);
+    const mpfr size = modulus_of(roots.front().at);
+    for (const int back : {1, std::max(2, last / 8), std::max(3, last / 4)}) {
+        const auto before = amplitude_of_first(series, roots, last - back, terms);
+        if (!now || !before) {
+            return false;
+        }
+        const mpfr carried =
+            *before * pow(size, -back) * pow(mpfr(last - back) / last, mpfr(roots.front().exponent + 1));
+        if (!(abs(carried - *now) * 4 < *now)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace libration::convergence::fitting
