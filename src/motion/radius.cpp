@@ -2,20 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <memory>
 #include <utility>
 
-#include "libration/convergence/list/coefficient_list.hpp"
 #include "libration/convergence/list/coefficient_noise.hpp"
-#include "libration/convergence/list/coefficient_unit.hpp"
-#include "libration/convergence/radius_report.hpp"
+#include "libration/convergence/list_report.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "list/coefficient_file.hpp"
 #include "motion/motion_options.hpp"
 #include "motion/motion_series.hpp"
 #include "motion/radius_rows.hpp"
@@ -41,48 +34,13 @@ struct radius_options {
     std::optional<std::string> file;
 };
 
-std::string content_of(const std::string& path) {
-    const char* const remedy = "name a readable file, or - for stdin";
-    if (path == "-") {
-        return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    }
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw input_error("--coefficients", path, "is a folder", remedy);
-    }
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw input_error("--coefficients", path, fmt::format("cannot be read ({})", std::strerror(errno)), remedy);
-    }
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
+// An unknown of a file: its list, or those of the real and of the imaginary parts.
+struct lists_of_unknown {
+    std::string name;
+    std::vector<judged_list> parts;
+};
 
-std::vector<exact> coefficients_in_file(const std::string& path) {
-    std::vector<exact> list;
-    try {
-        list = read_coefficients(content_of(path));
-    } catch (const malformed_line& problem) {
-        throw input_error("--coefficients", path,
-                          fmt::format("line {}: {} {}", problem.number(), quotation(problem.text()), problem.reason()),
-                          "write one number a line such as 0.25, 1/3 or 1e-30, or n,coefficient with growing n");
-    }
-    if (list.empty()) {
-        throw input_error("--coefficients", path, "holds no coefficient", "write one number a line, or n,coefficient");
-    }
-    return list;
-}
-
-judged_list list_of_file(const radius_options& options, const arithmetic& numbers) {
-    if (const auto motion = options.motion.first_given()) {
-        throw input_error(fmt::format("--coefficients {} comes together with {}: give a list or a motion, not both",
-                                      quotation(*options.file), *motion));
-    }
-    if (options.at) {
-        throw input_error("--at", *options.at, "is a point of a motion, and --coefficients have none",
-                          "leave --at out");
-    }
-    std::vector<exact> written = coefficients_in_file(*options.file);
+judged_list judged_part(const radius_options& options, const arithmetic& numbers, std::vector<exact> written) {
     if (options.order) {
         const auto order = static_cast<std::size_t>(order_of("--order", *options.order));
         if (order >= written.size()) {
@@ -102,6 +60,26 @@ judged_list list_of_file(const radius_options& options, const arithmetic& number
     return {power_series<mpfr>(std::move(values)), std::move(written), "", std::nullopt};
 }
 
+std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const arithmetic& numbers) {
+    if (const auto motion = options.motion.first_given()) {
+        throw input_error(fmt::format("--coefficients {} comes together with {}: give a list or a motion, not both",
+                                      quotation(*options.file), *motion));
+    }
+    if (options.at) {
+        throw input_error("--at", *options.at, "is a point of a motion, and --coefficients have none",
+                          "leave --at out");
+    }
+    std::vector<lists_of_unknown> lists;
+    for (named_list& list : lists_in_file(*options.file)) {
+        lists_of_unknown unknown{list.name, {judged_part(options, numbers, std::move(list.real))}};
+        if (list.is_complex()) {
+            unknown.parts.push_back(judged_part(options, numbers, std::move(list.imaginary)));
+        }
+        lists.push_back(std::move(unknown));
+    }
+    return lists;
+}
+
 judged_list list_of_motion(const radius_options& options, const arithmetic& numbers) {
     if (!options.motion.first_given()) {
         throw input_error(
@@ -119,12 +97,21 @@ judged_list list_of_motion(const radius_options& options, const arithmetic& numb
     return {power_series<mpfr>(coefficient_values(request)), {}, std::move(text), std::move(radius)};
 }
 
+// The report on a list of a file, which may end in a floor of noise; a motion's coefficients are right to the last.
+template <class T>
+list_report<T> report_in(const judged_list& list) {
+    if (!list.written.empty()) {
+        return report_on_list<T>(list.coefficients, noise_of<T>(list.written));
+    }
+    const coefficient_unit unit = unit_of(list.coefficients);
+    return {report_on_radius(in_unit_of<T>(list.coefficients, unit), epsilon<T>()), unit, std::nullopt};
+}
+
 template <class T>
 radius_answers answers_in(const judged_list& list) {
-    const coefficient_unit unit = unit_of(list.coefficients);
-    const T noise = list.written.empty() ? epsilon<T>() : noise_of<T>(list.written);
-    const radius_report<T> report = report_on_radius(in_unit_of<T>(list.coefficients, unit), noise);
-    radius_answers answers{report.pattern, {}};
+    const list_report<T> found = report_in<T>(list);
+    const auto& [report, unit, floor] = found;
+    radius_answers answers{report.pattern, found.floor_text(), {}};
     answers.rows.reserve(report.tests.size() + 1);
     // The radius may be beyond the range of T where the coefficients are.
     const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
@@ -132,19 +119,106 @@ radius_answers answers_in(const judged_list& list) {
     for (const auto& test : report.tests) {
         answers.rows.push_back(in_unit(widened(test), unit.length));
     }
+    std::string& note = answers.rows.front().note;
     if (report.verdict.radius) {
-        answers.rows.front().note = report.pattern.text() + "; " + report.verdict.note;
+        note = report.pattern.text() + "; " + note;
+    }
+    if (floor) {
+        note += "; " + answers.floor;
     }
     return answers;
+}
+
+// |sum of a_n z^n| over the last half: large for a singularity at z, whose terms all have one argument.
+mpfr aligned_sum(const std::vector<judged_list>& parts, const complex_number<mpfr>& z) {
+    const auto& re = parts[0].coefficients;
+    const auto& im = parts[1].coefficients;
+    complex_number<mpfr> power{mpfr(1)};
+    complex_number<mpfr> sum{mpfr(0)};
+    const int last = std::min(re.order(), im.order());
+    for (int n = 0; n <= last; ++n, power = power * z) {
+        if (2 * n >= last) {
+            sum = sum + complex_number<mpfr>{re[n], im[n]} * power;
+        }
+    }
+    return modulus_of(sum);
+}
+
+// Real and imaginary parts of a list have both of z and its conjugate where the list has one: the one that it has.
+void choose_side(radius_estimate<mpfr>& verdict, const std::vector<judged_list>& parts) {
+    if (!verdict.position || verdict.position->im == 0) {
+        return;
+    }
+    const complex_number<mpfr> above = *verdict.position;
+    const complex_number<mpfr> below{above.re, mpfr(-above.im)};
+    const mpfr at_above = aligned_sum(parts, above);
+    const mpfr at_below = aligned_sum(parts, below);
+    if (at_below >= at_above * 2) {
+        verdict.position = below;
+    }
+    if (at_below >= at_above * 2 || at_above >= at_below * 2) {
+        verdict.count = std::max(1, verdict.count / 2);
+    }
+}
+
+// Which of several verdicts is that of all: the nearest, or the most certain of those that agree with it.
+std::size_t nearest_of(const std::vector<radius_answers>& all) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        const auto& now = all[i].rows.front();
+        const auto& before = all[best].rows.front();
+        if (!now.radius || !before.radius) {
+            best = now.radius ? i : best;
+            continue;
+        }
+        const bool agree = abs(*now.radius - *before.radius) <= now.uncertainty + before.uncertainty;
+        best = (agree ? now.uncertainty < before.uncertainty : *now.radius < *before.radius) ? i : best;
+    }
+    return best;
+}
+
+// The answers to an unknown: of its list, or of that part of it which has the nearer singularity.
+radius_answers answers_of(const lists_of_unknown& unknown, const arithmetic& numbers) {
+    std::vector<radius_answers> parts;
+    for (const judged_list& list : unknown.parts) {
+        parts.push_back(with_scalar(numbers.scalar, 0, [&]<class T>() { return answers_in<T>(list); }));
+    }
+    const std::size_t best = nearest_of(parts);
+    if (parts.size() > 1) {
+        const precision_scope scope(numbers.scalar.digits + radius_guard_digits);
+        auto& verdict = parts[best].rows.front();
+        choose_side(verdict, unknown.parts);
+        verdict.note += best == 0 ? "; from the real parts" : "; from the imaginary parts";
+    }
+    return std::move(parts[best]);
 }
 
 int run_radius(const radius_options& options) {
     options.output.check();
     const arithmetic numbers = options.arithmetic.choose();
-    const judged_list list = options.file ? list_of_file(options, numbers) : list_of_motion(options, numbers);
-    const radius_answers answers = with_scalar(numbers.scalar, 0, [&]<class T>() { return answers_in<T>(list); });
-    const table data = radius_table(answers, list, numbers.digits);
-    options.output.write(data, radius_text(answers, list, data));
+    std::vector<lists_of_unknown> unknowns;
+    if (options.file) {
+        unknowns = lists_of_file(options, numbers);
+    } else {
+        unknowns.push_back({"", {list_of_motion(options, numbers)}});
+    }
+    std::vector<radius_answers> all;
+    for (const auto& unknown : unknowns) {
+        all.push_back(answers_of(unknown, numbers));
+    }
+    const judged_list& list = unknowns.front().parts.front();
+    if (all.size() == 1) {
+        const table data = radius_table(all.front(), list, numbers.digits);
+        options.output.write(data, radius_text(all.front(), list, data));
+        return 0;
+    }
+    std::vector<std::string> names;
+    for (const auto& unknown : unknowns) {
+        names.push_back(unknown.name);
+    }
+    const std::size_t nearest = nearest_of(all);
+    const table data = radius_table_of_unknowns(all, names, nearest, list, numbers.digits);
+    options.output.write(data, radius_text_of_unknowns(all[nearest], names[nearest], list, data));
     return 0;
 }
 
@@ -161,8 +235,10 @@ subcommand radius_command(CLI::App& program) {
         ->type_name("N");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
     command
-        ->add_option("--coefficients", options->file,
-                     "a list instead of a motion: one number a line, or n,coefficient; - for stdin")
+        ->add_option(
+            "--coefficients", options->file,
+            "lists instead of a motion: one number a line, n,coefficient, n,u,v, complex 1+2i or NAME_re,NAME_im, or "
+            "JSON; - for stdin")
         ->type_name("FILE");
     return {command, [options] { return run_radius(*options); }};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "libration/scalar/text/decimal.hpp"
 
@@ -123,7 +124,8 @@ std::string verdict_in_words(const radius_answers& answers, const judged_list& l
     const auto& row = data.rows().front();
     std::string text;
     const auto say = [&](const char* name, const std::string& what) { text += fmt::format("{:<14}{}\n", name, what); };
-    say("coefficients", fmt::format("n = 0 .. {}; {}", answers.pattern.order, answers.pattern.text()));
+    say("coefficients", fmt::format("n = 0 .. {}; {}{}{}", answers.pattern.order, answers.pattern.text(),
+                                    answers.floor.empty() ? "" : "; ", answers.floor));
     if (verdict.radius) {
         say("radius", fmt::format("{} +- {}", row[1].text(), row[2].text()));
         say("nearest", nearest_in_words(verdict, row));
@@ -155,6 +157,33 @@ std::string radius_text(const radius_answers& answers, const judged_list& list, 
     const table shown = data.with_columns({0, 1, 2, 4, 9});
     const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
     return verdict_in_words(answers, list, data) + "\n" + to_text(tests) +
+           "\nheuristic: coefficients prove no radius\n";
+}
+
+table radius_table_of_unknowns(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
+                               std::size_t nearest, const judged_list& list, long digits) {
+    auto columns = radius_columns;
+    columns.push_back({"unknown", ""});
+    table data(columns);
+    const auto add = [&](std::size_t unknown, const radius_estimate<mpfr>& answer) {
+        auto row = row_of(answer, list, digits);
+        row.emplace_back(names[unknown]);
+        data.add_row(std::move(row));
+    };
+    add(nearest, all[nearest].rows.front());
+    for (std::size_t unknown = 0; unknown < all.size(); ++unknown) {
+        for (const auto& answer : all[unknown].rows) {
+            add(unknown, answer);
+        }
+    }
+    return data;
+}
+
+std::string radius_text_of_unknowns(const radius_answers& nearest, const std::string& name, const judged_list& list,
+                                    const table& data) {
+    const table shown = data.with_columns({radius_columns.size(), 0, 1, 2, 9});
+    const table rows(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
+    return verdict_in_words(nearest, list, data) + "unknown       " + name + "\n\n" + to_text(rows) +
            "\nheuristic: coefficients prove no radius\n";
 }
 

@@ -1,6 +1,7 @@
 // The answers of `libration radius` as a table and in words.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct judged_list {
 /// What all tests said, the verdict first, in the unit of the list.
 struct radius_answers {
     convergence::coefficient_pattern pattern;
+    std::string floor;  ///< of noise, in words; empty where there is none
     std::vector<convergence::radius_estimate<mpfr>> rows;
 };
 
@@ -33,5 +35,14 @@ table radius_table(const radius_answers& answers, const judged_list& list, long 
 
 /// The verdict in words, and below it that table without the columns for programs.
 std::string radius_text(const radius_answers& answers, const judged_list& list, const table& data);
+
+/// The same of several unknowns: the verdict of the nearest of them first, then all rows of each, and the column
+/// `unknown` behind.
+table radius_table_of_unknowns(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
+                               std::size_t nearest, const judged_list& list, long digits);
+
+/// The verdict of the nearest in words, and that table below it.
+std::string radius_text_of_unknowns(const radius_answers& nearest, const std::string& name, const judged_list& list,
+                                    const table& data);
 
 }  // namespace libration

@@ -16,6 +16,7 @@ subcommand period_command(CLI::App& program);
 subcommand coefficients_command(CLI::App& program);
 subcommand trajectory_command(CLI::App& program);
 subcommand radius_command(CLI::App& program);
+subcommand series_command(CLI::App& program);
 subcommand reference_command(CLI::App& program);
 subcommand elliptic_command(CLI::App& program);
 subcommand table_command(CLI::App& program);

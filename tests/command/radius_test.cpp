@@ -230,6 +230,46 @@ TEST_CASE("coefficients that no double holds have a radius in double", "[command
     CHECK(verdict.at("kind") == "pole");
 }
 
+TEST_CASE("an apparent singularity is not taken for the nearest one", "[command][radius]") {
+    // (1-x)^(2/3) + (1+x)^(-5/2), exactly: an equation fitted to it is singular at 0.5789 too.
+    std::string list;
+    rational near = 1;
+    rational left = 1;
+    for (int n = 0; n <= 40; ++n) {
+        if (n > 0) {
+            near *= rational(3 * (n - 1) - 2, 3 * n);
+            left *= rational(-(2 * (n - 1) + 5), 2 * n);
+        }
+        list += rational(near + left).str() + "\n";
+    }
+    const auto verdict = rows_about(list, {"--scalar", "mpfr:50"}).at(0);
+    const precision_scope scope(60);
+    check_close(verdict.at("radius"), mpfr(1), mpfr(1), "1e-30");
+    CHECK(abs(number_of(verdict.at("radius")) - 1) <= number_of(verdict.at("uncertainty")));
+    CHECK(number_of(verdict.at("exponent_uncertainty")) > 0);
+}
+
+TEST_CASE("a list with an absolute floor is used above it, and the floor is named", "[command][radius]") {
+    // (1 - x/2)^(3/2) with errors of up to 1e-16, as an FFT leaves them.
+    const precision_scope scope(40);
+    std::string list;
+    mpfr a(1);
+    unsigned state = 5;
+    for (int n = 0; n < 128; ++n) {
+        a *= n == 0 ? mpfr(1) : mpfr(mpfr(2 * n - 5) / (4 * n));
+        state = state * 1103515245U + 12345U;
+        const mpfr error = mpfr(static_cast<int>(state >> 16U) % 2001 - 1000) / mpfr("1e19");
+        list += to_decimal(mpfr(a + error), 20) + "\n";
+    }
+    for (const std::string scalar : {"double", "mpfr:30"}) {
+        const auto verdict = rows_about(list, {"--scalar", scalar}).at(0);
+        INFO(verdict.at("note"));
+        CHECK(abs(number_of(verdict.at("radius")) - 2) <= number_of(verdict.at("uncertainty")));
+        CHECK(number_of(verdict.at("uncertainty")) < mpfr("0.2"));
+        CHECK(verdict.at("note").find("a floor of noise of about") != std::string::npos);
+    }
+}
+
 TEST_CASE("a list comes from stdin too, and --order cuts it", "[command][radius]") {
     const temporary_folder folder;
     write_file(folder, "tan.csv", tangent(80));
@@ -240,6 +280,71 @@ TEST_CASE("a list comes from stdin too, and --order cuts it", "[command][radius]
     CHECK(by_stdin.exit_code == 0);
     CHECK(by_stdin.out == by_name.out);
     CHECK(rows_about(tangent(80), {"--order", "59"}) == rows_about(tangent(60), {}));
+}
+
+TEST_CASE("complex coefficients have their singularity on its own side", "[command][radius]") {
+    // 1/(1 - x/(1+2i)) and (1 - x/(1+2i))^(1/2): sqrt 5 away, and no conjugate.
+    const precision_scope scope(60);
+    for (const bool root : {false, true}) {
+        rational re = 1;
+        rational im = 0;
+        std::string whole = "n,coefficient\n";
+        std::string parts = "n,f_re,f_im\n";
+        std::string json;
+        for (int n = 0; n < 60; ++n) {
+            if (n > 0) {  // times (n - 1 - nu)/n /(1 + 2i), nu = -1 or 1/2
+                const rational factor = root ? rational(2 * n - 3, 2 * n) : rational(1);
+                const rational next_re = (re + 2 * im) / 5 * factor;
+                im = (im - 2 * re) / 5 * factor;
+                re = next_re;
+            }
+            whole += std::to_string(n) + "," + re.str() + (im < 0 ? "" : "+") + im.str() + "i\n";
+            parts += std::to_string(n) + "," + re.str() + "," + im.str() + "\n";
+            json += (n == 0 ? "[[\"" : ",[\"") + re.str() + "\",\"" + im.str() + "\"]";
+        }
+        const auto verdict = rows_about(whole, {"--scalar", "mpfr:30"}).at(0);
+        check_close(verdict.at("radius"), sqrt(mpfr(5)), mpfr(1), "1e-20");
+        check_close(verdict.at("position_re"), mpfr(1), mpfr(1), "1e-20");
+        check_close(verdict.at("position_im"), mpfr(2), mpfr(1), "1e-20");
+        CHECK(verdict.at("count") == "1");
+        CHECK(verdict.at("kind") == (root ? "algebraic" : "pole"));
+        CHECK(rows_about(parts, {"--scalar", "mpfr:30"}).at(0).at("radius") == verdict.at("radius"));
+        CHECK(rows_about(json + "]", {"--scalar", "mpfr:30"}).at(0).at("radius") == verdict.at("radius"));
+    }
+}
+
+TEST_CASE("of several columns each has its rows, and the verdict is the nearest of all", "[command][radius]") {
+    std::string list = "n,u,v,v_uncertainty\n";
+    std::string json;
+    integer far = 1;
+    integer near = 1;
+    for (int n = 0; n < 40; ++n, far *= 3, near *= 2) {
+        list += std::to_string(n) + ",1/" + far.str() + ",1/" + near.str() + ",0\n";
+        json += std::string(n == 0 ? "[" : ",") + "{\"n\":" + std::to_string(n) + ",\"u\":\"1/" + far.str() +
+                "\",\"v\":\"1/" + near.str() + "\"}";
+    }
+    const auto rows = rows_about(list, {"--scalar", "mpfr:30"});
+    const precision_scope scope(60);
+    check_close(rows.at(0).at("radius"), mpfr(2), mpfr(1), "1e-25");
+    CHECK(rows.at(0).at("unknown") == "v");
+    CHECK(rows.at(1).at("method") == "verdict");
+    CHECK(rows.at(1).at("unknown") == "u");
+    check_close(rows.at(1).at("radius"), mpfr(3), mpfr(1), "1e-25");
+    CHECK(rows.size() % 2 == 1);
+    CHECK(rows_about(json + "]", {"--scalar", "mpfr:30"}) == rows);
+}
+
+TEST_CASE("numbers of JSON are read with all their digits", "[command][radius]") {
+    std::string json = "[";
+    std::string lines;
+    for (int n = 0; n < 50; ++n) {
+        // 2^-n/(n+1) to 30 digits.
+        const precision_scope scope(60);
+        const std::string number = to_decimal(mpfr(ldexp(mpfr(1), -n) / (n + 1)), 30);
+        json += (n == 0 ? "" : ", ") + number;
+        lines += number + "\n";
+    }
+    CHECK(rows_about(json + "]\n", {"--scalar", "mpfr:30"}) == rows_about(lines, {"--scalar", "mpfr:30"}));
 }
 
 TEST_CASE("a malformed line of coefficients is named with its number", "[command][radius][bad input]") {
@@ -253,6 +358,12 @@ TEST_CASE("a malformed line of coefficients is named with its number", "[command
     check_refused(file + words{"missing.csv"}, {"--coefficients 'missing.csv'", "name "}, folder);
     check_refused(file + words{"."}, {"--coefficients '.'", "folder", "name "}, folder);
     check_refused(file + words{"-"}, {"--coefficients '-'", "no coefficient"}, folder);
+    write_file(folder, "bad.json", "[1, [2, 3]");
+    write_file(folder, "deep.json", "[{\"n\": [1]}]");
+    write_file(folder, "columns.csv", "n,u,v\n0,1,2\n1,3\n");
+    check_refused(file + words{"bad.json"}, {"--coefficients 'bad.json'", "JSON", "write "}, folder);
+    check_refused(file + words{"deep.json"}, {"--coefficients 'deep.json'", "row 1", "write "}, folder);
+    check_refused(file + words{"columns.csv"}, {"--coefficients 'columns.csv'", "line 3", "cells"}, folder);
     check_refused(file + words{"good.csv", "--order", "3"}, {"--order '3'", "is 2"}, folder);
     check_refused(file + words{"good.csv", "--at", "top"}, {"--at 'top'", "leave "}, folder);
     check_refused(file + words{"good.csv", "--energy", "1"}, {"'good.csv'", "--energy '1'", "give "}, folder);

@@ -62,7 +62,8 @@ std::map<std::string, rooms> order_of_rooms() {
         problem = ode + proofs + rooms{"problem"}, library = pendulum + problem + rooms{"problem/known"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
-        sweep = option + rooms{"src/sweep"}, study = sweep + library, command = study + rooms{"src/motion"};
+        sweep = option + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
+        command = list_command + rooms{"src/motion"};
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
@@ -102,7 +103,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/option", run},
         {"src/sweep", option},
         {"src/claims", study},
-        {"src/motion", study},
+        {"src/list", study},
+        {"src/motion", list_command},
         {"src/table", command},
         {"src/verify", command + rooms{"src/table"}},
         {"src/report", command + rooms{"src/claims", "src/table"}},
