@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -100,6 +101,10 @@ std::string output_options::offered() const {
 
 void output_options::add_to(CLI::App& command) {
     command.add_option("--format", format_, offered())->type_name("FORMAT")->capture_default_str();
+    if (formats_.size() == output_options().formats_.size()) {
+        command.add_option("--columns", columns_, "these columns alone, in this order: NAME,NAME,...")
+            ->type_name("NAMES");
+    }
     command.add_option("--out", out_, "write to this file instead of stdout")->type_name("FILE");
 }
 
@@ -124,6 +129,27 @@ void output_options::check() const {
     }
 }
 
+table with_named_columns(const table& data, const std::string& names) {
+    std::vector<std::size_t> places;
+    std::string all;
+    for (const column& each : data.columns()) {
+        all += (all.empty() ? "" : ", ") + each.name;
+    }
+    std::istringstream list(names);
+    for (std::string name; std::getline(list, name, ',');) {
+        const auto found = std::find_if(data.columns().begin(), data.columns().end(),
+                                        [&](const column& each) { return each.name == name; });
+        if (found == data.columns().end()) {
+            throw input_error("--columns", name, "is no column of this table", "choose from " + all);
+        }
+        places.push_back(static_cast<std::size_t>(found - data.columns().begin()));
+    }
+    if (places.empty()) {
+        throw input_error("--columns", names, "names no column", "choose from " + all);
+    }
+    return data.with_columns(places);
+}
+
 std::string in_format(const std::string& format, const table& data) {
     return format == "csv"     ? to_csv(data)
            : format == "json"  ? to_json(data)
@@ -132,7 +158,9 @@ std::string in_format(const std::string& format, const table& data) {
 }
 
 void output_options::write(const table& data, const std::optional<std::string>& text) const {
-    write_content(text && format_ == "text" ? *text : in_format(format_, data));
+    write_content(columns_                    ? in_format(format_, with_named_columns(data, *columns_))
+                  : text && format_ == "text" ? *text
+                                              : in_format(format_, data));
 }
 
 void output_options::write_content(const std::string& content) const {

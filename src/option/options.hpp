@@ -39,11 +39,11 @@ private:
     arithmetics offered_ = arithmetics::rounding;
 };
 
-/// --format text|csv|json|latex and --out FILE.
+/// --format text|csv|json|latex, --columns NAMES and --out FILE.
 class output_options {
 public:
     output_options() = default;
-    /// With more formats than these, which the command writes itself, and another usual one.
+    /// With more formats than these, which the command writes itself, all columns, and another usual one.
     output_options(std::string usual, const std::vector<std::string>& more);
 
     void add_to(CLI::App& command);
@@ -61,8 +61,12 @@ private:
 
     std::vector<std::string> formats_{"text", "csv", "json", "latex"};
     std::string format_ = "text";
-    std::optional<std::string> out_;
+    std::optional<std::string> columns_, out_;
 };
+
+/// The columns of a table that the words of --columns name, a,b,c, in that order. Throws input_error of --columns for a
+/// name that it does not have.
+table with_named_columns(const table& data, const std::string& names);
 
 /// A table in one of the formats that every command has.
 std::string in_format(const std::string& format, const table& data);

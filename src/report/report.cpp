@@ -109,10 +109,7 @@ std::string claims_latex(const std::vector<published_claim>& claims) {
     for (const published_claim& each : claims) {
         data.add_row({each.label, each.statement, each.verdict, read_cell(each.number)});
     }
-    std::string text =
-        to_latex(data, {"The statements of the paper, and this program's own behind them, judged.", "claims"});
-    const std::string even = "{llll}";
-    return text.replace(text.find(even), even.size(), "{lp{0.5\\textwidth}ll}");
+    return to_latex(data, {"The statements of the paper, and this program's own behind them, judged.", "claims"});
 }
 
 }  // namespace

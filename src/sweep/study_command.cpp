@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 
+#include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
@@ -20,8 +21,7 @@ namespace {
 struct study_options {
     std::string name;
     std::map<std::string, std::optional<std::string>> words;  // by option
-    std::optional<std::string> out;
-    std::optional<std::string> jobs;
+    std::optional<std::string> columns, out, jobs;
 
     study_words said() const {
         study_words result;
@@ -54,7 +54,8 @@ table under_one_header(const std::vector<study_table>& parts, std::string& left_
 
 void print_tables(const study_order& order) {
     std::string left_out;
-    write_to_stdout(to_csv(under_one_header(tables_of(order), left_out)));
+    const table all = under_one_header(tables_of(order), left_out);
+    write_to_stdout(to_csv(order.columns ? with_named_columns(all, *order.columns) : all));
     if (!left_out.empty()) {
         fmt::print(stderr, "libration: {} makes more tables ({}): see them with --out DIR\n", order.what->name,
                    left_out);
@@ -64,10 +65,11 @@ void print_tables(const study_order& order) {
 int run_study(const study_options& options) {
     const study& what = study_named("study", options.name);
     try {
-        const study_order order = order_of(what, options.said(), jobs_of(options.jobs));
+        study_order order = order_of(what, options.said(), jobs_of(options.jobs));
         if (!order.left_out.empty()) {
             fmt::print(stderr, "libration: left out {}\n", order.left_out);
         }
+        order.columns = options.columns;
         if (options.out) {
             make_study(order, *options.out);
             fmt::print(stderr, "libration: wrote {}/{}\n", *options.out, what.name);
@@ -100,6 +102,10 @@ subcommand study_command(CLI::App& program) {
     for (const study_option& each : options_of(all_studies())) {
         command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
     }
+    command
+        ->add_option("--columns", options->columns,
+                     "of the tables for LaTeX, and of the CSV on stdout, these columns alone: NAME,NAME,...")
+        ->type_name("NAMES");
     command->add_option("--out", options->out, "write DIR/NAME/: tables, figures, provenance; without it CSV to stdout")
         ->type_name("DIR");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");

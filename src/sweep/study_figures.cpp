@@ -76,7 +76,11 @@ void finish(const fs::path& figure) {
     if (!file || !is_whole_image(extension, content)) {
         throw std::runtime_error(figure.filename().string() + " was cut short while it was drawn: is the disk full?");
     }
-    write_whole_file(figure.string(), finished_image(extension, content));
+    try {
+        write_whole_file(figure.string(), finished_image(extension, content));
+    } catch (const std::runtime_error& problem) {
+        throw std::runtime_error(fmt::format("{} cannot be written ({})", figure.filename().string(), problem.what()));
+    }
 }
 
 // Each figure in each of the three kinds.

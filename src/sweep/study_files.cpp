@@ -148,8 +148,20 @@ void write_tables(const study_order& order, const std::vector<study_table>& tabl
     for (const study_table& part : tables) {
         const std::string stem = stem_of(*order.what, part);
         write_into((folder / (stem + ".csv")).string(), to_csv(part.data));
+        const table chosen = with_columns_of(part.data, order.columns);
         write_into((folder / (stem + ".tex")).string(),
-                   to_latex(part.data, {latex_text(order.what->title + ". Made by " + order.command + "."), stem}));
+                   to_latex(chosen, {latex_text(order.what->title + ". Made by " + order.command + "."), stem}));
+    }
+}
+
+// Refuses names of --columns that none of the tables has.
+void require_columns(const std::vector<study_table>& tables, const std::optional<std::string>& names) {
+    std::vector<column> all;
+    for (const study_table& part : tables) {
+        all.insert(all.end(), part.data.columns().begin(), part.data.columns().end());
+    }
+    if (names) {
+        with_named_columns(table(all), *names);
     }
 }
 
@@ -194,6 +206,7 @@ void make_study(const study_order& order, const std::string& folder) {
     const study& what = *order.what;
     output_folder into("--out", (fs::path(folder) / what.name).string());
     const auto tables = tables_of(order);
+    require_columns(tables, order.columns);
     const auto working = folder_within(into.path());
     write_tables(order, tables, working->path());
     std::exception_ptr undrawn;

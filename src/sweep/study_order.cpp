@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 #include <thread>
 
+#include "option/options.hpp"
 #include "run/grid.hpp"
 #include "run/whole_grid.hpp"
 #include "text/input_error.hpp"
@@ -278,6 +280,17 @@ study_order order_of(const study& what, const study_words& words, int jobs) {
         fill(order, own, words);
     }
     return order;
+}
+
+table with_columns_of(const table& data, const std::optional<std::string>& names) {
+    std::string own;
+    std::istringstream list(names.value_or(""));
+    for (std::string name; std::getline(list, name, ',');) {
+        const bool has = std::any_of(data.columns().begin(), data.columns().end(),
+                                     [&](const column& each) { return each.name == name; });
+        own += has ? (own.empty() ? "" : ",") + name : "";
+    }
+    return own.empty() ? data : with_named_columns(data, own);
 }
 
 std::vector<study_table> tables_of(const study_order& order) {

@@ -34,7 +34,13 @@ struct study_order {
     /// The values of ranges that were left out because the study has no answer there, with the reasons: "2 of
     /// --energies, where the period is infinite"; empty where all were kept.
     std::string left_out;
+    /// The columns of the tables for LaTeX, and of what goes to stdout: a,b,c; all where there is nothing. A table
+    /// without some of them has the others.
+    std::optional<std::string> columns = {};
 };
+
+/// Those of the columns a,b,c that a table has; the whole table where it has none of them.
+table with_columns_of(const table& data, const std::optional<std::string>& names);
 
 /// The parsed order. Values of an axis put the usual ones of all axes of its coordinate aside. A value of a range
 /// without an answer is left out; one that was typed by itself is refused: error "has the energy 2, where

@@ -1,14 +1,12 @@
-// Tables for papers: LaTeX with the rules of booktabs, on as many pages as they need (longtable).
+// Tables for papers: LaTeX with the rules of booktabs, as wide as a page and on as many as they need (longtable).
 #pragma once
 
 #include <string>
 
+#include "text/latex_symbol.hpp"
 #include "text/table.hpp"
 
 namespace libration {
-
-/// Text as LaTeX prints it: the special characters escaped.
-std::string latex_text(const std::string& text);
 
 /// A cell: a number as $-1.5\times10^{-3}$, rounded to `digits` significant digits where it has more (to nearest, from
 /// its decimal), a whole number with all of them; inf as $\infty$; anything else as text.
@@ -20,10 +18,15 @@ struct latex_frame {
     std::string label;    ///< the table is \ref{tab:LABEL}
 };
 
-/// The same without a frame, every digit kept: a tabular for short tables. Needs \usepackage{booktabs}.
+/// A table without a frame, every digit kept: a tabular, or several with a part of the columns each where one would be
+/// wider than the text of an article in 10 points. Heads are symbols, numbers stand with their decimal points below each
+/// other, and a single row of more than two columns stands upright. A column without a value is left out; more rows than
+/// a page holds are a longtable. Needs \usepackage{booktabs,longtable}.
 std::string to_latex(const table& data);
 
-/// A longtable: needs \usepackage{booktabs,longtable}. Columns named log10_... are left out: they serve the figures.
+/// The same with a frame: a longtable of \footnotesize with numbers of 8 digits or, where that makes it fit, fewer, but
+/// at least 5, and those that say which row it is of up to 12. A column with one value throughout stands in the caption, and columns named log10_... are left out: they
+/// serve the figures. Needs \usepackage{booktabs,longtable}.
 std::string to_latex(const table& data, const latex_frame& frame);
 
 }  // namespace libration

@@ -30,7 +30,7 @@ do for [kind in terminals] {
     set label 9 (count > 1 ? 'Singularities of θ(t) and poles of Padé approximants of omega made of N coefficients' : 'Singularities of θ(t), and Padé poles from N coefficients') at screen 0.5, 1 - 20 / all center font ',16'
     set samples 361
     unset grid
-    set key at screen 0.5, (foot - 4) / all center top vertical maxrows keys samplen 2.5 width 2
+    set key at screen 0.5, (foot - 4) / all center top vertical maxrows keys samplen 2.5 width 1
     do for [p=1:count] {
         e = word(energies, p)
         tstar = of(e, 14); height = of(e, 15); radius = of(e, 6)
@@ -54,8 +54,8 @@ do for [kind in terminals] {
         set label 2 point pt 13 ps 0.9 lc rgb '#555555' front
         set label 3 'i K̃′' at 0, height left offset 0.6, 0 point pt 13 ps 0.9 lc rgb '#555555' front
         set label 4 'top' at 0, 0 left offset 0.6, -0.7 point pt 13 ps 0.9 lc rgb '#555555' front
-        plot '+' using (radius * cos(2 * pi * $0 / 360)):(radius * sin(2 * pi * $0 / 360)) with lines lw 2 lc rgb '#0072B2' title 'convergence about the top', \
-             '+' using (tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' title 'about the bottoms', \
+        plot '+' using (radius * cos(2 * pi * $0 / 360)):(radius * sin(2 * pi * $0 / 360)) with lines lw 2 lc rgb '#0072B2' title 'circle about top', \
+             '+' using (tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' title 'circle about bottom', \
              '+' using (-tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' notitle, \
              file using (in_panel(e, 'singularity', column(4))):5 with points pt 7 ps 0.9 lc rgb '#000000' title 'singularities', \
              for [i=1:words(orders)] for [s=0:3] file using (pole(e, word(orders, i) + 0, s % 2 ? -column(4) : column(4))):(s > 1 ? -column(5) : column(5)) \

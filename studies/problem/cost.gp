@@ -43,7 +43,7 @@ do for [kind in terminals] {
     set lmargin 9
     set ylabel 'multiplications of two numbers, count'
     set yrange [1:*]
-    set key at screen 0.5, 0.155 center top vertical maxrows 3 samplen 3
+    set key at screen 0.5, 0.155 center top vertical maxrows 3 samplen 2.5 font ',11'
     set label 2 'thin lines: constant times N^2' at graph 0.03, graph 0.96 textcolor rgb '#555555'
     plot for [r in with_products] file using 2:(of(r, positive(column(4)))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r), \
          for [r in with_products] constant(r) * x**2 with lines lw 1 dt 3 lc rgb hue(r) notitle, \

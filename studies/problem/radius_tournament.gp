@@ -52,7 +52,7 @@ do for [kind in terminals] {
     do for [i=1:count] { set ytics add ('' count + 1 - i) scale 0 }
     set xrange [0.78:1.01]
     set xtics 0.8, 0.05, 1
-    set xlabel 'errors within the uncertainty, judged half'
+    set xlabel 'errors within the uncertainty'
     set arrow 1 from 0.95, graph 0 to 0.95, graph 1 nohead lc rgb '#888888' dt 3
     set label 2 'asked: 0.95' at 0.95, graph 1.0 center offset 0, 0.4 textcolor rgb '#555555' font ',10'
     set label 3 'median uncertainty/error' at 0.785, graph 1.0 left offset 0, 0.4 textcolor rgb '#555555' font ',10'

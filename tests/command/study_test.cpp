@@ -179,6 +179,21 @@ TEST_CASE("a run leaves exactly its files, also where an earlier one left others
     CHECK(files_of(folder) == expected);
 }
 
+TEST_CASE("--columns chooses the columns of LaTeX tables and of stdout", "[command][study]") {
+    const temporary_folder folder;
+    const words chosen{"--scalar", "double", "--columns", "order,method,norm"};
+    REQUIRE(run_libration(small + chosen, folder.path()).exit_code == 0);
+    const auto own = folder.path() / "out" / "error_norm";
+    CHECK(text_of_file(own / "error_norm.tex").find("\n$N$ & method & \\multicolumn{2}{c}{$\\max|") !=
+          std::string::npos);
+    CHECK(lines_of(text_of_file(own / "error_norm.csv")).front().starts_with("energy,order,method,norm,"));
+    const words energy{"--energy", "1", "--format", "csv", "--columns", "period,energy"};
+    CHECK(lines_of(output_of(words{"period"} + energy)).front() == "period,energy");
+    const finished_process refused = run_libration(small + words{"--scalar", "double", "--columns", "nrom"});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.starts_with("libration: --columns 'nrom' is no column of this table: choose from energy, order"));
+}
+
 TEST_CASE("the JSON of a study names every file with the SHA-256 that sha256sum prints", "[command][study]") {
     const temporary_folder folder;
     REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
