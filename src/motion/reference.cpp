@@ -231,7 +231,7 @@ subcommand reference_command(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("reference", "proved digits of theta, omega, E, T, T* and R at a list of times");
     options->motion.add_to(*command);
-    options->output.add_to(*command);
+    options->output.add_to(*command, output_options::columns_option::not_here);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");
     command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")->type_name("LIST");

@@ -99,9 +99,9 @@ std::string output_options::offered() const {
     return names;
 }
 
-void output_options::add_to(CLI::App& command) {
+void output_options::add_to(CLI::App& command, columns_option columns) {
     command.add_option("--format", format_, offered())->type_name("FORMAT")->capture_default_str();
-    if (formats_.size() == output_options().formats_.size()) {
+    if (columns == columns_option::own && formats_.size() == output_options().formats_.size()) {
         command.add_option("--columns", columns_, "these columns alone, in this order: NAME,NAME,...")
             ->type_name("NAMES");
     }

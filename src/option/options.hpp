@@ -46,7 +46,9 @@ public:
     /// With more formats than these, which the command writes itself, all columns, and another usual one.
     output_options(std::string usual, const std::vector<std::string>& more);
 
-    void add_to(CLI::App& command);
+    /// Without --columns where a command says something else by it.
+    enum class columns_option { own, not_here };
+    void add_to(CLI::App& command, columns_option columns = columns_option::own);
     /// Throws input_error for a format that is none and a file that cannot be written.
     void check() const;
     const std::string& format() const { return format_; }
