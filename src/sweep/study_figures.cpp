@@ -12,7 +12,7 @@
 
 #include "run/child_program.hpp"
 #include "run/program_files.hpp"
-#include "text/image.hpp"
+#include "sweep/image.hpp"
 #include "text/input_error.hpp"
 #include "text/table.hpp"
 

@@ -9,7 +9,7 @@
 namespace libration {
 
 /// Draws the figures of the tables NAME*.csv in a folder into that folder, SVG, PDF and PNG, whole and finished
-/// (text/image.hpp). Throws input_error when gnuplot is missing and std::runtime_error when a drawing fails or is cut
+/// (sweep/image.hpp). Throws input_error when gnuplot is missing and std::runtime_error when a drawing fails or is cut
 /// short; then none of them is left there.
 void draw_figures(const study& what, const std::string& folder);
 

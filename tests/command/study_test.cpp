@@ -179,7 +179,7 @@ TEST_CASE("a run leaves exactly its files, also where an earlier one left others
     CHECK(files_of(folder) == expected);
 }
 
-TEST_CASE("--columns chooses the columns of LaTeX tables and of stdout", "[command][study]") {
+TEST_CASE("the option --columns chooses the columns of LaTeX tables and of stdout", "[command][study]") {
     const temporary_folder folder;
     const words chosen{"--scalar", "double", "--columns", "order,method,norm"};
     REQUIRE(run_libration(small + chosen, folder.path()).exit_code == 0);

@@ -1,4 +1,4 @@
-#include "text/image.hpp"
+#include "sweep/image.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // Drawings: whole or cut short, and what is added and left out for print and for the page.
-#include "text/image.hpp"
+#include "sweep/image.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 
-namespace text_image_test {
+namespace sweep_image_test {
 
 using namespace libration;
 using namespace std::string_literals;
@@ -19,7 +19,7 @@ const std::string pixel =
 
 }  // namespace
 
-TEST_CASE("a drawing that was cut short anywhere is not whole", "[text][image]") {
+TEST_CASE("a drawing that was cut short anywhere is not whole", "[sweep][image]") {
     CHECK(is_whole_image(".png", pixel));
     CHECK(is_whole_image(".svg", "<svg>\n</svg>\n\n"));
     CHECK(is_whole_image(".pdf", "%PDF-1.5\nstartxref\n7\n%%EOF\n"));
@@ -32,7 +32,7 @@ TEST_CASE("a drawing that was cut short anywhere is not whole", "[text][image]")
     CHECK_FALSE(is_whole_image(".txt", "text"));
 }
 
-TEST_CASE("a PNG says that it has 300 dots an inch, once", "[text][image]") {
+TEST_CASE("a PNG says that it has 300 dots an inch, once", "[sweep][image]") {
     const std::string finished = finished_image(".png", pixel);
     CHECK(is_whole_image(".png", finished));
     // 300 / 0.0254 = 11811.02 dots a metre; the checksum is zlib.crc32 of the chunk.
@@ -41,13 +41,13 @@ TEST_CASE("a PNG says that it has 300 dots an inch, once", "[text][image]") {
     CHECK(finished_image(".png", finished) == finished);
 }
 
-TEST_CASE("a PDF says no time of day, and keeps its length", "[text][image]") {
+TEST_CASE("a PDF says no time of day, and keeps its length", "[sweep][image]") {
     const std::string pdf = "/Creator\n/CreationDate (D:20261122191110Z)\n%%EOF\n";
     CHECK(finished_image(".pdf", pdf) == "/Creator\n/CreationDate (D:20000101000000Z)\n%%EOF\n");
     CHECK(finished_image(".pdf", "%%EOF") == "%%EOF");
 }
 
-TEST_CASE("an SVG loses what draws nothing", "[text][image]") {
+TEST_CASE("an SVG loses what draws nothing", "[sweep][image]") {
     const std::string svg =
         "<svg>\n<defs>\n<path id='gpPt0' stroke-width='0.190' d='M-1,0 h2'/>\n</defs>\n"
         "<g fill=\"none\" stroke=\"rgb( 68,  68,  68)\">\n</g>\n"
@@ -62,4 +62,4 @@ TEST_CASE("an SVG loses what draws nothing", "[text][image]") {
           "<text>1.718  is a Label L rgb(1, 2, 3)</text>\n</svg>\n");
 }
 
-}  // namespace text_image_test
+}  // namespace sweep_image_test
