@@ -60,7 +60,7 @@ std::vector<exact> list_in(const std::string& text, const std::string& path) {
 
 using list_cells = std::vector<std::string>;
 
-std::string trimmed(const std::string& text) {
+std::string without_blanks(const std::string& text) {
     constexpr const char* blanks = " \t\r\v\f\"";
     const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
     const std::size_t last = text.find_last_not_of(blanks);
@@ -69,12 +69,12 @@ std::string trimmed(const std::string& text) {
 
 // The cells of a line without its comment; none in an empty one.
 list_cells cells_of_line(const std::string& whole) {
-    const std::string line = trimmed(whole.substr(0, whole.find('#')));
+    const std::string line = without_blanks(whole.substr(0, whole.find('#')));
     const char* const between = line.find_first_of(",;") == std::string::npos ? " \t" : ",;";
     list_cells found;
     for (std::size_t at = 0; at < line.size();) {
         const std::size_t end = std::min(line.find_first_of(between, at), line.size());
-        found.push_back(trimmed(line.substr(at, end - at)));
+        found.push_back(without_blanks(line.substr(at, end - at)));
         at = between[0] == ' ' ? std::min(line.find_first_not_of(between, end), line.size()) : end + 1;
     }
     return found;
@@ -105,7 +105,7 @@ std::pair<std::string, std::string> complex_parts_of(const std::string& cell) {
     if (!is_complex_cell(cell)) {
         return {cell, "0"};
     }
-    std::string body = trimmed(cell.substr(0, cell.size() - 1));
+    std::string body = without_blanks(cell.substr(0, cell.size() - 1));
     if (body.ends_with('*')) {
         body.pop_back();
     }
@@ -114,11 +114,11 @@ std::pair<std::string, std::string> complex_parts_of(const std::string& cell) {
         cut = body.find_last_of("+-", cut - 1);
     }
     const bool both = cut != std::string::npos && cut > 0;
-    std::string imaginary = trimmed(both ? body.substr(cut) : body);
+    std::string imaginary = without_blanks(both ? body.substr(cut) : body);
     if (imaginary.empty() || imaginary == "+" || imaginary == "-") {
         imaginary += "1";
     }
-    return {both ? trimmed(body.substr(0, cut)) : "0", imaginary};
+    return {both ? without_blanks(body.substr(0, cut)) : "0", imaginary};
 }
 
 // Which columns hold a list, by their places; the imaginary part's is that of the real part where the numbers are whole.
