@@ -31,7 +31,8 @@ TESTS = """
     truncation/refusals_test.cpp truncation/theta_series_test.cpp
     scalar/ball/arctangent_test.cpp scalar/ball/decimal_test.cpp scalar/ball/fixed_point_test.cpp
     digits/proved/proved_decimals_test.cpp approximant/proved/maximum_test.cpp
-    elliptic/proved/proved_elliptic_test.cpp elliptic/proved/proved_functions_test.cpp
+    elliptic/proved/named_function_test.cpp elliptic/proved/proved_elliptic_test.cpp
+    elliptic/proved/proved_functions_test.cpp
     pendulum/proved/landen_motion_test.cpp pendulum/proved/proved_canonical_test.cpp
     pendulum/proved/proved_motion_test.cpp pendulum/error/proved/proved_norm_test.cpp
     pendulum/motion/decision_test.cpp pendulum/motion/motion_test.cpp

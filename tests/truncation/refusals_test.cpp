@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/elliptic/proved/real_parameter.hpp"
 #include "libration/pendulum/proved/landen_motion.hpp"
 #include "libration/pendulum/proved/proved_libration.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
@@ -141,6 +142,18 @@ TEST_CASE("motions by formulas are those by fractions", "[truncation][motion]") 
     CHECK(with_state("pi", "1").start_quarter() == 1);
     CHECK(with_state("-pi", "-1").start_quarter() == 1);
     CHECK(with_state("3pi", "-1").start_quarter().has_value());
+}
+
+TEST_CASE("a parameter keeps the one of m and 1 - m that was given, and no modulus is negative",
+          "[truncation][modulus]") {
+    CHECK_THROWS_AS(real_parameter::from_modulus(read_exact("-1/2")), libration::error);
+    CHECK(real_parameter::from_modulus(read_exact("1/2")).m().coefficient == rational(1, 4));
+    const precision_scope scope(30);
+    // 1 - 1e-40 has no 30 digits that tell it from 1.
+    const auto m = real_parameter::from_complement(read_exact("1e-40")).reduced();
+    CHECK(overlaps(m.complement, pow(ball(10), -20)));
+    CHECK_NOTHROW(real_parameter::from_complement(read_exact("1e-40")).within());
+    CHECK_NOTHROW(real_parameter::from_parameter(read_exact("1e-40")).within());
 }
 
 TEST_CASE("the turns of a formula next to an odd multiple of pi are decided", "[truncation][motion]") {
