@@ -38,6 +38,9 @@ using namespace libration::pendulum;
 
 constexpr int rounds = 5;
 
+// Sums are right to a few units in the last place, where the recurrence has lost digits: they may cost a quarter more.
+constexpr double worth_of_sums = 1.25;
+
 /// What both routes took, in nanoseconds, where they were measured.
 struct crossing {
     long power;
@@ -133,7 +136,10 @@ theta_rule best_theta_rule(const std::vector<crossing>& measured) {
     return best;
 }
 
-long best_sum_rule(const std::vector<crossing>& measured) {
+long best_sum_rule(std::vector<crossing> measured) {
+    for (crossing& each : measured) {
+        each.other /= worth_of_sums;
+    }
     long best = 0;
     double least = HUGE_VAL;
     for (const crossing& candidate : measured) {

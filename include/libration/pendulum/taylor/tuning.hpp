@@ -11,7 +11,7 @@ inline constexpr long thetas_from_power_in_mpfr = 160;
 inline constexpr long thetas_from_bits_in_mpfr = 65536;
 
 /// Sums over singularities instead of the recurrence: from this power on.
-inline constexpr long sums_from_power_in_double = 2048;
+inline constexpr long sums_from_power_in_double = 1024;
 inline constexpr long sums_from_power_in_long_double = 512;
 inline constexpr long sums_from_power_in_quad = 128;
 
