@@ -13,11 +13,11 @@
 #include "claims/claim.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "report/comparison.hpp"
 #include "report/publish.hpp"
 #include "report/reference_set.hpp"
 #include "report/report.hpp"
 #include "report/reproduce_set.hpp"
+#include "report/results_comparison.hpp"
 #include "report/unfinished_run.hpp"
 #include "run/shared_cores.hpp"
 #include "sweep/study_files.hpp"
@@ -178,7 +178,7 @@ std::vector<part> left_of(std::vector<part> parts, const unfinished_run& record)
 bool judge_by_published(const reproduce_options& options, const std::vector<std::string>& names, bool complete) {
     bool same = true;
     if (has_published(options)) {
-        const comparison found = compared(options.out, options.results, names);
+        const results_comparison found = compared(options.out, options.results, names);
         say_all(found.lines(options.results));
         same = found.same() || options.publish;
     }

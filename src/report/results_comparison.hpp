@@ -8,7 +8,7 @@
 namespace libration {
 
 /// The tables and figures of two results folders, compared.
-struct comparison {
+struct results_comparison {
     std::size_t exact = 0;           ///< tables whose bytes depend on the parameters alone: mpfr, balls
     std::vector<std::string> wrong;  ///< those of them that differ, each with its first difference
     std::size_t machine = 0;         ///< tables of double, long double, quad, and of times
@@ -25,6 +25,7 @@ struct comparison {
 
 /// Compares these parts (studies, claims, reference) of the folder `made` with those of `published`. A row whose column
 /// `scalar` names an arithmetic of the machine counts as that. Throws std::runtime_error for a file that cannot be read.
-comparison compared(const std::string& made, const std::string& published, const std::vector<std::string>& parts);
+results_comparison compared(const std::string& made, const std::string& published,
+                            const std::vector<std::string>& parts);
 
 }  // namespace libration

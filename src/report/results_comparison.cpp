@@ -1,4 +1,4 @@
-#include "report/comparison.hpp"
+#include "report/results_comparison.hpp"
 
 #include <fmt/format.h>
 
@@ -73,7 +73,7 @@ public:
         }
     }
 
-    const comparison& found() const { return found_; }
+    const results_comparison& found() const { return found_; }
 
 private:
     // The CSV files of both folders, and whether they hold what the machine may move.
@@ -152,7 +152,7 @@ private:
     }
 
     fs::path made_, published_;
-    comparison found_;
+    results_comparison found_;
 };
 
 // "3 of 14 WHAT: a, b, c", or nothing.
@@ -165,7 +165,7 @@ void add_line(std::vector<std::string>& lines, const std::vector<std::string>& s
 
 }  // namespace
 
-std::vector<std::string> comparison::lines(const std::string& published) const {
+std::vector<std::string> results_comparison::lines(const std::string& published) const {
     std::vector<std::string> lines;
     if (wrong.empty()) {
         lines.push_back(
@@ -185,7 +185,8 @@ std::vector<std::string> comparison::lines(const std::string& published) const {
     return lines;
 }
 
-comparison compared(const std::string& made, const std::string& published, const std::vector<std::string>& parts) {
+results_comparison compared(const std::string& made, const std::string& published,
+                            const std::vector<std::string>& parts) {
     folder_comparison folders(made, published);
     for (const std::string& part : parts) {
         folders.compare(part);
