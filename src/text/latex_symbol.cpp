@@ -8,7 +8,7 @@ namespace libration {
 
 namespace {
 
-const std::map<std::string, std::string>& symbols() {
+const std::map<std::string, std::string>& latex_symbols() {
     static const std::map<std::string, std::string> all{{"energy", "$E$"},
                                                         {"gap", "$2-E$"},
                                                         {"order", "$N$"},
@@ -67,7 +67,7 @@ std::string latex_text(const std::string& text) {
 }
 
 std::string latex_head(const std::string& name) {
-    if (const auto symbol = symbols().find(name); symbol != symbols().end()) {
+    if (const auto symbol = latex_symbols().find(name); symbol != latex_symbols().end()) {
         return symbol->second;
     }
     std::string words = name;
