@@ -209,8 +209,8 @@ const study& radius_map() {
             "verdict, and for E near 2, where the second column of singularities is hardly further than the first, a "
             "verdict is wrong by a tenth. From N = 60 all have 19 digits and most have all 30. So the optimal "
             "expansion point can be deduced numerically: the largest estimated radius is at the top and the least "
-            "estimated rate half way at every energy from N = 60 (second table; from N = 20 the top is missed at E = "
-            "1, where that list gives no verdict).",
+            "estimated rate half way at every energy from N = 60 (second table; from N = 20 the top is missed, where "
+            "every second coefficient is 0 and the ten that are left give no verdict).",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.5,1,1.71,1.9998,2.02,3", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},

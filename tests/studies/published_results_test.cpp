@@ -51,7 +51,7 @@ TEST_CASE("the published claims are measured again byte for byte", "[paper][clai
 TEST_CASE("every study is published, with its figure", "[studies][results]") {
     for (const study* each : all_studies()) {
         INFO(each->name);
-        for (const std::string extension : {".csv", ".tex", ".json", ".svg", ".png"}) {
+        for (const std::string extension : {".csv", ".tex", ".json", ".svg", ".png", ".pdf"}) {
             CHECK(
                 std::filesystem::exists(LIBRATION_SOURCE_DIR "/results/" + each->name + "/" + each->name + extension));
         }
