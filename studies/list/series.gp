@@ -14,19 +14,26 @@ shorter(s) = strlen(s) > 10 ? s[1:10].'...' : s
 tint(j) = shade[(j - 1) % 6 + 1]
 
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/domb_sykes', 720, 480)
-    set title 'Ratios of successive coefficients over 1/n: a straight line for a single nearest singularity'
-    set xlabel '1/n'
-    set ylabel 'a_n/a_{n-1}'
-    set xrange [0:*]
-    set autoscale y
-    set offsets graph 0, graph 0, graph 0.05, graph 0.05
-    unset key
-    plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $3 != "" {print $2 "," $3}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] notitle
-    unset output
+    # Where every second coefficient is 0 no ratio says anything.
+    if (count_of(ratios, '$3 != "" && v($3) != 0') > 0) {
+        eval use_terminal(kind, target.'/domb_sykes', 720, 480)
+        set title 'Ratios of successive coefficients over 1/n: a straight line for a single nearest singularity'
+        set xlabel '1/n'
+        set ylabel 'a_n/a_{n-1}'
+        set xrange [0:*]
+        set autoscale y
+        set offsets graph 0, graph 0, graph 0.05, graph 0.05
+        unset key
+        plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $3 != "" {print $2 "," $3}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] notitle
+        unset output
+    }
 
     eval use_terminal(kind, target.'/roots', 720, 480)
     set title 'Roots of the coefficients over 1/n: they reach 1/R at 1/n = 0'
+    set xlabel '1/n'
+    set xrange [0:*]
+    set autoscale y
+    set offsets graph 0, graph 0, graph 0.05, graph 0.05
     set ylabel 'n-th root'
     set key top left
     plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $4 != "" {print $2 "," $4}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] title '|a_n|^{1/n}', \
@@ -34,10 +41,10 @@ do for [kind in terminals] {
     unset output
 
     if (rows_in(poles) > 0) {
-        # Up to four times the nearest pole or zero: those far away mean nothing.
-        near = 4 * (system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -g | head -n 1", poles)) + 0.0)
+        # Up to four times the nearest pole or zero but 0: those far away mean nothing.
+        near = 4 * least(poles, '4', 'v($4) > 0', 1)
         eval use_terminal(kind, target.'/poles', 620, 580)
-        set title 'Poles and zeros of the Pade approximant'
+        set title 'Poles and zeros of the Padé approximant'
         set xlabel 'Re t'
         set ylabel 'Im t'
         set xrange [-near:near]
@@ -54,8 +61,10 @@ do for [kind in terminals] {
 
     if (rows_in(errors) > 0) {
         methods = values_in(errors, 2)
-        times = values_in(errors, 1)
+        # Six of the times where there is an error, from the first to the last.
+        times = seen(errors, 1, '$5 !~ /inf/')
         shown = words(times) < 6 ? words(times) : 6
+        time_of(j) = word(times, shown < 2 ? 1 : 1 + int((j - 1) * (words(times) - 1.0) / (shown - 1) + 0.5))
         eval use_terminal(kind, target.'/errors', 420 * words(methods) + 120, 480)
         set multiplot layout 1, words(methods)
         set xrange [0:extent(errors, 3) * 1.05]
@@ -64,11 +73,11 @@ do for [kind in terminals] {
         high = system(sprintf("awk -F, 'BEGIN { m = 0 } NR > 1 && $5 !~ /inf/ && $5 + 0 > m { m = $5 + 0 } END { print m + 1 }' '%s'", errors)) + 0.0
         set yrange [low:high]
         set xlabel 'order N'
-        set key top right
+        set key bottom left
         do for [m in methods] {
-            set title 'Error of '.m
+            set title 'Error of '.(m eq 'pade' ? 'Padé approximants' : m eq 'series' ? 'partial sums' : m.' approximants')
             set ylabel 'log_{10} |value - reference|'
-            plot for [j=1:shown] points(errors, sprintf('$2 == "%s" && $1 == "%s"', m, word(times, j)), 3, 5) using 1:2 with linespoints pt 6 ps 0.6 lw 1.5 lc rgb tint(j) title 't = '.shorter(word(times, j))
+            plot for [j=1:shown] points(errors, sprintf('$2 == "%s" && $1 == "%s"', m, time_of(j)), 3, 5) using 1:2 with linespoints pt 6 ps 0.6 lw 1.5 lc rgb tint(j) title 't = '.shorter(time_of(j))
         }
         unset multiplot
         unset output

@@ -145,6 +145,27 @@ TEST_CASE("series --out writes the tables and draws the figures", "[command][ser
     CHECK(ratios[0].at("root").starts_with("1.0"));
 }
 
+TEST_CASE("series draws an odd list, whose ratios all are 0 or missing and which is 0 at 0", "[command][series]") {
+    const temporary_folder folder;
+    // arctan t: its approximants are 0 at t = 0, as the sum is.
+    std::string list;
+    for (int n = 0; n < 12; ++n) {
+        list += (n % 2 == 0 ? "0" : (n % 4 == 1 ? "1/" : "-1/") + std::to_string(n)) + "\n";
+    }
+    write_file(folder, "list.csv", list);
+    const auto done = run_libration({"series", "--coefficients", "list.csv", "--times", "0,1/2", "--reference",
+                                     "atan(t)", "--out", "mine", "--format", "csv"},
+                                    folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    CHECK(done.err.find("Warning") == std::string::npos);
+    for (const std::string name : {"errors.svg", "poles.svg", "roots.svg"}) {
+        INFO(name);
+        CHECK(std::filesystem::exists(folder.path() / "mine" / name));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "mine" / "domb_sykes.svg"));
+}
+
 TEST_CASE("series refuses what it cannot evaluate or compare", "[command][series][bad input]") {
     const words list{"--coefficients", "list.csv"};
     check_refused({"--coefficients", "missing.csv"}, {"--coefficients 'missing.csv'"});
