@@ -169,6 +169,9 @@ inline void landen_nome::descend(const nome_steps& most) {
         arb_mul_2exp_si(a_.handle(), sum.handle(), -1);
         std::swap(sum, difference);  // sum is now 2 c_n
         arb_sub(difference.handle(), a_.handle(), b_.handle(), bits_);
+        if (arb_is_finite(difference.handle()) == 0) {
+            throw precision_exhausted("a nome");  // an input so wide that a mean of it may be 0
+        }
         small_ = smallness(difference) + exponent(a_) + 1;  // e is about difference/(8a)
         terms_ = 1;
         while (terms_ <= affordable && power_of_third() * small_ < bits_ + 4) {
