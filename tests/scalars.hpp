@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "libration/scalar/scalar.hpp"
 #include "libration/scalar/exact.hpp"
+#include "libration/scalar/scalar.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration::tests {

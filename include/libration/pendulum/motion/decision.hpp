@@ -8,9 +8,9 @@
 #include <string>
 
 #include "libration/digits/bounded_value.hpp"
-#include "libration/scalar/scalar.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
+#include "libration/scalar/scalar.hpp"
 
 namespace libration::pendulum {
 
