@@ -3,6 +3,7 @@
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Threads REQUIRED)
 if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
@@ -60,7 +61,7 @@ add_dependencies(libration-sweep libration-version)
 target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
 target_link_libraries(libration-sweep
     PUBLIC libration::libration libration::proved CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
-    PRIVATE libration-warnings)
+    PRIVATE libration-warnings OpenSSL::Crypto)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
 target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
