@@ -1,0 +1,73 @@
+// Differential equations as they are written: equations, starts, parameters, and what is known to check a solution by.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/ode/expression.hpp"
+
+namespace libration::ode {
+
+/// Where something stands in a text; line 0 for what was built in C++.
+struct place {
+    int line = 0;
+    int column = 0;
+};
+
+/// Throws error: problem 'what' at line 1, column 2 reason.
+[[noreturn]] void refuse(const std::string& what, const place& at, const std::string& reason);
+
+/// left = right.
+struct equation {
+    expression left;
+    expression right;
+    place at = {};
+};
+
+/// The value of an unknown, or of a derivative of it, at a point; both constant, parameters allowed.
+struct start {
+    expression of;
+    expression point;
+    expression value;
+    place at = {};
+};
+
+/// A named constant, or a closed form of an unknown.
+struct definition {
+    std::string name;
+    expression value;
+    place at = {};
+};
+
+/// Differential equations in any order and of any order, as text (parse.hpp) or C++ gives them:
+///     const auto f = ode::unknown("f");
+///     ode::equation_system blasius;
+///     blasius.add(derivative(f, 3) + f * derivative(f, 2) / 2);
+///     blasius.begin(f, 0).begin(derivative(f), 0).begin(derivative(f, 2), 1);
+/// Nothing is checked here: explicit_system does.
+struct equation_system {
+    std::string variable = "t";
+    std::vector<equation> equations;
+    std::vector<start> starts;
+    std::vector<definition> parameters;
+    std::vector<equation> invariants;  ///< constant along a solution: the left side; the right one is 0
+    std::vector<definition> exact;     ///< the unknown of this name in closed form
+
+    /// left = right.
+    equation_system& add(const expression& left, const expression& right = 0);
+    /// of(point) = value.
+    equation_system& begin(const expression& of, const expression& value, const expression& point = 0);
+    /// A parameter, or another value of it.
+    equation_system& set(const std::string& name, const expression& value);
+
+    /// The unknowns in the order in which the equations name them.
+    std::vector<std::string> unknowns() const;
+    /// The parameter, or nothing.
+    const definition* parameter_of(const std::string& name) const;
+};
+
+/// The expression with every parameter replaced by its exact value. Throws error for a parameter without a value and
+/// for parameters that need each other in a circle.
+expression with_values(const expression& e, const equation_system& system);
+
+}  // namespace libration::ode

@@ -1,0 +1,120 @@
+// Expressions in the independent variable, unknown functions, their derivatives, parameters and exact constants: what
+// differential equations are written in. Text and the operators of C++ make the same objects.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "libration/scalar/expression.hpp"
+
+namespace libration::ode {
+
+/// An exact constant: a fraction, a multiple of pi, a formula of such.
+using number = libration::expression;
+
+/// What a node of an expression is.
+enum class node_kind { constant, variable, unknown, parameter, sum, product, quotient, power, function };
+
+/// An immutable expression, cheap to copy: a node that shares what is below it. Constants are folded exactly as they
+/// meet (x + 0, 1*x, 0*x, x^1, x - x, 2*(3*x)); nothing else is simplified. A constant factor stands on the left, a
+/// constant summand on the right, a division by a constant is a product with its inverse, and a - b is a + (-1)*b.
+/// Operations of constants throw libration::error as those of numbers do: a division by an exact 0, a function outside
+/// its domain.
+class expression {
+public:
+    /// 0.
+    expression() : expression(number()) {}
+    expression(int n) : expression(number(rational(n))) {}
+    expression(const rational& q) : expression(number(q)) {}
+    expression(const number& value);
+
+    node_kind kind() const;
+    /// Of a constant.
+    const number& constant() const;
+    /// Of an unknown or a parameter.
+    const std::string& name() const;
+    /// The order of the derivative of an unknown: 0 for itself.
+    int derivative() const;
+    /// Of a function.
+    elementary function() const;
+    /// The operands: the argument of a function is the left one, base and exponent of a power are left and right.
+    const expression& left() const;
+    const expression& right() const;
+
+    /// Whether the variable, an unknown, a parameter occurs in it.
+    bool has_variable() const;
+    bool has_unknowns() const;
+    bool has_parameters() const;
+    /// Whether neither the variable nor an unknown occurs.
+    bool is_constant() const { return !has_variable() && !has_unknowns(); }
+    /// Whether it is this fraction.
+    bool is(int n) const;
+    /// The fraction that it is, where it is one.
+    std::optional<rational> fraction() const;
+
+    /// Equal for equal forms, and for few others.
+    std::size_t hash() const;
+    /// The same for copies of one object alone.
+    const void* identity() const { return node_.get(); }
+
+    expression operator-() const;
+    friend expression operator+(const expression& a, const expression& b);
+    friend expression operator-(const expression& a, const expression& b) { return a + -b; }
+    friend expression operator*(const expression& a, const expression& b);
+    friend expression operator/(const expression& a, const expression& b);
+    /// base^exponent. Throws error where the exponent is not constant.
+    friend expression pow(const expression& base, const expression& exponent);
+    friend expression apply(elementary f, const expression& x);
+    /// Whether both are written alike.
+    friend bool same_form(const expression& a, const expression& b);
+
+    friend expression variable();
+    friend expression unknown(const std::string& name, int derivative);
+    friend expression parameter(const std::string& name);
+
+private:
+    struct node;
+    explicit expression(node&& made);
+    static expression binary(node_kind kind, const expression& a, const expression& b);
+
+    std::shared_ptr<const node> node_;
+};
+
+/// The independent variable, whatever its name.
+expression variable();
+/// The unknown function of this name, or a derivative of it.
+expression unknown(const std::string& name, int derivative = 0);
+/// The constant of this name.
+expression parameter(const std::string& name);
+/// The derivative of an unknown, or of a derivative of it. Throws error for any other expression.
+expression derivative(const expression& of, int order = 1);
+
+inline expression exp(const expression& x) { return apply(elementary::exp, x); }
+inline expression log(const expression& x) { return apply(elementary::log, x); }
+inline expression sqrt(const expression& x) { return apply(elementary::sqrt, x); }
+inline expression sin(const expression& x) { return apply(elementary::sin, x); }
+inline expression cos(const expression& x) { return apply(elementary::cos, x); }
+inline expression tan(const expression& x) { return apply(elementary::tan, x); }
+inline expression asin(const expression& x) { return apply(elementary::asin, x); }
+inline expression acos(const expression& x) { return apply(elementary::acos, x); }
+inline expression atan(const expression& x) { return apply(elementary::atan, x); }
+inline expression sinh(const expression& x) { return apply(elementary::sinh, x); }
+inline expression cosh(const expression& x) { return apply(elementary::cosh, x); }
+inline expression tanh(const expression& x) { return apply(elementary::tanh, x); }
+
+/// What stands in place of a leaf (variable, unknown, parameter); nothing where it stays.
+using replacement = std::function<std::optional<expression>(const expression& leaf)>;
+
+/// The expression with its leaves replaced, what is shared replaced once.
+expression replaced(const expression& in, const replacement& by);
+
+/// d e / d leaf, all other leaves held: the leaf is the variable, an unknown or one of its derivatives, a parameter.
+expression partial(const expression& e, const expression& leaf);
+
+/// The name with a prime for each derivative: f''.
+std::string primed(const std::string& name, int derivative);
+
+}  // namespace libration::ode

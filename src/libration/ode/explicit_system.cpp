@@ -1,0 +1,179 @@
+#include "libration/ode/explicit_system.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "libration/scalar/error.hpp"
+#include "linear_solution.hpp"
+#include "singular_form.hpp"
+#include "start_values.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// The highest derivative of each unknown in the equations.
+std::map<std::string, int> orders_of(const std::vector<equation>& equations) {
+    std::map<std::string, int> orders;
+    std::set<const void*> done;
+    const std::function<void(const expression&)> visit = [&](const expression& e) {
+        if (!e.has_unknowns() || !done.insert(e.identity()).second) {
+            return;
+        }
+        if (e.kind() == node_kind::unknown) {
+            int& order = orders[e.name()];
+            order = std::max(order, e.derivative());
+            return;
+        }
+        visit(e.left());
+        if (e.kind() != node_kind::function) {
+            visit(e.right());
+        }
+    };
+    for (const equation& each : equations) {
+        visit(each.left);
+        visit(each.right);
+    }
+    return orders;
+}
+
+number constant_of(const expression& e, const equation_system& given) { return with_values(e, given).constant(); }
+
+// Calls what throws with the number alone, and says whose number it is.
+template <class Operation>
+auto named(const std::string& name, const place& at, const Operation& operation) {
+    try {
+        return operation();
+    } catch (const error& problem) {
+        if (problem.subject() == "problem") {
+            throw;
+        }
+        refuse(name, at, problem.reason());
+    }
+}
+
+bool same_number(const number& a, const number& b) {
+    const auto difference = (a - b).plain();
+    return difference && difference->coefficient == 0;
+}
+
+}  // namespace
+
+explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
+    read_unknowns(given);
+    read_starts(given);
+    start_values values([this](const expression& leaf) -> std::optional<number> {
+        if (leaf.kind() == node_kind::variable) {
+            return point_;
+        }
+        if (leaf.kind() == node_kind::parameter) {
+            return number();  // s
+        }
+        const auto found = std::ranges::find(unknowns_, leaf.name(), &unknown_function::name);
+        const auto& of_unknown = starts_[static_cast<std::size_t>(found - unknowns_.begin())];
+        const auto order = static_cast<std::size_t>(leaf.derivative());
+        return order < of_unknown.size() ? std::optional(of_unknown[order]) : std::nullopt;
+    });
+    std::vector<equation> equations;
+    for (const equation& each : given.equations) {
+        named("equation", each.at, [&] {
+            equations.push_back({with_values(each.left, given), with_values(each.right, given), each.at});
+            return 0;
+        });
+    }
+    std::vector<expression> targets;
+    for (const unknown_function& each : unknowns_) {
+        targets.push_back(unknown(each.name, each.order));
+    }
+    right_ = linear_solution(equations, targets, [&](const expression& c) {
+        return !values.refusal_of(c) && values.value_of(c).sign() != 0;
+    });
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        const auto reason = values.refusal_of(right_[i]);
+        if (!reason) {
+            continue;
+        }
+        singular_ = singular_form(unknowns_, right_, point_, values);
+        if (!singular_) {
+            refuse(primed(unknowns_[i].name, unknowns_[i].order), {},
+                   "has no value at the start: its right side " + *reason);
+        }
+        break;
+    }
+    for (const equation& each : given.invariants) {
+        invariants_.push_back(with_values(each.left, given));
+    }
+    for (const definition& each : given.exact) {
+        exact_.push_back({each.name, with_values(each.value, given), each.at});
+    }
+}
+
+void explicit_system::read_unknowns(const equation_system& given) {
+    const auto orders = orders_of(given.equations);
+    for (const std::string& name : given.unknowns()) {
+        const int order = orders.at(name);
+        if (order == 0) {
+            refuse(name, {}, "occurs without a derivative: an equation for " + name + "' is missing");
+        }
+        unknowns_.push_back({name, order});
+    }
+    if (unknowns_.empty()) {
+        refuse("", {}, "has no unknown: write an equation with a derivative, as y' = y");
+    }
+    if (given.equations.size() != unknowns_.size()) {
+        std::string names;
+        for (const unknown_function& each : unknowns_) {
+            names += (names.empty() ? "" : ", ") + each.name;
+        }
+        refuse("", {},
+               "has " + std::to_string(given.equations.size()) + " equations for " + std::to_string(unknowns_.size()) +
+                   " unknowns (" + names + "): it needs as many");
+    }
+}
+
+void explicit_system::read_starts(const equation_system& given) {
+    const start* first = nullptr;
+    std::vector<std::vector<std::optional<number>>> found;
+    for (const unknown_function& each : unknowns_) {
+        found.emplace_back(static_cast<std::size_t>(each.order));
+    }
+    for (const start& each : given.starts) {
+        const std::string name = primed(each.of.name(), each.of.derivative());
+        const number at = named(name, each.at, [&] { return constant_of(each.point, given); });
+        if (first != nullptr && !same_number(at, point_)) {
+            refuse(name, each.at,
+                   "starts at another point than " + primed(first->of.name(), first->of.derivative()) +
+                       ": all starts are at one point, conditions elsewhere belong to `find`");
+        }
+        first = first == nullptr ? &each : first;
+        point_ = at;
+        const auto which = std::ranges::find(unknowns_, each.of.name(), &unknown_function::name);
+        if (which == unknowns_.end()) {
+            refuse(name, each.at, "is a start of no unknown");
+        }
+        auto& of_unknown = found[static_cast<std::size_t>(which - unknowns_.begin())];
+        const auto order = static_cast<std::size_t>(each.of.derivative());
+        if (order >= of_unknown.size()) {
+            refuse(name, each.at, "has no start of its own: the equations give it");
+        }
+        if (of_unknown[order]) {
+            refuse(name, each.at, "has two starts: give it one");
+        }
+        of_unknown[order] = named(name, each.at, [&] { return constant_of(each.value, given); });
+    }
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+        auto& values = starts_.emplace_back();
+        for (std::size_t j = 0; j < found[i].size(); ++j) {
+            if (!found[i][j]) {
+                const std::string name = primed(unknowns_[i].name, static_cast<int>(j));
+                refuse(name, {}, "has no start: add " + name + "(0) = number");
+            }
+            values.push_back(*found[i][j]);
+        }
+    }
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,190 @@
+#include "singular_form.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr int largest_root = 64;
+
+expression distance() { return parameter(distance_name); }
+
+bool is_distance(const expression& e) { return e.kind() == node_kind::parameter; }
+
+expression distance_power(const rational& r) { return pow(distance(), expression(r)); }
+
+/// s^exponent rest.
+struct factored_form {
+    rational exponent;
+    expression rest;
+};
+
+// Takes the powers of s out of an expression.
+class factoring {
+public:
+    explicit factoring(start_values& values) : values_(values) {}
+
+    factored_form of(const expression& e) {
+        switch (e.kind()) {
+            case node_kind::parameter: return {1, 1};
+            case node_kind::sum: return of_sum(e);
+            case node_kind::product: {
+                const auto a = of(e.left());
+                const auto b = of(e.right());
+                return {a.exponent + b.exponent, a.rest * b.rest};
+            }
+            case node_kind::quotient: {
+                const auto a = of(e.left());
+                const auto b = of(e.right());
+                return {a.exponent - b.exponent, a.rest / b.rest};
+            }
+            case node_kind::power: return of_power(e);
+            case node_kind::function: return of_function(e);
+            default: return {0, e};
+        }
+    }
+
+    /// The least root in whose powers all powers of s are whole.
+    int root() const { return root_; }
+    /// Whether a negative or a broken power was met.
+    bool is_singular() const { return singular_; }
+
+    void note(const rational& exponent) {
+        singular_ = singular_ || exponent < 0 || denominator(exponent) != 1;
+        const integer whole = lcm(integer(root_), denominator(exponent));
+        if (whole > largest_root) {
+            throw error(
+                error_kind::argument, "problem", "",
+                "has powers of the distance from the start with denominators beyond " + std::to_string(largest_root));
+        }
+        root_ = whole.convert_to<int>();
+    }
+
+private:
+    expression joined(const factored_form& f) {
+        note(f.exponent);
+        return f.exponent == 0 ? f.rest : distance_power(f.exponent) * f.rest;
+    }
+
+    factored_form of_sum(const expression& e) {
+        if (!e.has_unknowns() && e.has_parameters()) {
+            const expression slope = partial(e, distance());
+            const auto at_start = [&] { return values_.refusal_of(e) ? number(rational(1)) : values_.value_of(e); };
+            if (slope.kind() == node_kind::constant && !slope.is(0) && at_start().sign() == 0) {
+                return {1, slope};
+            }
+        }
+        const auto a = of(e.left());
+        const auto b = of(e.right());
+        const rational least = std::min(a.exponent, b.exponent);
+        return {least, joined({a.exponent - least, a.rest}) + joined({b.exponent - least, b.rest})};
+    }
+
+    factored_form of_power(const expression& e) {
+        const auto base = of(e.left());
+        const auto exponent = e.right().fraction();
+        if (!exponent) {
+            return {0, pow(joined(base), e.right())};
+        }
+        return {base.exponent * *exponent, pow(base.rest, e.right())};
+    }
+
+    factored_form of_function(const expression& e) {
+        const auto inner = of(e.left());
+        if (e.function() == elementary::sqrt) {
+            return {inner.exponent / 2, sqrt(inner.rest)};
+        }
+        if (inner.exponent < 0) {
+            throw error(error_kind::argument, "problem", "",
+                        "has a function of what may be infinite at the start: an irregular singular start");
+        }
+        return {0, apply(e.function(), joined(inner))};
+    }
+
+    start_values& values_;
+    int root_ = 1;
+    bool singular_ = false;
+};
+
+// How far behind coefficient n the newest coefficient is that can be known before y_n is.
+long lag_of(const expression& e, int root) {
+    switch (e.kind()) {
+        case node_kind::unknown: return static_cast<long>(e.derivative()) * root;
+        case node_kind::function: return lag_of(e.left(), root);
+        case node_kind::power: return lag_of(e.left(), root);
+        case node_kind::product: {
+            const expression& left = e.left();
+            if (left.kind() == node_kind::power && is_distance(left.left())) {
+                const rational shift = *left.right().fraction() * root;
+                return std::max(0L, lag_of(e.right(), root) - numerator(shift).convert_to<long>());
+            }
+            if (is_distance(left)) {
+                return std::max(0L, lag_of(e.right(), root) - root);
+            }
+            return std::max(lag_of(left, root), lag_of(e.right(), root));
+        }
+        case node_kind::sum:
+        case node_kind::quotient: return std::max(lag_of(e.left(), root), lag_of(e.right(), root));
+        default: return 0;
+    }
+}
+
+// Finds the weights of one right side, f in terms of s.
+std::vector<std::vector<number>> weights_of(const expression& f, int order,
+                                            const std::vector<unknown_function>& unknowns, factoring& factors,
+                                            start_values& values) {
+    std::vector<std::vector<number>> weights;
+    for (const unknown_function& each : unknowns) {
+        auto& of_unknown = weights.emplace_back(static_cast<std::size_t>(each.order));
+        for (int l = 0; l < each.order; ++l) {
+            const auto slope = factors.of(partial(f, unknown(each.name, l)));
+            if (!slope.rest.is(0) && slope.exponent + order - l == 0) {
+                of_unknown[static_cast<std::size_t>(l)] = values.value_of(slope.rest);
+            }
+        }
+    }
+    return weights;
+}
+
+}  // namespace
+
+std::optional<singular_start> singular_form(const std::vector<unknown_function>& unknowns,
+                                            const std::vector<expression>& right, const number& point,
+                                            start_values& values) {
+    factoring factors(values);
+    std::vector<expression> in_distance;
+    std::vector<factored_form> forms;
+    for (const expression& f : right) {
+        in_distance.push_back(replaced(f, [&](const expression& leaf) -> std::optional<expression> {
+            return leaf.kind() == node_kind::variable ? std::optional(distance() + expression(point)) : std::nullopt;
+        }));
+        forms.push_back(factors.of(in_distance.back()));
+        factors.note(forms.back().exponent);
+    }
+    if (!factors.is_singular()) {
+        return std::nullopt;
+    }
+    singular_start result{factors.root(), {}};
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const rational power = forms[i].exponent + unknowns[i].order;
+        const std::string highest = primed(unknowns[i].name, unknowns[i].order);
+        const expression scaled = power == 0 ? forms[i].rest : distance_power(power) * forms[i].rest;
+        if (power < 0 || lag_of(scaled, result.root) > 0) {
+            refuse(highest, {},
+                   "is irregular singular at the start: a factor of the highest derivative vanishes there "
+                   "too fast for a power series");
+        }
+        if (const auto reason = values.refusal_of(scaled)) {
+            refuse(highest, {}, "has no value at the start: its right side " + *reason);
+        }
+        result.right.push_back({scaled, weights_of(in_distance[i], unknowns[i].order, unknowns, factors, values)});
+    }
+    return result;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,88 @@
+#include "start_values.hpp"
+
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+[[noreturn]] void refuse_value(const std::string& reason) { throw error(error_kind::argument, "number", "", reason); }
+
+bool is_zero(const number& x) { return x.sign() == 0; }
+
+bool is_whole(const number& x) {
+    const auto q = x.fraction();
+    return q && denominator(*q) == 1;
+}
+
+}  // namespace
+
+// The values are in the domains, or folding would have thrown; what is left are the branch points.
+void start_values::require_analytic(const expression& e, const number& argument) {
+    if (e.kind() == node_kind::power) {
+        const number& exponent = e.right().constant();
+        if (!is_whole(exponent) && is_zero(argument)) {
+            refuse_value("takes a power of 0 that is not whole");
+        }
+        return;
+    }
+    if (e.kind() != node_kind::function) {
+        return;
+    }
+    if (e.function() == elementary::sqrt && is_zero(argument)) {
+        refuse_value("takes the root of 0");
+    }
+    const bool arc = e.function() == elementary::asin || e.function() == elementary::acos;
+    if (arc && is_zero(argument * argument - number(rational(1)))) {
+        refuse_value("takes acos or asin of 1 or -1, where they have no series");
+    }
+}
+
+number start_values::computed(const expression& e) {
+    switch (e.kind()) {
+        case node_kind::constant: return e.constant();
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter: {
+            auto value = of_leaf_(e);
+            if (!value) {
+                refuse_value("has no value");
+            }
+            return *value;
+        }
+        default: break;
+    }
+    if (e.kind() == node_kind::power && e.left().kind() == node_kind::parameter && e.right().constant().sign() > 0) {
+        return {};  // s^r, which stands for a power of the series' variable
+    }
+    const number left = value_of(e.left());
+    require_analytic(e, left);
+    switch (e.kind()) {
+        case node_kind::sum: return left + value_of(e.right());
+        case node_kind::product: return left * value_of(e.right());
+        case node_kind::quotient: return left / value_of(e.right());
+        case node_kind::power: return power(left, e.right().constant());
+        default: return apply(e.function(), left);
+    }
+}
+
+number start_values::value_of(const expression& e) {
+    const auto found = done_.find(e.identity());
+    if (found != done_.end()) {
+        return found->second.second;
+    }
+    number value = computed(e);
+    done_.emplace(e.identity(), std::pair(e, value));
+    return value;
+}
+
+std::optional<std::string> start_values::refusal_of(const expression& e) {
+    try {
+        value_of(e);
+        return std::nullopt;
+    } catch (const error& problem) {
+        return problem.reason();
+    }
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,36 @@
+// Values of expressions at a start, exactly.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "libration/ode/equation_system.hpp"
+
+namespace libration::ode {
+
+/// What a leaf is at the start: the variable or an unknown; nothing for what has no value there.
+using leaf_value = std::function<std::optional<number>(const expression& leaf)>;
+
+/// Evaluates expressions at a start and refuses what is not analytic there.
+class start_values {
+public:
+    explicit start_values(leaf_value of_leaf) : of_leaf_(std::move(of_leaf)) {}
+
+    /// Why the expression is not analytic at the start ("takes the root of 0"); nothing where it is.
+    std::optional<std::string> refusal_of(const expression& e);
+
+    /// The value of an expression that is analytic there. Throws error for any other.
+    number value_of(const expression& e);
+
+private:
+    number computed(const expression& e);
+    static void require_analytic(const expression& e, const number& argument);
+
+    leaf_value of_leaf_;
+    std::unordered_map<const void*, std::pair<expression, number>> done_;  // the expression keeps its identity
+};
+
+}  // namespace libration::ode

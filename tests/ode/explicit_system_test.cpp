@@ -1,0 +1,184 @@
+// Systems solved for their highest derivatives, and the starts where that has no value.
+#include "libration/ode/explicit_system.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/precision.hpp"
+
+namespace ode_explicit_system_test {
+
+using namespace libration;
+using namespace libration::ode;
+using libration::ode::expression;
+
+namespace {
+
+explicit_system solved(const std::string& text) { return explicit_system(parse(text)); }
+
+// The value of an expression where every leaf has one.
+rational value_at(const expression& e, const std::vector<std::pair<expression, rational>>& at) {
+    const expression value = replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        for (const auto& [of, number] : at) {
+            if (same_form(of, leaf)) {
+                return expression(number);
+            }
+        }
+        return std::nullopt;
+    });
+    return value.fraction().value();
+}
+
+}  // namespace
+
+TEST_CASE("a system is solved for its highest derivatives", "[ode][explicit_system]") {
+    const auto f = unknown("f");
+    CHECK(same_form(solved("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f''(0) = 1").right()[0],
+                    expression(rational(-1, 2)) * (f * unknown("f", 2))));
+    CHECK(same_form(solved("10*(f - t) = f'; f(0) = 0").right()[0], 10 * (f - variable())));
+    // Two equations in which both stand: x' + y' = t, x' - 2y' = x: x' = (2t + x)/3, y' = (t - x)/3.
+    const auto both = solved("x' + y' = t; x' - 2*y' = x; x(0) = 0; y(0) = 0");
+    const std::vector<std::pair<expression, rational>> at{{variable(), 5}, {unknown("x"), 7}};
+    CHECK(value_at(both.right()[0], at) == rational(17, 3));
+    CHECK(value_at(both.right()[1], at) == rational(-2, 3));
+    // A coefficient that depends on the unknown; the order of unknowns is that of the text.
+    const auto rayleigh = solved("R*R'' + 3/2*R'^2 + 1 = 0; R(0) = 1; R'(0) = 0");
+    CHECK(value_at(rayleigh.right()[0], {{unknown("R"), 2}, {unknown("R", 1), 3}}) == rational(-29, 4));
+    const auto mixed = solved("y' = x''; x'' = -x; x(0) = 1; x'(0) = 0; y(0) = 0");
+    CHECK(mixed.unknowns()[0].name == "y");
+    CHECK(value_at(mixed.right()[0], {{unknown("x"), 3}}) == -3);
+    // A lower derivative with a factor that vanishes at the start is no pivot where another is there.
+    const auto chosen = solved("x*x' + y' = 1; y'*2 + x' = 3; x(0) = 0; y(0) = 0");
+    CHECK(value_at(chosen.right()[0], {{unknown("x"), 0}}) == 1);
+    CHECK(value_at(chosen.right()[1], {{unknown("x"), 0}}) == 1);
+}
+
+TEST_CASE("the C++ way makes the same system as text", "[ode][explicit_system]") {
+    const auto f = unknown("f");
+    equation_system blasius;
+    blasius.add(derivative(f, 3) + f * derivative(f, 2) / 2);
+    blasius.begin(f, 0).begin(derivative(f), 0).begin(derivative(f, 2), parameter("k")).set("k", rational(1, 3));
+    const explicit_system built(blasius);
+    const auto read = solved("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f''(0) = k; k = 1/3");
+    CHECK(same_form(built.right()[0], read.right()[0]));
+    CHECK(built.starts()[0][2].fraction() == rational(1, 3));
+    CHECK_THROWS_AS(derivative(f + 1), error);
+}
+
+TEST_CASE("factors of the variable are singular starts", "[ode][explicit_system]") {
+    const auto lane_emden = solved("t*y'' + 2*y' + t*y^n = 0; n = 3; y(0) = 1; y'(0) = 0").singular();
+    REQUIRE(lane_emden);
+    CHECK(lane_emden->root == 1);
+    CHECK(lane_emden->right[0].weights[0][0].fraction() == 0);
+    CHECK(lane_emden->right[0].weights[0][1].fraction() == -2);
+    const auto elsewhere = solved("(2*t - 2)*y'' + 4*y' + t*y^3 = 0; y(1) = 1; y'(1) = 0").singular();
+    REQUIRE(elsewhere);
+    CHECK(elsewhere->right[0].weights[0][1].fraction() == -2);
+    const auto petviashvili = solved("variable r; w'' + w'/r - w + w^2 = 0; w(0) = 2; w'(0) = 0").singular();
+    REQUIRE(petviashvili);
+    CHECK(petviashvili->right[0].weights[0][1].fraction() == -1);
+    const auto bessel = solved("t^2*y'' + t*y' + (t^2 - 4)*y = 0; y(0) = 0; y'(0) = 0").singular();
+    REQUIRE(bessel);
+    CHECK(bessel->right[0].weights[0][0].fraction() == 4);
+    CHECK(bessel->right[0].weights[0][1].fraction() == -1);
+    const auto thomas_fermi = solved("y'' = y^(3/2)/sqrt(t); y(0) = 1; y'(0) = -1").singular();
+    REQUIRE(thomas_fermi);
+    CHECK(thomas_fermi->root == 2);
+    CHECK_FALSE(solved("t*y'' + y = 0; y(1) = 1; y'(1) = 0").singular());
+    CHECK_FALSE(solved("y'' = t*y; y(0) = 1; y'(0) = 0").singular());
+}
+
+TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"y'' = y; y(0) = 1", "problem 'y'' has no start: add y'(0) = number"},
+        {"y' = y; y(0) = 1; y(1) = 2",
+         "problem 'y' at line 1, column 19 starts at another point than y: all starts are at "
+         "one point, conditions elsewhere belong to `find`"},
+        {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two starts: give it one"},
+        {"y' = y; y(0) = 1; y'(0) = 1",
+         "problem 'y'' at line 1, column 19 has no start of its own: the equations give it"},
+        {"y' = y; z(0) = 1", "problem 'z(0) = 1' at line 1, column 9 is a start of no unknown: no equation has z'"},
+        {"y' = y; y(0) = a; a = b; b = 2*a",
+         "problem 'a' at line 1, column 19 needs itself: a -> b -> a: give one of them a number"},
+        {"sin(y'') = y; y(0) = 0; y'(0) = 0",
+         "problem 'y''' at line 1, column 1 is the highest derivative and stands in a function: implicit equations are "
+         "refused, solve for it or differentiate the equation"},
+        {"y'^2 = y; y(0) = 1",
+         "problem 'y'' at line 1, column 1 is the highest derivative and stands in a power: implicit equations are "
+         "refused, solve for it or differentiate the equation"},
+        {"y'*y' = y; y(0) = 1",
+         "problem 'y'' at line 1, column 1 is the highest derivative and stands in a product with another highest "
+         "derivative: implicit equations are refused, solve for it or differentiate the equation"},
+        {"x' + y' = 1; x' + y' = t; x(0) = 0; y(0) = 0",
+         "problem 'equation 2' at line 1, column 14 has no highest derivative of its own: differentiate it, or replace "
+         "it "
+         "by one that has"},
+        {"x' = y'; x(0) = 0; y(0) = 0", "problem has 1 equations for 2 unknowns (x, y): it needs as many"},
+        {"y' = log(y); y(0) = 0",
+         "problem 'y'' has no value at the start: its right side takes the logarithm of a number "
+         "that is not positive"},
+        {"y' = sqrt(y); y(0) = 0", "problem 'y'' has no value at the start: its right side takes the root of 0"},
+        {"y' = y^(1/3); y(0) = 0",
+         "problem 'y'' has no value at the start: its right side takes a power of 0 that is not "
+         "whole"},
+        {"y' = asin(y); y(0) = 1",
+         "problem 'y'' has no value at the start: its right side takes acos or asin of 1 or -1, "
+         "where they have no series"},
+        {"R*R'' + 1 = 0; R(0) = 0; R'(0) = 1",
+         "problem 'R''' has no value at the start: its right side divides by zero"},
+        {"t^2*y' = y - t; y(0) = 0",
+         "problem 'y'' is irregular singular at the start: a factor of the highest derivative "
+         "vanishes there too fast for a power series"},
+        {"t^3*y'' = y; y(0) = 0; y'(0) = 0",
+         "problem 'y''' is irregular singular at the start: a factor of the highest "
+         "derivative vanishes there too fast for a power series"},
+    };
+    for (const auto& [text, told] : wrong) {
+        INFO(text);
+        CHECK_THROWS_WITH(solved(text), told);
+    }
+}
+
+TEST_CASE("partial derivatives follow the rules of each function", "[ode][expression]") {
+    // Against the difference quotient with h = 1/10^6 at u = 1/3, whose error is below h.
+    const auto u = unknown("u");
+    const auto value = [](const expression& e, const rational& at) {
+        const expression found =
+            replaced(e, [&](const expression&) -> std::optional<expression> { return expression(at); });
+        const precision_scope scope(40);
+        return rounded_value(found.constant());
+    };
+    const std::vector<expression> all{exp(u),
+                                      log(u),
+                                      sqrt(u),
+                                      sin(u),
+                                      cos(u),
+                                      tan(u),
+                                      asin(u),
+                                      acos(u),
+                                      atan(u),
+                                      sinh(u),
+                                      cosh(u),
+                                      tanh(u),
+                                      u * u,
+                                      1 / u,
+                                      u / (1 + u),
+                                      pow(u, 5),
+                                      pow(u, rational(-3, 2)),
+                                      sin(u * u)};
+    const rational at(1, 3);
+    const rational h(1, 1'000'000);
+    for (const expression& f : all) {
+        const precision_scope scope(40);
+        const mpfr quotient = (value(f, at + h) - value(f, at - h)) * 500'000;
+        CHECK(abs(mpfr(quotient - value(partial(f, u), at))) < mpfr(1) / 1'000'000'000);
+    }
+    CHECK(partial(sin(variable()), u).is(0));
+    CHECK(partial(unknown("u", 1), u).is(0));
+}
+
+}  // namespace ode_explicit_system_test

@@ -1,0 +1,180 @@
+// Problems as text: the same objects as operators make, and what wrong ones are told.
+#include "libration/ode/parse.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace ode_parse_test {
+
+using namespace libration;
+using namespace libration::ode;
+using libration::ode::expression;
+
+namespace {
+
+// What a problem is told, without "problem".
+std::string refusal_of(const std::string& text) {
+    try {
+        const explicit_system solved(parse(text));
+        return "nothing is wrong";
+    } catch (const error& problem) {
+        return problem.what();
+    }
+}
+
+// The left side of the only equation of a text.
+expression read(const std::string& formula) {
+    return parse(formula + " = y' + z'; z' = 1; k = 2; m = 3").equations.front().left;
+}
+
+}  // namespace
+
+TEST_CASE("text and operators make the same expressions", "[ode][parse]") {
+    const auto y = unknown("y");
+    const auto z = unknown("z");
+    const auto k = parameter("k");
+    const auto t = variable();
+    const std::vector<std::pair<std::string, expression>> pairs{
+        {"y + z*t", y + z * t},
+        {"y - z - t", (y - z) - t},
+        {"y/z/t", (y / z) / t},
+        {"8/3*z", expression(rational(8, 3)) * z},
+        {"-y^2", -pow(y, 2)},
+        {"2^3^2*y", 512 * y},
+        {"y**2**k", pow(y, pow(2, k))},
+        {"y''^2", pow(unknown("y", 2), 2)},
+        {"y^-1", pow(y, -1)},
+        {"2*-y", 2 * -y},
+        {"y^(3/2)", pow(y, rational(3, 2))},
+        {"sin(y)*exp(-t)", sin(y) * exp(-t)},
+        {"sqrt(2)*y", expression(apply(elementary::sqrt, number(rational(2)))) * y},
+        {"2E-3*y", expression(rational(1, 500)) * y},
+        {"pi*y", expression(number(1, unit::pi)) * y},
+        {"(y+z)*(y-z)", (y + z) * (y - z)},
+        {"y*1 + 0*z", y},
+    };
+    for (const auto& [text, built] : pairs) {
+        INFO(text);
+        CHECK(same_form(read(text), built));
+        CHECK(read(text).hash() == built.hash());
+    }
+    CHECK_FALSE(same_form(y + z, z + y));
+    CHECK_FALSE(same_form(y, unknown("y", 1)));
+}
+
+TEST_CASE("a problem's statements are read in any order and on any lines", "[ode][parse]") {
+    const auto system = parse(
+        "# Blasius\n"
+        "f''(1/2) = k  # the wall\n"
+        "f''' + f*f''/2 = 0; f(1/2) = 0; f'(1/2) = 30deg\n"
+        "k = 3*m; m = 1/3 + 2pi\n"
+        "invariant f*f' - (m)\n"
+        "exact f = k*t^2\r\n");
+    CHECK(system.equations.size() == 1);
+    CHECK(system.equations[0].at.line == 3);
+    CHECK(system.starts.size() == 3);
+    CHECK(system.starts[0].of.derivative() == 2);
+    CHECK(system.starts[0].at.column == 1);
+    CHECK(system.invariants.size() == 1);
+    REQUIRE(system.exact.size() == 1);
+    CHECK(same_form(system.exact[0].value, parameter("k") * pow(variable(), 2)));
+    const explicit_system solved(system);
+    CHECK(solved.unknowns().front().order == 3);
+    CHECK(solved.point().fraction() == rational(1, 2));
+    CHECK(same_form(expression(solved.starts()[0][2]), expression(number(1) + number(6, unit::pi))));
+    CHECK(same_form(expression(solved.starts()[0][1]), expression(number(30, unit::degree))));
+    // Names: the variable may be another one, then t is free; e, E, I, S, T are free; case counts.
+    const auto named = parse("variable x; t' = x*T; T' = E; E = 2; t(0) = 0; T(0) = 1");
+    CHECK(named.variable == "x");
+    CHECK(named.unknowns() == std::vector<std::string>{"t", "T"});
+    CHECK(parse("invariant(0) = 1; invariant' = invariant").unknowns().front() == "invariant");
+}
+
+TEST_CASE("parameters and starts are changed one at a time", "[ode][parse]") {
+    const auto system = parse("f'' = -k*f; f(0) = 1; f'(0) = 0; k = 1");
+    const explicit_system solved(changed(changed(system, "k = 1/3"), "f'(0) = 2*k"));
+    CHECK(solved.starts()[0][1].fraction() == rational(2, 3));
+    CHECK(same_form(solved.right()[0], expression(rational(-1, 3)) * unknown("f")));
+    CHECK_THROWS_WITH(changed(system, "m = 1"), "problem 'm' at line 1, column 1 is no parameter of this problem");
+    CHECK_THROWS_WITH(changed(system, "f''(0) = 1"), "problem 'f''' at line 1, column 1 has no start in this problem");
+    CHECK_THROWS_WITH(changed(system, "f'' = f"),
+                      "problem 'f'' = f' at line 1, column 1 is no parameter and no start: write k = 1 or f(0) = 1");
+    CHECK(parse_constant("3pi/4").constant().plain()->coefficient == rational(3, 4));
+    CHECK_THROWS_WITH(parse_constant("y"),
+                      "problem 'y' at line 1, column 1 has no value: write y = number for a parameter, y' = ... for an "
+                      "unknown");
+}
+
+TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"y' = 2x; y(0) = 1", "problem '2x' at line 1, column 6 multiplies without *: write 2*x"},
+        {"y' = 2 y; y(0) = 1", "problem '2 y' at line 1, column 6 multiplies without *: write 2*y"},
+        {"y' = (y)(y); y(0) = 1", "problem ')(' at line 1, column 8 multiplies without *: write )*("},
+        {"y' = y(t); y(0) = 1", "problem 'y(t)' at line 1, column 6 has an argument: write y"},
+        {"y'(t) = y; y(0) = 1", "problem 'y'(t)' at line 1, column 1 has an argument: write y'"},
+        {"y' = y, y(0) = 1",
+         "problem ',' at line 1, column 7 is no part of a problem: decimals have a point, statements end with ;"},
+        {"y' = k*y\ny(0) = 1\nk = 1/2pi",
+         "problem 'k = 1/2pi' at line 3, column 6 is ambiguous: write parentheses, as 1/(2*pi) or (1/2)*pi"},
+        {"y' = k*y; y(0) = 1; k = 1/2T",
+         "problem 'T' at line 1, column 28 is the period of a pendulum: a problem has none"},
+        {"y' = 2pi*y; y(0) = 1", "problem '2pi' at line 1, column 6 multiplies without *: write 2*pi"},
+        {"pi = 3; y' = y", "problem 'pi' at line 1, column 1 is a reserved name: choose another"},
+        {"t = 3; y' = y",
+         "problem 't' at line 1, column 1 is the independent variable: choose another name, or `variable x`"},
+        {"n' = 1; n(0) = 0", "problem 'n' at line 1, column 1 is the name of a column of tables: choose another"},
+        {"sin' = 1", "problem 'sin'' at line 1, column 1 is the derivative of a function: primes belong to unknowns"},
+        {"y' = sin y; y(0) = 0", "problem 'sin' at line 1, column 6 is a function without ( behind it: write sin(...)"},
+        {"y' = Sin(y); y(0) = 0",
+         "problem 'Sin' at line 1, column 6 is no function: there are exp log sqrt sin cos tan asin acos atan sinh "
+         "cosh "
+         "tanh; a product has *"},
+        {"y' = k; y(0) = 0",
+         "problem 'k' at line 1, column 6 has no value: write k = number for a parameter, k' = ... for an unknown"},
+        {"variable x; y' = t; y(0) = 0", "problem 't' at line 1, column 18 has no value: the variable is x"},
+        {"y' = y^t; y(0) = 1",
+         "problem 'y' = y^t' at line 1, column 6 has an exponent that is not constant: write exp(y*log(x)) for x^y"},
+        {"y' = (y + 1; y(0) = 1", "problem '(' at line 1, column 6 is not closed: a ) is missing"},
+        {"y' = y + 1); y(0) = 1", "problem ')' at line 1, column 11 closes nothing: a ( is missing"},
+        {"y' = y +; y(0) = 1", "problem 'y' = y +' at line 1, column 8 ends where a number or a name is missing"},
+        {"y' = y*/2; y(0) = 1", "problem '/' at line 1, column 8 stands where a number or a name is missing"},
+        {"y' == y; y(0) = 1", "problem 'y' == y' at line 1, column 1 has more than one =: write a statement each"},
+        {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is no equation: it has no ="},
+        {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of ="},
+        {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero"},
+        {"y' = log(-1)*y; y(0) = 1",
+         "problem 'y' = log(-1)*y' at line 1, column 6 takes the logarithm of a number that is not positive"},
+        {"y' = y; y(0) = y'",
+         "problem 'y(0) = y'' at line 1, column 16 has a value that is not constant: give a number or "
+         "parameters"},
+        {"y' = y; k = 1; k = 2; y(0) = 1", "problem 'k = 2' at line 1, column 16 gives k a second value: give it one"},
+        {"y' = $; y(0) = 1",
+         "problem '$' at line 1, column 6 is no part of a problem: it has names, numbers, + - * / ^ ( ) = and ;"},
+        {"y' = y; y(0) = 1 '",
+         "problem ''' at line 1, column 18 stands behind no name: primes follow their unknown "
+         "directly, as f''"},
+        {"# nothing", "problem has no equation: write one, as y' = y"},
+        {"y' = 1e1000000; y(0) = 1",
+         "problem '1e1000000; y(0) = 1' at line 1, column 6 is beyond the range 1e-100000 .. "
+         "1e100000"},
+    };
+    for (const auto& [text, told] : wrong) {
+        INFO(text);
+        CHECK(refusal_of(text) == told);
+    }
+}
+
+TEST_CASE("deep and long texts are refused before they cost anything", "[ode][parse]") {
+    const std::string many(200, '(');
+    CHECK(refusal_of("y' = " + many + "y" + std::string(200, ')')).find("is nested more than 100 deep") !=
+          std::string::npos);
+    CHECK(refusal_of("y' = " + std::string(300, '-') + "y").find("is nested more than 100 deep") != std::string::npos);
+    CHECK(refusal_of(std::string(100'001, ' ')) == "problem is longer than 100000 characters");
+}
+
+}  // namespace ode_parse_test
