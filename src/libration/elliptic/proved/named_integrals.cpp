@@ -1,43 +1,15 @@
 // The elliptic integrals of the three kinds, Jacobi's zeta function and the nome at any real parameter, by Arb.
 #include <stdexcept>
 
+#include "libration/elliptic/proved/on_real_line.hpp"
 #include "libration/elliptic/proved/proved_functions.hpp"
 #include "named_values.hpp"
-
-#if __has_include(<flint/acb_elliptic.h>)
-#include <flint/acb_elliptic.h>
-#else
-#include <acb_elliptic.h>
-#endif
 
 namespace libration::elliptic {
 
 namespace {
 
 using range = real_parameter::range;
-
-// A complex ball on the real line for the calls of Arb.
-class on_real_line {
-public:
-    explicit on_real_line(const ball& x) {
-        acb_init(value_);
-        acb_set_arb(value_, x.handle());
-    }
-    on_real_line(const on_real_line&) = delete;
-    on_real_line& operator=(const on_real_line&) = delete;
-    ~on_real_line() { acb_clear(value_); }
-
-    acb_ptr handle() { return value_; }
-    /// The real part: what a function that is real there is enclosed by.
-    ball real() const {
-        ball result;
-        arb_set(result.handle(), acb_realref(value_));
-        return result;
-    }
-
-private:
-    acb_t value_;
-};
 
 // An amplitude: phi, or phi/pi where that is exact.
 struct amplitude_input {
@@ -74,7 +46,7 @@ int sign_of_least(const exact& c, const exact& phi) {
 ball incomplete_by_arb(std::string_view name, const exact& phi, const function_arguments& at) {
     amplitude_input amplitude(phi);
     on_real_line m(from_exact<ball>(at.parameter.m()));
-    on_real_line result(ball(0));
+    on_real_line result;
     if (name == "F") {
         acb_elliptic_f(result.handle(), amplitude.value.handle(), m.handle(), amplitude.times_pi, ball::working_bits());
     } else if (name == "E") {

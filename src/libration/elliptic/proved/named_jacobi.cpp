@@ -1,14 +1,9 @@
 // am, the twelve functions of Jacobi and their inverses at any real parameter.
 #include <stdexcept>
 
+#include "libration/elliptic/proved/on_real_line.hpp"
 #include "libration/elliptic/proved/proved_functions.hpp"
 #include "named_values.hpp"
-
-#if __has_include(<flint/acb_elliptic.h>)
-#include <flint/acb_elliptic.h>
-#else
-#include <acb_elliptic.h>
-#endif
 
 namespace libration::elliptic {
 
@@ -32,23 +27,11 @@ struct symmetric_form {
 };
 
 ball symmetric_integral(const symmetric_form& form) {
-    const auto as_complex = [](acb_t to, const exact& from) { acb_set_arb(to, from_exact<ball>(from).handle()); };
-    acb_t a;
-    acb_t b;
-    acb_t c;
-    acb_init(a);
-    acb_init(b);
-    acb_init(c);
-    as_complex(a, form.a);
-    as_complex(b, form.b);
-    as_complex(c, form.c);
-    acb_elliptic_rf(a, a, b, c, 0, ball::working_bits());
-    ball result;
-    arb_set(result.handle(), acb_realref(a));
-    acb_clear(a);
-    acb_clear(b);
-    acb_clear(c);
-    return result * sqrt(from_exact<ball>(form.factor_squared));
+    on_real_line a(from_exact<ball>(form.a));
+    on_real_line b(from_exact<ball>(form.b));
+    on_real_line c(from_exact<ball>(form.c));
+    acb_elliptic_rf(a.handle(), a.handle(), b.handle(), c.handle(), 0, ball::working_bits());
+    return a.real() * sqrt(from_exact<ball>(form.factor_squared));
 }
 
 // arcpq as factor R_F(a, b, c), for x >= 0 [DLMF 22.15, 19.25.31]: with s = sn, the factor is s times the root of a

@@ -1,4 +1,7 @@
 // Jacobi's theta functions at real z and real nome, by Arb.
+#include <array>
+
+#include "libration/elliptic/proved/on_real_line.hpp"
 #include "named_values.hpp"
 
 #if __has_include(<flint/acb_modular.h>)
@@ -15,35 +18,18 @@ namespace {
 class theta_quadruple {
 public:
     theta_quadruple(const ball& zeta, const ball& q) {
-        acb_t at;
-        acb_t tau;
-        acb_init(at);
-        acb_init(tau);
-        for (acb_struct& each : values_) {
-            acb_init(&each);
-        }
-        acb_set_arb(at, zeta.handle());
-        arb_set(acb_imagref(tau), ball(-log(q) / pi<ball>()).handle());
-        acb_modular_theta(&values_[0], &values_[1], &values_[2], &values_[3], at, tau, ball::working_bits());
-        acb_clear(at);
-        acb_clear(tau);
-    }
-    theta_quadruple(const theta_quadruple&) = delete;
-    theta_quadruple& operator=(const theta_quadruple&) = delete;
-    ~theta_quadruple() {
-        for (acb_struct& each : values_) {
-            acb_clear(&each);
-        }
+        const on_real_line at(zeta);
+        on_real_line tau(ball(-log(q) / pi<ball>()));
+        acb_mul_onei(tau.handle(), tau.handle());
+        auto& [first, second, third, fourth] = values_;
+        acb_modular_theta(first.handle(), second.handle(), third.handle(), fourth.handle(), at.handle(), tau.handle(),
+                          ball::working_bits());
     }
 
-    ball real(int j) const {
-        ball result;
-        arb_set(result.handle(), acb_realref(&values_[j - 1]));
-        return result;
-    }
+    ball real(int j) const { return values_.at(static_cast<std::size_t>(j - 1)).real(); }
 
 private:
-    acb_struct values_[4];
+    std::array<on_real_line, 4> values_;
 };
 
 // Whether theta_1 or theta_2 vanishes there: at whole multiples of pi, and those and a half.
