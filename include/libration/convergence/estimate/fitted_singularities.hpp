@@ -66,7 +66,7 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
     return fitted_singularity{at[0], exponents[0].re, left_after(at, s), left_after(exponents, s).likely};
 }
 
-/// The roots from `first` on that may matter beside it: up to half as far away again, six at most.
+/// The roots from `first` on that may matter beside it: up to two and a half times as far from 0, six at most.
 inline std::vector<root_with_exponent> roots_beside(const leading_polynomials& q,
                                                     const std::vector<complex_number<mpfr>>& roots, std::size_t first,
                                                     const recurrence_form& form, int stride) {
