@@ -1,12 +1,12 @@
-// From which power on the routes of taylor/pole_reach.hpp cost less than the recurrence, measured here: the constants of
-// pendulum/taylor/tuning.hpp, which decide costs and no result beyond rounding.
+// From which power on the routes of taylor/pole_reach.hpp cost less than the recurrence, measured here: the constants
+// of pendulum/taylor/tuning.hpp, which decide costs and no result beyond rounding.
 //
 //   ./run bench tuning                                                    the measurements, and the header
 //   ./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp the header into the tree
 //
-// All about the top of E = 1.71, where every second coefficient vanishes, in one run on one thread; recurrence and other
-// route in turns, medians. A number in the header is the one of a coarse grid (powers of two for the fixed scalars) that
-// loses least time over all that was measured, so that two runs on one machine seldom differ.
+// All about the top of E = 1.71, where every second coefficient vanishes, in one run on one thread; recurrence and
+// other route in turns, medians. A number in the header is the one of a coarse grid (powers of two for the fixed
+// scalars) that loses least time over all that was measured, so that two runs on one machine seldom differ.
 #include <sys/utsname.h>
 
 #include <fmt/chrono.h>
@@ -184,8 +184,8 @@ struct constants {
 
 std::string header(const constants& found) {
     return fmt::format(
-        "// Made by `./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp` on {}, {:%Y-%m-%d}:\n"
-        "// from where on one route costs less than another. Nothing but costs and roundings depends on it.\n"
+        "// Made by `./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp`: from where on a route "
+        "costs less\n// than another, on {}, {:%Y-%m-%d}. Only costs and roundings depend on it.\n"
         "#pragma once\n\n"
         "namespace libration::pendulum::tuning {{\n\n"
         "/// Quotients of thetas instead of the recurrence: from this power on, and from this power times bits on.\n"

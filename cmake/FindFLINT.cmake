@@ -1,5 +1,5 @@
-# FLINT with ball arithmetic: FLINT 3, or FLINT 2.9 with Arb 2.23 (Debian: libflint-dev and libflint-arb-dev). Defines the
-# target FLINT::FLINT and FLINT_VERSION.
+# FLINT with ball arithmetic: FLINT 3, or FLINT 2.9 with Arb 2.23 (Debian: libflint-dev and libflint-arb-dev). Defines
+# the target FLINT::FLINT and FLINT_VERSION.
 
 find_path(FLINT_INCLUDE_DIR flint/flint.h)
 find_library(FLINT_LIBRARY flint)

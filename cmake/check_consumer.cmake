@@ -1,7 +1,8 @@
 # cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README= | -D PROGRAM= -D SCALARS=]
 #     [-D WITHOUT_FLINT=ON] -P check_consumer.cmake
 # Configures, builds and runs the project that finds libration in PREFIX, as on a machine without FLINT where told so.
-# With README its program is the file's first ```cpp block, and it has to print exactly the ```text block that comes next.
+# With README its program is the file's first ```cpp block, and it has to print exactly the ```text block that comes
+# next.
 
 set(arguments "")
 if(README)

@@ -25,7 +25,8 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: studies/problem/NAME.cpp or studies/pendulum/NAME.cpp defines libration::studies::NAME(), and nothing else names a study.
+# The registry: studies/problem/NAME.cpp or studies/pendulum/NAME.cpp defines libration::studies::NAME(), and nothing
+# else names a study.
 file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*/*.cpp)
 set(study_declarations "")
 set(study_entries "")

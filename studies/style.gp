@@ -1,6 +1,7 @@
-# The one style of all figures, and what their scripts ask of tables. A script is called with `data` (folder of the CSV),
-# `target` (folder for the drawings) and `scripts` (this folder), loads this file, and draws once for each name in
-# `terminals`. Axes, panels and keys follow from the tables: nothing in a script is right for the usual parameters alone.
+# The one style of all figures, and what their scripts ask of tables. A script is called with `data` (folder of the
+# CSV), `target` (folder for the drawings) and `scripts` (this folder), loads this file, and draws once for each name in
+# `terminals`. Axes, panels and keys follow from the tables: nothing in a script is right for the usual parameters
+# alone.
 #
 # The same everywhere: energies, times and orders grow to the right; log10 |2 - E| falls to the right, towards the
 # separatrix; errors are log10 of radians and grow upwards. The series is dashed, its resummation solid, what is proved

@@ -121,7 +121,8 @@ std::pair<std::string, std::string> complex_parts_of(const std::string& cell) {
     return {both ? without_blanks(body.substr(0, cut)) : "0", imaginary};
 }
 
-// Which columns hold a list, by their places; the imaginary part's is that of the real part where the numbers are whole.
+// Which columns hold a list, by their places; the imaginary part's is that of the real part where the numbers are
+// whole.
 struct list_columns {
     std::string name;
     std::size_t real, imaginary;

@@ -15,8 +15,8 @@ table list_values(const list_request& request);
 table list_errors(const list_request& request);
 
 /// kind,position_re,position_im,modulus,distance: the poles and zeros of the Pade approximant [L/M], M = N/2 or as much
-/// less as determines it, by growing modulus; of conjugate ones that with im > 0. `distance` is the one to the nearest of
-/// the other kind: where it is small, both are an artefact of rounding (Froissart).
+/// less as determines it, by growing modulus; of conjugate ones that with im > 0. `distance` is the one to the nearest
+/// of the other kind: where it is small, both are an artefact of rounding (Froissart).
 table list_poles(const list_request& request);
 
 /// n,inverse_n,ratio,root,corrected_root: what Domb-Sykes and root plots draw, a_n/a_(n-1), |a_n|^(1/n) and

@@ -31,10 +31,10 @@ struct motion_cells {
     void complete_from(const motion_cells& other);
     /// All texts: what tells motions apart.
     std::string key() const;
-    /// theta0 and omega0, else the gap, else the energy, these two from theta0 where it is there; in the nearest doubles
-    /// of them where that is asked for. Throws error of the name of a cell where it cannot be read, where there is no
-    /// motion, and where the cells contradict each other: where the energies that they give differ by more than doubles
-    /// round, 2^-50 of their size, or the direction is not the sign of omega0.
+    /// theta0 and omega0, else the gap, else the energy, these two from theta0 where it is there; in the nearest
+    /// doubles of them where that is asked for. Throws error of the name of a cell where it cannot be read, where there
+    /// is no motion, and where the cells contradict each other: where the energies that they give differ by more than
+    /// doubles round, 2^-50 of their size, or the direction is not the sign of omega0.
     pendulum::typed_motion read(bool as_doubles = false) const;
     /// The motion of what was read. Throws error of the name of a cell, as where an energy is negative.
     pendulum::motion motion_of(const pendulum::typed_motion& typed) const;

@@ -17,10 +17,10 @@ struct trajectory_point {
     std::string undecided;  ///< why there are none of them, where that is so
 };
 
-/// All times, on request.jobs threads, in the scalar of request.numbers: as a fixed scalar computes them, in balls proved,
-/// and in mpfr right, by enclosures too, which give the digits in one run (rk4 is one run of mpfr). Proved enclosures
-/// judge every method. A time whose digits no precision within the limits decides has no numbers, but the reason. Throws
-/// input_error for what the scalar cannot hold, std::logic_error for rk4 in balls, which proves nothing.
+/// All times, on request.jobs threads, in the scalar of request.numbers: as a fixed scalar computes them, in balls
+/// proved, and in mpfr right, by enclosures too, which give the digits in one run (rk4 is one run of mpfr). Proved
+/// enclosures judge every method. A time whose digits no precision within the limits decides has no numbers, but the
+/// reason. Throws input_error for what the scalar cannot hold, std::logic_error for rk4 in balls, which proves nothing.
 std::vector<trajectory_point> trajectory_points(const trajectory_request& request);
 
 }  // namespace libration

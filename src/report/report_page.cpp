@@ -151,8 +151,8 @@ table_source tables_of(const published& results) {
     };
 }
 
-// The figures within the page, as URIs: the smaller ones, as many as keep the page below 3 MB. The others are loaded from
-// the folder.
+// The figures within the page, as URIs: the smaller ones, as many as keep the page below 3 MB. The others are loaded
+// from the folder.
 std::map<std::string, std::string> images_within(const published& results) {
     constexpr std::size_t most_bytes = 2'500'000;
     std::vector<std::pair<std::string, std::string>> all;

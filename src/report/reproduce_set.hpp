@@ -28,8 +28,8 @@ inline constexpr const char* references_name = "reference";
 /// Throws input_error for another name, and for a set that holds nothing.
 reproduce_set set_named(const std::string& name);
 
-/// Those of --only, if given, in place of the set's, without those of --skip. Throws input_error for a name that is none
-/// and where nothing is left.
+/// Those of --only, if given, in place of the set's, without those of --skip. Throws input_error for a name that is
+/// none and where nothing is left.
 reproduce_set chosen_of(reproduce_set set, const std::optional<std::string>& only,
                         const std::optional<std::string>& skip);
 

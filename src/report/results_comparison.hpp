@@ -24,7 +24,8 @@ struct results_comparison {
 };
 
 /// Compares these parts (studies, claims, reference) of the folder `made` with those of `published`. A row whose column
-/// `scalar` names an arithmetic of the machine counts as that. Throws std::runtime_error for a file that cannot be read.
+/// `scalar` names an arithmetic of the machine counts as that. Throws std::runtime_error for a file that cannot be
+/// read.
 results_comparison compared(const std::string& made, const std::string& published,
                             const std::vector<std::string>& parts);
 

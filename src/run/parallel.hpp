@@ -17,8 +17,8 @@
 namespace libration {
 
 /// Calls work(0), ..., work(count - 1), each once, on `jobs` threads; where the thread has a core_share, these take the
-/// cores of that in turns. The working precision is thread-local state, so work opens its own scope. The first exception
-/// stops the rest and is thrown here.
+/// cores of that in turns. The working precision is thread-local state, so work opens its own scope. The first
+/// exception stops the rest and is thrown here.
 template <class Work>
 void on_threads(std::size_t count, int jobs, const Work& work) {
     std::atomic<std::size_t> next{0};

@@ -5,8 +5,8 @@
 
 namespace libration {
 
-/// Whether the running program is the one in its build folder, whose files are those of the source tree. An installed one
-/// never looks there.
+/// Whether the running program is the one in its build folder, whose files are those of the source tree. An installed
+/// one never looks there.
 bool runs_from_build_folder();
 
 /// A path relative to the folder of the running program.

@@ -9,8 +9,8 @@
 namespace libration {
 
 /// The parts of a work, each with the seconds that it was expected to take. What has been done so far, and how long it
-/// took on this machine, in this hour, says how long the rest will take: at the start the expectation counts, later what
-/// was measured. Safe to call from several threads.
+/// took on this machine, in this hour, says how long the rest will take: at the start the expectation counts, later
+/// what was measured. Safe to call from several threads.
 class work_estimate {
 public:
     using clock = std::chrono::steady_clock;

@@ -10,7 +10,8 @@
 
 namespace libration {
 
-/// The columns of one function: k, m or m1, of theta functions q, its argument u, phi, x or z, and the characteristic n of Pi.
+/// The columns of one function: k, m or m1, of theta functions q, its argument u, phi, x or z, and the characteristic n
+/// of Pi.
 class elliptic_columns {
 public:
     /// The quantities, for column_names.

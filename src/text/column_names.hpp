@@ -14,8 +14,8 @@ struct known_column {
     std::vector<std::string_view> spellings = {};
 };
 
-/// The columns of a file. A mapped column is what the user says; of the others one of exactly our name comes first, then
-/// one that is spelled so: "Time", "t [s]", "theta_0 (rad)".
+/// The columns of a file. A mapped column is what the user says; of the others one of exactly our name comes first,
+/// then one that is spelled so: "Time", "t [s]", "theta_0 (rad)".
 class column_names {
 public:
     /// `mapping` is --columns: t=time,E=energy, with a name of `known` or - (no column of ours) on the right; or, where

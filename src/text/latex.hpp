@@ -19,14 +19,14 @@ struct latex_frame {
 };
 
 /// A table without a frame, every digit kept: a tabular, or several with a part of the columns each where one would be
-/// wider than the text of an article in 10 points. Heads are symbols, numbers stand with their decimal points below each
-/// other, and a single row of more than two columns stands upright. A column without a value is left out; more rows than
-/// a page holds are a longtable. Needs \usepackage{booktabs,longtable}.
+/// wider than the text of an article in 10 points. Heads are symbols, numbers stand with their decimal points below
+/// each other, and a single row of more than two columns stands upright. A column without a value is left out; more
+/// rows than a page holds are a longtable. Needs \usepackage{booktabs,longtable}.
 std::string to_latex(const table& data);
 
 /// The same with a frame: a longtable of \footnotesize with numbers of 8 digits or, where that makes it fit, fewer, but
-/// at least 5, and those that say which row it is of up to 12. A column with one value throughout stands in the caption, and columns named log10_... are left out: they
-/// serve the figures. Needs \usepackage{booktabs,longtable}.
+/// at least 5, and those that say which row it is of up to 12. A column with one value throughout stands in the
+/// caption, and columns named log10_... are left out: they serve the figures. Needs \usepackage{booktabs,longtable}.
 std::string to_latex(const table& data, const latex_frame& frame);
 
 }  // namespace libration

@@ -1,7 +1,8 @@
 # Correct digits against the gap, one panel a time; called by audit_boost.gp and audit_gsl.gp with `name`, `library` (as
 # in the CSV) and `called` (as people say it).
 # Columns: gap,time,library,theta,reference,error,error_ulp,correct_digits,condition,input_ulp,own_ulp,time_in_double,
-# energy, and time_typed where a time was no decimal: then a panel is a time as typed (T/16 is another time at each gap).
+# energy, and time_typed where a time was no decimal: then a panel is a time as typed (T/16 is another time at each
+# gap).
 load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'

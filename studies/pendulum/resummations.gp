@@ -1,5 +1,5 @@
-# resummations: error norm against the number of coefficients, at one energy or two, and against the distance from E = 2 on
-# each side at one number. Columns: energy,gap,method,count,order,conditions,norm,time_of_maximum,rigour,bound,rate,
+# resummations: error norm against the number of coefficients, at one energy or two, and against the distance from E = 2
+# on each side at one number. Columns: energy,gap,method,count,order,conditions,norm,time_of_maximum,rigour,bound,rate,
 # log10_norm,log10_bound,log10_rate,log10_gap. Lines are drawn from the log10 columns and the gap column.
 load scripts.'/style.gp'
 

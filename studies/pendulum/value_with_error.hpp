@@ -39,8 +39,9 @@ inline long digits_to_resolve(const value_with_error& value, long digits) {
     return digits + guard_digits + decimal_digits(std::max(largest - smallest, 0L));
 }
 
-/// compute(), which returns value_with_error values, in a working precision of `digits` and `more` to begin with and then in what
-/// the smallest value or error asks for. Throws error of the kind undecided where 100000 digits do not resolve one.
+/// compute(), which returns value_with_error values, in a working precision of `digits` and `more` to begin with and
+/// then in what the smallest value or error asks for. Throws error of the kind undecided where 100000 digits do not
+/// resolve one.
 template <class Compute>
 std::vector<value_with_error> resolved(long digits, long more, const Compute& compute) {
     constexpr long most_working_digits = 100'000;

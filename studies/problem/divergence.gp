@@ -1,5 +1,5 @@
-# divergence: partial sums about the bottom against the exact angle (above) and their error (below), one column an energy.
-# Columns: energy,order,time,periods,theta,theta_exact,error,log10_error,log10_abs_theta,gap;
+# divergence: partial sums about the bottom against the exact angle (above) and their error (below), one column an
+# energy. Columns: energy,order,time,periods,theta,theta_exact,error,log10_error,log10_abs_theta,gap;
 # of _radius: energy,tstar,radius,period,radius_over_tstar,gap. Angles beyond 1e300 are kept away by their log10.
 load scripts.'/style.gp'
 

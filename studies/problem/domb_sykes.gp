@@ -1,7 +1,8 @@
 # domb_sykes: the plots in t and in the power of t that symmetry leaves, and what radius tests make of the same lists.
-# Columns: energy,point,power,n,inverse_n,ratio,scaled_ratio,log10_scaled_ratio,line,gap. domb_sykes_lists: energy,point,
-# power,first,ratios,undefined,zero,least,largest,limit,radius,pattern. domb_sykes_intercepts: energy,point,order,method,
-# radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,note.
+# Columns: energy,point,power,n,inverse_n,ratio,scaled_ratio,log10_scaled_ratio,line,gap. domb_sykes_lists:
+# energy,point,power,first,ratios,undefined,zero,least,largest,limit,radius,pattern. domb_sykes_intercepts:
+# energy,point,order,method,radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,
+# note.
 load scripts.'/style.gp'
 
 file = data.'/domb_sykes.csv'
@@ -18,8 +19,8 @@ widest = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", f
 # The power that symmetry leaves at (e, p), and where theory has its intercept in t^power.
 power(e, p) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { last = $3 } END { print last }' '%s'", e, p, lists)) + 0
 limit(e, p, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $10 + 0 }' '%s'", e, p, k, lists)) + 0
-# "1/n,ratio" of a plot, clipped to the edge; behind them a point out of sight, for gnuplot warns of a file without points.
-# Of more than 60 ratios every second pair: they are close together at 1/n = 0.
+# "1/n,ratio" of a plot, clipped to the edge; behind them a point out of sight, for gnuplot warns of a file without
+# points. Of more than 60 ratios every second pair: they are close together at 1/n = 0.
 thinned = "function thin(n) { return n <= 60 || int(n / 4) * 2 == int(n / 2) } "
 ratios(e, p, k) = sprintf("< awk -F, '".thinned."BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 != \"\" && thin($4) {y = $7 + 0; if ($8 !~ /inf/ && $8 + 0 > %g) y = $7 ~ /^-/ ? -%g : %g; print $5 \",\" y} END {print \"9,9\"}' '%s'", e, p, k, log10(edge), edge, edge, file)
 undefined(e, p, k) = sprintf("< awk -F, '".thinned."BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" && thin($4) {print $5 \",-2.55\"} END {print \"9,9\"}' '%s'", e, p, k, file)

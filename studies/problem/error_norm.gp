@@ -1,6 +1,6 @@
-# error_norm: with one energy, or few and many orders, how the norm falls with the order: THE convergence study, with the
-# rate, the bounds and the floors of the arithmetics. Otherwise the norm over the energy and towards the separatrix on
-# either side. And the floors of the scalars over the energy.
+# error_norm: with one energy, or few and many orders, how the norm falls with the order: THE convergence study, with
+# the rate, the bounds and the floors of the arithmetics. Otherwise the norm over the energy and towards the separatrix
+# on either side. And the floors of the scalars over the energy.
 # Columns: energy,order,method,norm,time_of_maximum,scalar,rigour,gap,bound,log10_norm,log10_bound,log10_gap.
 # Lines are drawn from the log10 columns and the gap column: neither 1e-400 nor 2 - 1e-22 passes through a double.
 load scripts.'/style.gp'

@@ -1,5 +1,6 @@
 # precision_floor: norm against the order for each arithmetic, one panel an energy.
-# Columns: energy,order,method,scalar,norm,exact_norm,norm_in_epsilon,epsilon,floor,log10_norm,log10_exact_norm,log10_epsilon,gap.
+# Columns: energy,order,method,scalar,norm,exact_norm,norm_in_epsilon,epsilon,floor,log10_norm,log10_exact_norm,
+# log10_epsilon,gap.
 load scripts.'/style.gp'
 
 file = data.'/precision_floor.csv'

@@ -1,6 +1,6 @@
-# radius_tournament: correct digits by method, order and scalar, ranked; and how well the uncertainties cover the errors.
-# Columns: radius_tournament_ranking: order,scalar,rank,method,problems,answers,mean_digits,median_digits,covered,
-# median_uncertainty_over_error,false_answers; radius_tournament_coverage: half,scalar,method,answers,covered,
+# radius_tournament: correct digits by method, order and scalar, ranked; and how well the uncertainties cover the
+# errors. Columns: radius_tournament_ranking: order,scalar,rank,method,problems,answers,mean_digits,median_digits,
+# covered,median_uncertainty_over_error,false_answers; radius_tournament_coverage: half,scalar,method,answers,covered,
 # median_uncertainty_over_error.
 load scripts.'/style.gp'
 

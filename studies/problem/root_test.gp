@@ -1,7 +1,7 @@
 # root_test: error of |a_n|^(-1/n) and of |n a_n|^(-1/n) over n, and what the tests by size answer.
-# Columns: energy,point,n,root,corrected,exact,root_error,corrected_error,log10_root_error,log10_corrected_error,amplitude,
-# gap. root_test_estimates: energy,point,order,method,radius,uncertainty,exact,relative_error,log10_relative_error,
-# log10_relative_uncertainty,note.
+# Columns: energy,point,n,root,corrected,exact,root_error,corrected_error,log10_root_error,log10_corrected_error,
+# amplitude,gap. root_test_estimates: energy,point,order,method,radius,uncertainty,exact,relative_error,
+# log10_relative_error,log10_relative_uncertainty,note.
 load scripts.'/style.gp'
 
 file = data.'/root_test.csv'
@@ -57,7 +57,8 @@ do for [kind in terminals] {
     unset output
 }
 
-# What the tests by size answer: a row for each point, a column for each method; lines are errors, thin ones uncertainties.
+# What the tests by size answer: a row for each point, a column for each method; lines are errors, thin ones
+# uncertainties.
 eval restart
 answers = data.'/root_test_estimates.csv'
 methods = ''

@@ -1,5 +1,5 @@
-# terms: the least order for D digits against the distance of E from 2, on either side; with one energy or two against D.
-# Columns: energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap.
+# terms: the least order for D digits against the distance of E from 2, on either side; with one energy or two against
+# D. Columns: energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap.
 load scripts.'/style.gp'
 tone(i, n) = n <= 6 ? shade[word('4 6 2 3 5 1', i) + 0] : colour(i, n)     # neighbours far apart
 

@@ -235,7 +235,8 @@ TEST_CASE("the twelve functions at complex arguments have the digits of mpmath",
         CHECK_THAT(rows.at(0).at("value"), right_to_the_last_digit(each.real));
         CHECK_THAT(rows.at(0).at("imaginary"), right_to_the_last_digit(each.imaginary));
     }
-    // sn(iy|m) = i sc(y|1-m), cn(iy|m) = nc(y|1-m) [DLMF 22.6.19]; the other parts are 0. Poles and real numbers beside.
+    // sn(iy|m) = i sc(y|1-m), cn(iy|m) = nc(y|1-m) [DLMF 22.6.19]; the other parts are 0. Poles and real numbers
+    // beside.
     const auto on_axis = elliptic_of({"sn", "--u=-1.2i,0.7,0.7-1e-1*i,i", "--m", "0.3"});
     REQUIRE(on_axis.size() == 4);
     CHECK(on_axis[0].at("value") == "0");

@@ -1,5 +1,5 @@
-// `libration series`: a list of one's own against closed forms: values, Pade and endpoint approximants, errors, poles and
-// zeros, files and figures, and refusals.
+// `libration series`: a list of one's own against closed forms: values, Pade and endpoint approximants, errors, poles
+// and zeros, files and figures, and refusals.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -231,8 +231,8 @@ TEST_CASE("in double the exact motion is right to a few units, after a million p
 }
 
 TEST_CASE("no rounding scalar takes longer than the proof of as many digits", "[command][trajectory]") {
-    // Processor times, the least of three, because the machine is shared. Before, mpfr took 23 times as long and double 5
-    // times; now they take as long, or less, up to the noise of 30 ms.
+    // Processor times, the least of three, because the machine is shared. Before, mpfr took 23 times as long and double
+    // 5 times; now they take as long, or less, up to the noise of 30 ms.
     const words order{"trajectory", "--energy", "1.71", "--times", "0:20:2001", "--jobs", "1", "--scalar"};
     const auto seconds = [&](const std::string& scalar) {
         double least = 60;

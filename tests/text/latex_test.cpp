@@ -83,7 +83,8 @@ TEST_CASE("a wide table comes in parts that begin with what says which row it is
     for (std::size_t at = text.find("$1$ & ${.}9999999999$"); at != std::string::npos;
          at = text.find("$1$ & ${.}9999999999$", at + 1)) {
         ++parts;  // the energy keeps its digits: it is not 2
-        // \textwidth is 345 pt, a digit of \footnotesize 4.25 pt: at most 80 in a line, and 10 in each of these columns.
+        // \textwidth is 345 pt, a digit of \footnotesize 4.25 pt: at most 80 in a line, and 10 in each of these
+        // columns.
         const std::string line = text.substr(at, text.find('\n', at) - at);
         CHECK(std::count(line.begin(), line.end(), '&') / 2 <= 7);
     }

@@ -29,8 +29,8 @@ TEST_CASE("few pairs of columns hold the motion", "[truncation][separatrix_sum]"
             factors.push_back(times_wider(found.slope, truth.omega));
         }
     }
-    // The last pair over cosh d - 1, against its sum with alternating signs, 1/(e^d + 1), or equal ones, 1/(e^d - 1): from 2
-    // on, where e^d is large.
+    // The last pair over cosh d - 1, against its sum with alternating signs, 1/(e^d + 1), or equal ones, 1/(e^d - 1):
+    // from 2 on, where e^d is large.
     CHECK_THAT(factors, are_factors({2.58, 2.58, 2.598, 2.598, 2.598, 2.598, 2.06, 2.06, 2.06, 2.06, 2.06, 2.06, 2.051,
                                      2.051, 2.052, 2.052, 2.052, 2.052}));
 }
@@ -103,7 +103,8 @@ TEST_CASE("few poles hold a coefficient", "[truncation][lattice_coefficients]") 
             factors.push_back(times_wider(found.front(), truth.scaled[n]));
         }
     }
-    // Theorem A1 puts all poles that are left out where the nearest might be, and S4 takes them with those that are kept.
+    // Theorem A1 puts all poles that are left out where the nearest might be, and S4 takes them with those that are
+    // kept.
     CHECK_THAT(factors,
                are_factors({3.344e+05, 1.421e+04, 3.984e+04, 64.22, 1.83e+05, 2249, 7.52e+06, 8792, 2.778e+04}));
 }

@@ -30,9 +30,9 @@ struct list_report {
 };
 
 /// All tests on a_0 .. a_N, of any size and known to `noise` of it. Where the list ends in a floor of noise, the
-/// coefficients above it are judged, cut where they are 16, 256 or 4096 times the floor, whichever gives the most certain
-/// radius: later coefficients say more of the radius and are more wrong. Throws error of the kind range where T cannot
-/// hold a coefficient in the unit of the list.
+/// coefficients above it are judged, cut where they are 16, 256 or 4096 times the floor, whichever gives the most
+/// certain radius: later coefficients say more of the radius and are more wrong. Throws error of the kind range where T
+/// cannot hold a coefficient in the unit of the list.
 template <rounding_scalar T>
 list_report<T> report_on_list(const series::power_series<mpfr>& a, const T& noise) {
     const auto judged = [&](const series::power_series<mpfr>& list) {

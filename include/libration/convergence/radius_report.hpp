@@ -30,8 +30,8 @@ enum class radius_test_kind {
     recurrence,  ///< a recurrence fitted to the coefficients
 };
 
-/// How many times its uncertainty a verdict takes of a test that may not decide: straight lines through ratios look more
-/// certain than they are where singularities are confluent, essential or near to each other.
+/// How many times its uncertainty a verdict takes of a test that may not decide: straight lines through ratios look
+/// more certain than they are where singularities are confluent, essential or near to each other.
 inline int caution_of(radius_test_kind kind) { return kind == radius_test_kind::ratios ? 8 : 2; }
 
 /// A test: how it is called, and how far it is trusted.

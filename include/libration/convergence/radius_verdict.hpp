@@ -75,8 +75,8 @@ struct weighed_answer {
     const T& radius() const { return *of->radius; }
 };
 
-/// All answers with an uncertainty below the answer, which counts as often as the test's caution asks; by growing relative
-/// uncertainty.
+/// All answers with an uncertainty below the answer, which counts as often as the test's caution asks; by growing
+/// relative uncertainty.
 template <rounding_scalar T>
 std::vector<weighed_answer<T>> weighed_answers(const std::vector<radius_estimate<T>>& tests) {
     std::vector<weighed_answer<T>> answers;

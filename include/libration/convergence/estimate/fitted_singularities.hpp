@@ -122,8 +122,8 @@ inline const fitted_singularity& nearest_to(const fitted_singularities& other, c
 }
 
 /// Where a degree is the one of an exact recurrence, how many of its last steps the error may be: 4 where it is certain
-/// to fine^(7/8) of its root; 16 where it is to ten digits, four more than the degree before, and no less than the next,
-/// which agrees, for there rounding alone is left, and grows; 0 otherwise.
+/// to fine^(7/8) of its root; 16 where it is to ten digits, four more than the degree before, and no less than the
+/// next, which agrees, for there rounding alone is left, and grows; 0 otherwise.
 inline int steps_of_exact_degree(const std::vector<fitted_singularities>& all, std::size_t best, const mpfr& fine) {
     const auto safe = [&](std::size_t i) -> const mpfr& { return all[i].nearest.front().moved.safe; };
     const auto& at = all[best].nearest.front().at;
@@ -139,9 +139,10 @@ inline int steps_of_exact_degree(const std::vector<fitted_singularities>& all, s
     return next.moved.safe >= safe(best) && modulus_of(next.at - at) <= next.moved.safe * 4 ? 16 : 0;
 }
 
-/// Steps may be small by chance: unless the degree is that of an exact recurrence, the error is thought to be four times what the steps say,
-/// or four times the second smallest distance from the roots of the two next degrees on either side; a single degree is
-/// believed two thirds of its digits. No error is thought to be below a sixteenth of the last steps.
+/// Steps may be small by chance: unless the degree is that of an exact recurrence, the error is thought to be four
+/// times what the steps say, or four times the second smallest distance from the roots of the two next degrees on
+/// either side; a single degree is believed two thirds of its digits. No error is thought to be below a sixteenth of
+/// the last steps.
 inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best, const mpfr& fine) {
     fitted_singularity& first = all[best].nearest.front();
     first.moved.likely = std::max(first.moved.likely, mpfr(first.moved.safe / 16));

@@ -2,9 +2,9 @@
 // of the same size, and the last ones are nothing but that error.
 //
 // With errors of size F r^-n (r the radius of the circle that was sampled, 1 for plain coefficients), log |a_n| falls
-// with n until it meets the line log F - n log r, and from there on scatters about it. A true a_n could do so too, where
-// a weak far singularity or an entire part ends: but those follow a linear recurrence of few terms, which noise does
-// not. So the tail is taken for noise only where no such recurrence explains three quarters of it.
+// with n until it meets the line log F - n log r, and from there on scatters about it. A true a_n could do so too,
+// where a weak far singularity or an entire part ends: but those follow a linear recurrence of few terms, which noise
+// does not. So the tail is taken for noise only where no such recurrence explains three quarters of it.
 #pragma once
 
 #include <algorithm>
@@ -104,9 +104,9 @@ inline std::optional<coefficient_floor> floor_by_tail(const series::power_series
 
 }  // namespace fitting
 
-/// The floor of a_0 .. a_N, where the list ends in noise: by the longest of its last half, quarter and eighth that looks
-/// like it, ten coefficients at least. Fails where more than a quarter of the tail follows a recurrence by chance, and
-/// where the list ends before three coefficients in a row are noise. O(N).
+/// The floor of a_0 .. a_N, where the list ends in noise: by the longest of its last half, quarter and eighth that
+/// looks like it, ten coefficients at least. Fails where more than a quarter of the tail follows a recurrence by
+/// chance, and where the list ends before three coefficients in a row are noise. O(N).
 inline std::optional<coefficient_floor> floor_of(const series::power_series<mpfr>& a) {
     constexpr std::size_t fewest = 10;
     const precision_scope scope(40);

@@ -10,9 +10,9 @@
 
 namespace libration::elliptic {
 
-/// sum |x df/dx|/|f| over the inputs x as typed, argument, characteristic and modulus or parameter: when each of them is
-/// off by a relative epsilon, f is off by up to this many relative epsilon, to first order; a number that is 0 is taken
-/// as exact. value(inputs) is f, a ball. Nothing where f is 0 and moves: the condition is infinite there. The
+/// sum |x df/dx|/|f| over the inputs x as typed, argument, characteristic and modulus or parameter: when each of them
+/// is off by a relative epsilon, f is off by up to this many relative epsilon, to first order; a number that is 0 is
+/// taken as exact. value(inputs) is f, a ball. Nothing where f is 0 and moves: the condition is infinite there. The
 /// derivatives are difference quotients towards 0, which stays inside every domain, over a relative step 2^-s, s half
 /// the bits of the working precision. Their relative error is of the size 2^-s f''/f', so this is a heuristic: it fails
 /// where the complementary parameter, or at m = 1 the distance of F's amplitude from pi/2, is not far above that step;

@@ -1,5 +1,5 @@
-// Made by `./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp` on Intel(R) Xeon(R) Processor, 2026-11-22:
-// from where on one route costs less than another. Nothing but costs and roundings depends on it.
+// Made by `./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp`: from where on a route costs less
+// than another, on Intel(R) Xeon(R) Processor, 2026-11-22. Only costs and roundings depend on it.
 #pragma once
 
 namespace libration::pendulum::tuning {
