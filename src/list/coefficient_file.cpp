@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "libration/convergence/list/coefficient_list.hpp"
 #include "list/json_lines.hpp"
+#include "text/column_file.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
 
@@ -26,20 +23,8 @@ using namespace convergence;
 namespace {
 
 std::string content_of_list(const std::string& path) {
-    const char* const remedy = "name a readable file, or - for stdin";
-    if (path == "-") {
-        return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    }
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw input_error("--coefficients", path, "is a folder", remedy);
-    }
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw input_error("--coefficients", path, fmt::format("cannot be read ({})", std::strerror(errno)), remedy);
-    }
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    input_stream stream("--coefficients", path);
+    return {std::istreambuf_iterator<char>(stream.in()), std::istreambuf_iterator<char>()};
 }
 
 // The list in a text; a wrong line is named.
@@ -60,35 +45,26 @@ std::vector<exact> list_in(const std::string& text, const std::string& path) {
 
 using list_cells = std::vector<std::string>;
 
-std::string without_blanks(const std::string& text) {
-    constexpr const char* blanks = " \t\r\v\f\"";
-    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-    const std::size_t last = text.find_last_not_of(blanks);
-    return last == std::string::npos ? "" : text.substr(first, last + 1 - first);
-}
-
-// The cells of a line without its comment; none in an empty one.
+// The cells of a line without its comment.
 list_cells cells_of_line(const std::string& whole) {
-    const std::string line = without_blanks(whole.substr(0, whole.find('#')));
-    const char* const between = line.find_first_of(",;") == std::string::npos ? " \t" : ",;";
-    list_cells found;
-    for (std::size_t at = 0; at < line.size();) {
-        const std::size_t end = std::min(line.find_first_of(between, at), line.size());
-        found.push_back(without_blanks(line.substr(at, end - at)));
-        at = between[0] == ' ' ? std::min(line.find_first_not_of(between, end), line.size()) : end + 1;
+    const std::string line = trimmed(whole.substr(0, whole.find('#')));
+    const separator between = separator_of(line);
+    list_cells found = split_cells(line, between == separator::tabulator ? separator::blanks : between).cells;
+    std::transform(found.begin(), found.end(), found.begin(), trimmed);
+    if (found.back().empty()) {  // a separator at the end, or nothing but a comment
+        found.pop_back();
     }
     return found;
 }
 
-std::vector<list_cells> lines_of_text(std::string text) {
-    if (text.starts_with("\xEF\xBB\xBF")) {
-        text.erase(0, 3);
-    }
+// The cells by line, none in an empty one.
+std::vector<list_cells> lines_of_text(const std::string& text) {
+    std::istringstream in(text);
+    csv_records records(in);
     std::vector<list_cells> lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        lines.push_back(cells_of_line(text.substr(at, end - at)));
-        at = end + 1;
+    while (const auto record = records.next()) {
+        lines.resize(static_cast<std::size_t>(record->line - 1));
+        lines.push_back(cells_of_line(record->text));
     }
     return lines;
 }
@@ -105,7 +81,7 @@ std::pair<std::string, std::string> complex_parts_of(const std::string& cell) {
     if (!is_complex_cell(cell)) {
         return {cell, "0"};
     }
-    std::string body = without_blanks(cell.substr(0, cell.size() - 1));
+    std::string body = trimmed(cell.substr(0, cell.size() - 1));
     if (body.ends_with('*')) {
         body.pop_back();
     }
@@ -114,11 +90,11 @@ std::pair<std::string, std::string> complex_parts_of(const std::string& cell) {
         cut = body.find_last_of("+-", cut - 1);
     }
     const bool both = cut != std::string::npos && cut > 0;
-    std::string imaginary = without_blanks(both ? body.substr(cut) : body);
+    std::string imaginary = trimmed(both ? body.substr(cut) : body);
     if (imaginary.empty() || imaginary == "+" || imaginary == "-") {
         imaginary += "1";
     }
-    return {both ? without_blanks(body.substr(0, cut)) : "0", imaginary};
+    return {both ? trimmed(body.substr(0, cut)) : "0", imaginary};
 }
 
 // Which columns hold a list, by their places; the imaginary part's is that of the real part where the numbers are

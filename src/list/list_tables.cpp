@@ -10,6 +10,7 @@
 #include "libration/approximant/pade.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/digits/agreed_values.hpp"
+#include "libration/problem/axis.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
 
@@ -135,17 +136,6 @@ std::vector<int> orders_up_to(int last) {
     return orders;
 }
 
-// Exact where it ends, else to so many digits.
-std::string decimals_of(const exact& number, long digits) {
-    if (number.is_fraction()) {
-        if (auto text = to_finite_decimal(number.coefficient)) {
-            return *std::move(text);
-        }
-    }
-    const precision_scope scope(digits + first_guard);
-    return to_decimal(from_exact<mpfr>(number), digits);
-}
-
 }  // namespace
 
 table list_values(const list_request& request) {
@@ -163,9 +153,9 @@ table list_values(const list_request& request) {
     std::size_t k = 0;
     for (const list_method method : request.methods) {
         for (std::size_t i = 0; i < request.times.size(); ++i, ++k) {
-            data.add_row({number_cell(decimals_of(request.times[i], request.digits)), name_of(method), request.order(),
+            data.add_row({number_cell(decimal_of(request.times[i], request.digits)), name_of(method), request.order(),
                           decimal_cell(values[k], request.digits),
-                          compared ? number_cell(decimals_of(request.reference[i], request.digits)) : cell(),
+                          compared ? number_cell(decimal_of(request.reference[i], request.digits)) : cell(),
                           compared ? decimal_cell(errors[k], error_digits) : cell(), request.times[i].text});
         }
     }
@@ -184,7 +174,7 @@ table list_errors(const list_request& request) {
         for (const int order : orders) {
             for (const exact& time : request.times) {
                 const auto& error = errors[k++];
-                data.add_row({number_cell(decimals_of(time, request.digits)), name_of(method), order,
+                data.add_row({number_cell(decimal_of(time, request.digits)), name_of(method), order,
                               decimal_cell(error, error_digits), log10_cell(error)});
             }
         }

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "libration/scalar/text/decimal.hpp"
 #include "text/csv_records.hpp"
 #include "text/quotation.hpp"
 
@@ -205,11 +204,8 @@ motion motion_cells::motion_of(const typed_motion& typed) const {
 chosen_motion motion_cells::choose() const {
     const typed_motion typed = read();
     motion of = motion_of(typed);
-    const auto text = [](const std::optional<exact>& number) {
-        return number && number->is_fraction() ? to_finite_decimal(number->coefficient) : std::nullopt;
-    };
-    std::optional<std::string> energy_text = text(of.exact_energy());
-    std::optional<std::string> gap_text = text(of.exact_gap());
+    std::optional<std::string> energy_text = ending_decimal(of.exact_energy());
+    std::optional<std::string> gap_text = ending_decimal(of.exact_gap());
     const named_text& chosen = typed.by_state() ? omega0 : typed.gap ? gap : energy;
     return {.of = std::move(of),
             .by_state = typed.by_state(),

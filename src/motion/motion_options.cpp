@@ -85,15 +85,6 @@ void motion_options::add_to(CLI::App& command) {
     command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
 }
 
-namespace {
-
-// The decimal where it is exact.
-std::optional<std::string> exact_text(const exact& value) {
-    return value.is_fraction() ? to_finite_decimal(value.coefficient) : std::nullopt;
-}
-
-}  // namespace
-
 chosen_motion motion_options::by_energy() const {
     const bool by_gap = gap_.has_value();
     const std::string option = by_gap ? "--gap" : "--energy";
@@ -114,8 +105,8 @@ chosen_motion motion_options::by_energy() const {
             .by_state = false,
             .option = option,
             .value = value,
-            .energy = exact_text(energy),
-            .gap = exact_text(gap),
+            .energy = ending_decimal(energy),
+            .gap = ending_decimal(gap),
             .energy_typed = by_gap ? "" : value,
             .gap_typed = by_gap ? value : "",
             .theta0_typed = angle ? angle->text : "",
@@ -135,13 +126,10 @@ chosen_motion motion_options::by_state() const {
     const exact speed = number_of("--omega0", *omega0_);
     motion of = reading("--omega0", *omega0_, number_remedy,
                         [&] { return motion::of_state(angle, speed, squared_frequency()); });
-    std::optional<std::string> energy;
-    std::optional<std::string> gap;
-    if (of.energy()) {
-        energy = to_finite_decimal(*of.energy());
-        gap = to_finite_decimal(rational(2 - *of.energy()));
-    }
-    return {std::move(of), true, "--omega0", *omega0_, energy, gap, "", "", angle.text, speed.text};
+    auto energy = ending_decimal(of.exact_energy());
+    auto gap = ending_decimal(of.exact_gap());
+    return {std::move(of),  true, "--omega0", *omega0_,   std::move(energy),
+            std::move(gap), "",   "",         angle.text, speed.text};
 }
 
 chosen_motion motion_options::choose() const {
@@ -214,6 +202,10 @@ std::vector<std::string> times_in_decimals(const motion& of, const std::vector<e
         decimals.push_back(needs_period(time) ? *next++ : decimal_of(time, digits));
     }
     return decimals;
+}
+
+std::optional<std::string> ending_decimal(const std::optional<exact>& number) {
+    return number && number->is_fraction() ? to_finite_decimal(number->coefficient) : std::nullopt;
 }
 
 std::string angle_in_decimals(const exact& angle, long digits) { return decimal_of(angle, digits); }

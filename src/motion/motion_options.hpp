@@ -60,6 +60,9 @@ std::vector<exact> times_of(const std::string& value, pendulum::regime r);
 /// The times as decimals in the motion's unit: exact where they end, else to `digits` digits; multiples of T proved.
 std::vector<std::string> times_in_decimals(const pendulum::motion& of, const std::vector<exact>& times, long digits);
 
+/// A number as a decimal where one is exact; nothing for another, and for none.
+std::optional<std::string> ending_decimal(const std::optional<exact>& number);
+
 /// An angle or a velocity as a decimal, exact where it ends, else to `digits` digits.
 std::string angle_in_decimals(const exact& angle, long digits);
 

@@ -20,17 +20,6 @@ namespace {
 
 bool is_comment(const std::string& line) { return trimmed(line).starts_with('#'); }
 
-separator separator_of(const std::string& line) {
-    const auto commas = std::count(line.begin(), line.end(), ',');
-    const auto semicolons = std::count(line.begin(), line.end(), ';');
-    if (semicolons > 0 && semicolons >= commas) {
-        return separator::semicolon;
-    }
-    return commas > 0                             ? separator::comma
-           : line.find('\t') != std::string::npos ? separator::tabulator
-                                                  : separator::blanks;
-}
-
 // 0.7, -1e-3, .5, +2, T/4 no: no name begins so.
 bool begins_a_number(const std::string& cell) {
     const std::size_t first = cell.find_first_not_of("+-");
@@ -69,7 +58,7 @@ input_stream::input_stream(const std::string& option, const std::string& path) :
     if (path == "-") {
         return;
     }
-    const char* const remedy = "name a readable CSV file, or - for stdin";
+    const char* const remedy = "name a readable file, or - for stdin";
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         throw input_error(option, path, "is a folder", remedy);

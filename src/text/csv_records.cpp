@@ -1,5 +1,6 @@
 #include "text/csv_records.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace libration {
@@ -9,6 +10,17 @@ namespace {
 constexpr std::size_t longest_record = std::size_t{1} << 16;
 
 }  // namespace
+
+separator separator_of(const std::string& line) {
+    const auto commas = std::count(line.begin(), line.end(), ',');
+    const auto semicolons = std::count(line.begin(), line.end(), ';');
+    if (semicolons > 0 && semicolons >= commas) {
+        return separator::semicolon;
+    }
+    return commas > 0                             ? separator::comma
+           : line.find('\t') != std::string::npos ? separator::tabulator
+                                                  : separator::blanks;
+}
 
 split_record split_cells(const std::string& record, separator between) {
     const bool blanks = between == separator::blanks;

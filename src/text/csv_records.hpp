@@ -18,6 +18,9 @@ struct csv_record {
 /// What stands between the cells of a record: one of these characters, or any number of blanks.
 enum class separator : char { comma = ',', semicolon = ';', tabulator = '\t', blanks = ' ' };
 
+/// That of a line: semicolons where there are as many as commas, commas, tabulators, else blanks.
+separator separator_of(const std::string& line);
+
 /// Splits a stream into records: lines, joined where a quoted cell holds a line end. A quote that nothing closes within
 /// 64 KiB spoils its own line only. Blank lines are left out, line ends are LF or CRLF, a byte-order mark is dropped.
 class csv_records {
