@@ -207,7 +207,7 @@ int run_reference(const reference_options& options) {
     const long digits = digits_of(options.digits);
     if (options.check && digits > most_checked_digits) {
         throw input_error("--digits", std::to_string(digits), "with --check would take hours",
-                          fmt::format("check {} digits or fewer", most_checked_digits));
+                          fmt::format("ask for {} digits or fewer", most_checked_digits));
     }
     const std::vector<asked_motion> asked =
         options.motions ? motions_of_file(options) : std::vector<asked_motion>{motion_of_options(options, digits)};

@@ -18,6 +18,8 @@ using namespace pendulum;
 
 namespace {
 
+constexpr const char* usual_step = "1e-5";
+
 struct trajectory_options {
     motion_options motion;
     arithmetic_options arithmetic;
@@ -25,7 +27,7 @@ struct trajectory_options {
     std::string method = "exact";
     std::optional<std::string> order;
     std::string times;
-    std::string step = "1e-5";
+    std::optional<std::string> step;
     std::optional<std::string> jobs;
 };
 
@@ -48,12 +50,27 @@ bool is_partial_sum(trajectory_method method) {
            method == trajectory_method::uniform;
 }
 
+// --order belongs to partial sums, --step to rk4.
+void require_fitting(const trajectory_options& options, trajectory_method method) {
+    const bool sums = is_partial_sum(method);
+    if (sums && !options.order) {
+        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power");
+    }
+    const auto refuse = [&](const char* option, const std::string& value) {
+        throw input_error(option, value, "has no meaning for --method " + options.method, "leave it out");
+    };
+    if (!sums && options.order) {
+        refuse("--order", *options.order);
+    }
+    if (method != trajectory_method::rk4 && options.step) {
+        refuse("--step", *options.step);
+    }
+}
+
 trajectory_request choose(const trajectory_options& options) {
     const trajectory_method method = read_trajectory_method(options.method);
-    const exact step = number_of("--step", options.step);
-    if (sign_of_exact(step) <= 0) {
-        throw input_error("--step", options.step, "is not positive", "write a step such as 1e-5");
-    }
+    require_fitting(options, method);
+    const exact step = positive_number_of("--step", options.step.value_or(usual_step));
     const arithmetic numbers = options.arithmetic.choose();
     if (method == trajectory_method::rk4 && numbers.scalar.kind == scalar_kind::proved) {
         throw input_error("--scalar", numbers.scalar.name(), "proves nothing about a march of steps",
@@ -61,12 +78,6 @@ trajectory_request choose(const trajectory_options& options) {
     }
     chosen_motion chosen = options.motion.choose_for(numbers.scalar);
     const regime r = chosen.of.regime();
-    if (is_partial_sum(method) && !options.order) {
-        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power");
-    }
-    if (!is_partial_sum(method) && options.order) {
-        throw input_error("--order", *options.order, "has no meaning for --method " + options.method, "leave it out");
-    }
     if (is_partial_sum(method) && at_critical_energy(r)) {
         throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
     }
@@ -117,7 +128,8 @@ subcommand trajectory_command(CLI::App& program) {
     command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")
         ->type_name("LIST")
         ->required();
-    command->add_option("--step", options->step, "step of rk4 in dimensionless time")->capture_default_str();
+    command->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", usual_step))
+        ->type_name("H");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_trajectory(*options); }};
 }

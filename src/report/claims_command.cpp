@@ -30,7 +30,7 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         const auto found = std::find_if(all.begin(), all.end(), [&](const claim& c) { return c.name == name; });
         if (found == all.end()) {
-            throw input_error("claims", name, "is not a claim", "'libration claims' lists them");
+            throw input_error("claims", name, "is not a claim", "see 'libration claims'");
         }
         result.push_back(*found);
     }

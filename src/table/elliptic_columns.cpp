@@ -44,12 +44,12 @@ elliptic_columns::elliptic_columns(const column_names& names, const named_functi
     argument_ = function.argument.empty() ? std::nullopt : names.find(function.argument);
     characteristic_ = function.has_characteristic ? names.find("n") : std::nullopt;
     if (!function.argument.empty() && !argument_ && !function.may_be_complete) {
-        throw input_error(fmt::format("{} has no column '{}', the argument of {}: its columns are {}", names.file(),
-                                      function.argument, function.name, names.listed()));
+        throw input_error(fmt::format("{} has no column '{}', the argument of {}: its columns are {}: {}", names.file(),
+                                      function.argument, function.name, names.listed(), mapping_remedy));
     }
     if (function.has_characteristic && !characteristic_) {
-        throw input_error(fmt::format("{} has no column 'n', the characteristic of {}: its columns are {}",
-                                      names.file(), function.name, names.listed()));
+        throw input_error(fmt::format("{} has no column 'n', the characteristic of {}: its columns are {}: {}",
+                                      names.file(), function.name, names.listed(), mapping_remedy));
     }
 }
 
@@ -67,8 +67,9 @@ void elliptic_columns::find_modulus() {
         modulus_at_ = at.value_or(modulus_at_);
     }
     if (modulus_.empty()) {
-        throw input_error(fmt::format("{} has no modulus: its columns are {}; it needs {}", names_->file(),
-                                      names_->listed(), function_->of_nome ? "'q'" : "'k', 'm' or 'm1'"));
+        throw input_error(fmt::format("{} has no modulus: its columns are {}: {}, as {}", names_->file(),
+                                      names_->listed(), mapping_remedy,
+                                      function_->of_nome ? "'q'" : "'k', 'm' or 'm1'"));
     }
 }
 

@@ -98,6 +98,7 @@ column_file::column_file(std::istream& in) : records_(in) {
         first_ = std::move(record);
     } else {
         names_ = std::move(cells);
+        first_ = next();
     }
 }
 

@@ -39,6 +39,8 @@ public:
     /// Cells of the first line; 0 for a file without one.
     std::size_t count() const { return count_; }
     separator between() const { return between_; }
+    /// Whether there is a record; asked before the first next().
+    bool has_records() const { return first_.has_value(); }
 
     std::optional<csv_record> next();
     /// Nothing where a quote is not closed.
@@ -51,7 +53,7 @@ private:
     separator between_ = separator::comma;
     std::vector<std::string> names_;
     std::size_t count_ = 0;
-    std::optional<csv_record> first_;  // read already, and no names
+    std::optional<csv_record> first_;  // read already
 };
 
 }  // namespace libration

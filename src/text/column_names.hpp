@@ -14,6 +14,9 @@ struct known_column {
     std::vector<std::string_view> spellings = {};
 };
 
+/// What to do about a column that is not found, where --columns is an option.
+inline constexpr const char* mapping_remedy = "name yours in --columns THEIRS=OURS";
+
 /// The columns of a file. A mapped column is what the user says; of the others one of exactly our name comes first,
 /// then one that is spelled so: "Time", "t [s]", "theta_0 (rad)".
 class column_names {

@@ -119,8 +119,8 @@ motion_layout::motion_layout(const column_names& names, motion_cells usual)
         missing.emplace_back("theta");
     }
     if (!missing.empty()) {
-        throw input_error(fmt::format("{} has no column {}: its columns are {}: name yours in --columns THEIRS=OURS",
-                                      names.file(), listed(missing), names.listed()));
+        throw input_error(fmt::format("{} has no column {}: its columns are {}: {}", names.file(), listed(missing),
+                                      names.listed(), mapping_remedy));
     }
     compared_.push_back({"theta", *theta});
     if (omega) {
@@ -130,9 +130,9 @@ motion_layout::motion_layout(const column_names& names, motion_cells usual)
         !(motion_.has_angle() && !usual_.omega0.text.empty()) &&
         !(motion_.has_speed() && !usual_.theta0.text.empty())) {
         throw input_error(
-            fmt::format("{} has no motion: its columns are {}; it needs 'theta0' and 'omega0', 'gap' or "
-                        "'energy', or the options --theta0 and --omega0, --gap or --energy",
-                        names.file(), names.listed()));
+            fmt::format("{} has no motion: its columns are {}: {}, as 'theta0' and 'omega0', 'gap' or "
+                        "'energy', or add --theta0 and --omega0, --gap or --energy",
+                        names.file(), names.listed(), mapping_remedy));
     }
 }
 

@@ -30,8 +30,6 @@ row_writer::row_writer(bool json, separator between, std::vector<std::string> in
 
 std::string row_writer::head() const { return json_ ? "[\n" : joined(names_) + "\n"; }
 
-std::string row_writer::tail(bool empty) const { return json_ ? (empty ? "]\n" : "\n]\n") : empty ? "" : "\n"; }
-
 std::string row_writer::row(const csv_record& record, const std::vector<std::string>& cells,
                             const std::vector<std::string>& added) const {
     if (!json_) {

@@ -19,7 +19,7 @@ public:
     /// What comes before the rows, between two of them, and behind them.
     std::string head() const;
     std::string joint() const { return json_ ? ",\n" : "\n"; }
-    std::string tail(bool empty) const;
+    std::string tail() const { return json_ ? "\n]\n" : "\n"; }
     /// A record without a text stands in its cells.
     std::string row(const csv_record& record, const std::vector<std::string>& cells,
                     const std::vector<std::string>& added) const;

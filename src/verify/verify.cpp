@@ -143,15 +143,15 @@ int run_verify(const verify_options& options) {
     const column_names names(source.name(), records.names(), records.count(), options.columns, known_columns());
     const verify_layout layout(names, options.motion, rules);
     const row_writer writer(options.format == "json", records.between(), names.own(), added_columns(layout.compared()));
+    if (!records.has_records()) {
+        throw input_error(fmt::format("{} has no row to compare: write one below its names", source.name()));
+    }
     row_target target(options.out);
     target.write(writer.head());
     verify_summary summary(source.name());
     compare_all(records, {names, rules, writer, layout.reader(), jobs}, target, summary);
-    target.write(writer.tail(summary.rows() == 0));
+    target.write(writer.tail());
     target.finish();
-    if (summary.rows() == 0) {
-        throw input_error(fmt::format("{} has no row to compare: write one below its names", source.name()));
-    }
     summary.print();
     return summary.exit_code();
 }

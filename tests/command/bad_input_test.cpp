@@ -1,6 +1,4 @@
-// Bad input ends in exit code 2 and one line on stderr that names the option, the value and the remedy; nothing is on
-// stdout and no file is left behind.
-#include <algorithm>
+// What every subcommand shares of its options is refused as refusal.hpp says.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -8,46 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "command/child_process.hpp"
+#include "command/refusal.hpp"
 
 namespace command_bad_input_test {
 
 using namespace libration::tests;
 
 namespace {
-
-// The last sentence of a complaint tells what to do.
-bool has_remedy(const std::string& line) {
-    static const words verbs{"write ", "give ", "add ",   "use ", "choose ", "ask ",
-                             "make ",  "name ", "leave ", "run ", "see "};
-    const auto colon = line.rfind(": ");
-    return colon != std::string::npos && std::any_of(verbs.begin(), verbs.end(), [&](const std::string& verb) {
-               return line.compare(colon + 2, verb.size(), verb) == 0;
-           });
-}
-
-// The command line is refused, the complaint mentions all of `mentioned`, and the folder stays as it was.
-void check_refused(const words& line, const words& mentioned, const temporary_folder& folder) {
-    const auto before = folder.content();
-    const finished_process done = run_libration(line, folder.path());
-    INFO(command_line(line) << "\n" << done.err);
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
-    CHECK(done.err.ends_with("\n"));
-    CHECK(done.err.starts_with("libration: "));
-    CHECK(has_remedy(done.err));
-    for (const std::string& mention : mentioned) {
-        INFO("should mention " << mention);
-        CHECK(done.err.find(mention) != std::string::npos);
-    }
-    CHECK(folder.content() == before);
-}
-
-void check_refused(const words& line, const words& mentioned) {
-    const temporary_folder folder;
-    check_refused(line, mentioned, folder);
-}
 
 // `before OPTION VALUE` is refused with OPTION and VALUE in the complaint.
 void check_value(const words& before, const std::string& option, const std::string& value) {
@@ -227,6 +192,7 @@ TEST_CASE("a Runge-Kutta step that is not positive, or that takes forever, is re
     for (const std::string value : {"0", "-1e-3", "x", "T/100"}) {
         check_value(rk4 + words{"--times", "1"}, "--step", value);
     }
+    check_value({"trajectory", "--energy", "1", "--times", "1"}, "--step", "1e-3");
     check_value(rk4, "--times", "1e12");
 }
 

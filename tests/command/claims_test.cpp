@@ -7,6 +7,7 @@
 
 #include "claims/claim.hpp"
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 #include "sweep/study_order.hpp"
 
 namespace command_claims_test {
@@ -74,10 +75,7 @@ TEST_CASE("claims are chosen by name, and printed in any format", "[command][cla
 }
 
 TEST_CASE("a claim that there is not is refused", "[command][claims]") {
-    const finished_process done = run_libration({"claims", "nonsense"});
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(done.err == "libration: claims 'nonsense' is not a claim: 'libration claims' lists them\n");
+    check_refused({"claims", "nonsense"}, {"claims 'nonsense' is not a claim: see 'libration claims'"});
 }
 
 TEST_CASE("cite prints BibTeX for the program and the paper", "[command]") {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 
 namespace command_elliptic_test {
 
@@ -52,12 +53,7 @@ std::vector<arguments_at> grouped(const std::string& table, const std::string& a
 }
 
 void check_refused(const words& line, const std::string& mentioned) {
-    const temporary_folder folder;
-    const finished_process done = run_libration(words{"elliptic"} + line, folder.path());
-    INFO(command_line(line) << "\n" << done.err);
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(done.err.find(mentioned) != std::string::npos);
+    tests::check_refused(words{"elliptic"} + line, {mentioned});
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // `libration radius`: its contract, the motions against the lattice of singularities, lists from files, and refusals.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 #include "libration/pendulum/singularity/singularities.hpp"
 
 namespace command_radius_test {
@@ -92,19 +92,6 @@ std::string exponential(int count) {
         text += "1/" + factorial.str() + "\n";
     }
     return text;
-}
-
-// The command line is refused with one line that mentions all of `mentioned`.
-void check_refused(const words& line, const words& mentioned, const temporary_folder& folder) {
-    const finished_process done = run_libration(line, folder.path());
-    INFO(command_line(line) << "\n" << done.err);
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
-    for (const std::string& mention : mentioned) {
-        INFO("should mention " << mention);
-        CHECK(done.err.find(mention) != std::string::npos);
-    }
 }
 
 }  // namespace
@@ -353,28 +340,28 @@ TEST_CASE("a malformed line of coefficients is named with its number", "[command
     write_file(folder, "empty.csv", "# nothing\n\n");
     write_file(folder, "good.csv", "1\n1/2\n1/3\n");
     const words file{"radius", "--coefficients"};
-    check_refused(file + words{"bad.csv"}, {"--coefficients 'bad.csv'", "line 4", "'1,1.2.3'", "write "}, folder);
-    check_refused(file + words{"empty.csv"}, {"--coefficients 'empty.csv'", "no coefficient", "write "}, folder);
-    check_refused(file + words{"missing.csv"}, {"--coefficients 'missing.csv'", "name "}, folder);
-    check_refused(file + words{"."}, {"--coefficients '.'", "folder", "name "}, folder);
+    check_refused(file + words{"bad.csv"}, {"--coefficients 'bad.csv'", "line 4", "'1,1.2.3'"}, folder);
+    check_refused(file + words{"empty.csv"}, {"--coefficients 'empty.csv'", "no coefficient"}, folder);
+    check_refused(file + words{"missing.csv"}, {"--coefficients 'missing.csv'"}, folder);
+    check_refused(file + words{"."}, {"--coefficients '.'", "folder"}, folder);
     check_refused(file + words{"-"}, {"--coefficients '-'", "no coefficient"}, folder);
     write_file(folder, "bad.json", "[1, [2, 3]");
     write_file(folder, "deep.json", "[{\"n\": [1]}]");
     write_file(folder, "columns.csv", "n,u,v\n0,1,2\n1,3\n");
-    check_refused(file + words{"bad.json"}, {"--coefficients 'bad.json'", "JSON", "write "}, folder);
-    check_refused(file + words{"deep.json"}, {"--coefficients 'deep.json'", "row 1", "write "}, folder);
+    check_refused(file + words{"bad.json"}, {"--coefficients 'bad.json'", "JSON"}, folder);
+    check_refused(file + words{"deep.json"}, {"--coefficients 'deep.json'", "row 1"}, folder);
     check_refused(file + words{"columns.csv"}, {"--coefficients 'columns.csv'", "line 3", "cells"}, folder);
     check_refused(file + words{"good.csv", "--order", "3"}, {"--order '3'", "is 2"}, folder);
-    check_refused(file + words{"good.csv", "--at", "top"}, {"--at 'top'", "leave "}, folder);
-    check_refused(file + words{"good.csv", "--energy", "1"}, {"'good.csv'", "--energy '1'", "give "}, folder);
-    check_refused(file + words{"good.csv", "--length", "1"}, {"'good.csv'", "--length '1'", "give "}, folder);
+    check_refused(file + words{"good.csv", "--at", "top"}, {"--at 'top'"}, folder);
+    check_refused(file + words{"good.csv", "--energy", "1"}, {"'good.csv'", "--energy '1'"}, folder);
+    check_refused(file + words{"good.csv", "--length", "1"}, {"'good.csv'", "--length '1'"}, folder);
 }
 
 TEST_CASE("radius refuses what is no motion, no order and no point", "[command][radius][bad input]") {
     const temporary_folder folder;
-    check_refused({"radius"}, {"--energy", "--coefficients", "add "}, folder);
+    check_refused({"radius"}, {"--energy", "--coefficients"}, folder);
     check_refused({"radius", "--order", "3"}, {"--energy", "--coefficients"}, folder);
-    check_refused({"radius", "--energy", "1"}, {"--order", "add "}, folder);
+    check_refused({"radius", "--energy", "1"}, {"--order"}, folder);
     check_refused({"radius", "--energy", "1", "--order", "x"}, {"--order 'x'"}, folder);
     check_refused({"radius", "--energy", "2", "--order", "30", "--at", "top"}, {"--at 'top'"}, folder);
     check_refused({"radius", "--energy", "1", "--order", "30", "--at", "left"}, {"--at 'left'"}, folder);

@@ -1,6 +1,5 @@
 // The proved digits of `libration reference` against the reference tables, closed forms, symmetries and its own second
 // route.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
@@ -9,6 +8,7 @@
 
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
+#include "command/refusal.hpp"
 
 namespace command_reference_test {
 
@@ -26,15 +26,6 @@ table_row single_reference(const words& motion) {
     auto rows = reference_of(motion);
     REQUIRE(rows.size() == 1);
     return rows.front();
-}
-
-void check_failed(const words& line, int code, const std::string& mentioned) {
-    const temporary_folder folder;
-    const finished_process done = run_libration(line, folder.path());
-    INFO(command_line(line) << "\n" << done.err);
-    CHECK(done.exit_code == code);
-    CHECK(done.out.empty());
-    CHECK(done.err.find(mentioned) != std::string::npos);
 }
 
 }  // namespace
@@ -202,12 +193,8 @@ TEST_CASE("a row that is no motion is refused with its line and column", "[comma
     const auto refused = [](const std::string& csv, const words& more, const std::string& mentioned) {
         const temporary_folder folder;
         std::ofstream(folder.path() / "f.csv", std::ios::binary) << csv;
-        const auto done = run_libration(words{"reference", "--motions", "f.csv"} + more, folder.path());
-        INFO(csv << done.err);
-        CHECK(done.exit_code == 2);
-        CHECK(done.out.empty());
-        CHECK(done.err.find(mentioned) != std::string::npos);
-        CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
+        INFO(csv);
+        check_refused(words{"reference", "--motions", "f.csv"} + more, {mentioned}, folder);
     };
     refused("E,t\n1,0\n-1,0\n", {}, "f.csv:3: E '-1' is a negative energy");
     refused("E,t\n1,x\n", {}, "f.csv:2: t 'x' is not a number");
@@ -220,20 +207,20 @@ TEST_CASE("a row that is no motion is refused with its line and column", "[comma
     refused("E,t\n1,0\n", {"--gap", "0.5"}, "f.csv:2: --gap '0.5' contradicts E '1'");
     refused("E,t\n", {}, "f.csv has no row");
     refused("E,t\n1,0\n", {"--columns", "x=time"}, "--columns 'x=time' has 'x'");
-    check_failed({"reference", "--energy", "1"}, 2, "add --times LIST");
-    check_failed({"reference", "--energy", "1", "--time", "1", "--columns", "t=time"}, 2, "--columns 't=time'");
-    check_failed({"reference", "--motions", "none.csv"}, 2, "--motions 'none.csv'");
+    check_refused({"reference", "--energy", "1"}, {"add --times LIST"});
+    check_refused({"reference", "--energy", "1", "--time", "1", "--columns", "t=time"}, {"--columns 't=time'"});
+    check_refused({"reference", "--motions", "none.csv"}, {"--motions 'none.csv'"});
 }
 
 TEST_CASE("what a reference cannot answer is refused with the reason", "[command][reference]") {
     const words motion{"reference", "--energy", "1.71"};
-    check_failed(motion + words{"--time", "1", "--digits", "100001"}, 2, "--digits '100001'");
-    check_failed(motion + words{"--time", "1", "--digits", "0"}, 2, "--digits '0'");
-    check_failed(motion + words{"--time", "30deg"}, 2, "30deg");
-    check_failed(motion + words{"--time", "1", "--digits", "20000", "--check"}, 2, "--check");
-    check_failed({"reference", "--energy", "2", "--time", "T/4"}, 2, "infinite period");
-    check_failed({"reference", "--energy", "2", "--time", "1e30"}, 2, "--times '1e30'");
-    check_failed({"reference", "--theta0", "1", "--omega0", "pi", "--time", "1"}, 2, "--omega0 'pi'");
+    check_refused(motion + words{"--time", "1", "--digits", "100001"}, {"--digits '100001'"});
+    check_refused(motion + words{"--time", "1", "--digits", "0"}, {"--digits '0'"});
+    check_refused(motion + words{"--time", "30deg"}, {"30deg"});
+    check_refused(motion + words{"--time", "1", "--digits", "20000", "--check"}, {"--check"});
+    check_refused({"reference", "--energy", "2", "--time", "T/4"}, {"infinite period"});
+    check_refused({"reference", "--energy", "2", "--time", "1e30"}, {"--times '1e30'"});
+    check_refused({"reference", "--theta0", "1", "--omega0", "pi", "--time", "1"}, {"--omega0 'pi'"});
 }
 
 }  // namespace command_reference_test

@@ -1,12 +1,12 @@
 // `libration series`: a list of one's own against closed forms: values, Pade and endpoint approximants, errors, poles
 // and zeros, files and figures, and refusals.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 
 namespace command_series_test {
 
@@ -44,15 +44,7 @@ void check_refused(const words& line, const words& mentioned) {
     const temporary_folder folder;
     write_file(folder, "list.csv", exponential(5));
     write_file(folder, "pairs.csv", "time,value\n1,2.718\n");
-    const finished_process done = run_libration(words{"series"} + line, folder.path());
-    INFO(command_line(line) << "\n" << done.err);
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
-    for (const std::string& mention : mentioned) {
-        INFO("should mention " << mention);
-        CHECK(done.err.find(mention) != std::string::npos);
-    }
+    tests::check_refused(words{"series"} + line, mentioned, folder);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // `libration table`: its values against the reference tables of mpmath, its condition numbers against derivatives of
 // mpmath, and its files as those read them who take them: a compiler, a reader of columns, and `libration verify`.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
+#include "command/refusal.hpp"
 
 namespace command_table_test {
 
@@ -26,14 +26,7 @@ std::vector<table_row> table_of(words line) {
 }
 
 void check_refused(const words& line, const std::string& mentioned) {
-    const temporary_folder folder;
-    const finished_process done = run_libration(words{"table"} + line, folder.path());
-    INFO(command_line(line) << "\n" << done.err);
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
-    CHECK(done.err.find(mentioned) != std::string::npos);
-    CHECK(folder.content().empty());
+    tests::check_refused(words{"table"} + line, {mentioned});
 }
 
 // A table as NumPy reads it: the names of its last comment, and rows of as many numbers.
@@ -369,11 +362,8 @@ TEST_CASE("a file of points is refused with line and column", "[command][table][
     const auto refused = [](const words& line, const std::string& csv, const std::string& mentioned) {
         const temporary_folder folder;
         std::ofstream(folder.path() / "p.csv", std::ios::binary) << csv;
-        const auto done = run_libration(words{"table"} + line + words{"--points", "p.csv"}, folder.path());
-        INFO(command_line(line) << "\n" << csv << done.err);
-        CHECK(done.exit_code == 2);
-        CHECK(done.out.empty());
-        CHECK(done.err.find(mentioned) != std::string::npos);
+        INFO(csv);
+        tests::check_refused(words{"table"} + line + words{"--points", "p.csv"}, {mentioned}, folder);
     };
     refused({"sn"}, "u,m\n1,0.5\nx,0.5\n", "p.csv:3: u 'x' is not a number");
     refused({"sn"}, "u,m\n30deg,0.5\n", "p.csv:2: u '30deg'");

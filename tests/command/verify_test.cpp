@@ -5,6 +5,7 @@
 #include <string>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 
 namespace command_verify_test {
 
@@ -38,6 +39,14 @@ std::string verdict_of(const std::string& csv, const words& options = {}) {
 bool says(const finished_process& done, const std::string& what) {
     INFO(done.err);
     return done.err.find(what) != std::string::npos;
+}
+
+// The file is refused as a whole.
+void refuses(const std::string& csv, const words& options, const std::string& reason) {
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "f.csv", std::ios::binary) << csv;
+    INFO(csv);
+    check_refused(words{"verify", "f.csv"} + options, {reason}, folder);
 }
 
 // mpmath, mp.dps = 40: 2*asin(sqrt(m)*ellipfun('cd', mpf('0.7'), m=m)), m = mpf('1.71')/2
@@ -155,19 +164,27 @@ TEST_CASE("verify names malformed rows, marks them and goes on", "[command][veri
     CHECK(lines[11].starts_with("0.7,2.18,1.71,2.18288787151768773795,"));
 }
 
-TEST_CASE("verify says which columns are missing", "[command][verify]") {
-    const auto done = verify("when,where\n1,2\n", {"--energy", "1"});
-    CHECK(done.exit_code == 2);
-    CHECK(done.out.empty());
-    CHECK(says(done, "f.csv has no column 'time', 'theta': its columns are 'when', 'where'"));
-    CHECK(says(verify("time,theta\n1,2\n"), "f.csv has no motion: its columns are 'time', 'theta'"));
-    CHECK(says(verify("time,theta,theta\n1,2,2\n"), "f.csv has two columns 'theta'"));
-    CHECK(verify("").exit_code == 2);
-    CHECK(says(verify(""), "f.csv has no header"));
-    CHECK(says(verify("time,theta,energy\n"), "f.csv has no row to compare"));
-    CHECK(run_libration({"verify", "none.csv"}).exit_code == 2);
-    CHECK(verify("time,theta,energy\n0,1,1\n", {"--ulp", "1", "--tolerance", "1"}).exit_code == 2);
-    CHECK(verify("time,theta,energy\n0,1,1\n", {"--inputs", "float"}).exit_code == 2);
+TEST_CASE("verify says which columns are missing", "[command][verify][bad input]") {
+    refuses("when,where\n1,2\n", {"--energy", "1"},
+            "f.csv has no column 'time', 'theta': its columns are 'when', 'where'");
+    refuses("time,theta\n1,2\n", {}, "f.csv has no motion: its columns are 'time', 'theta'");
+    refuses("time,theta,theta\n1,2,2\n", {}, "f.csv has two columns 'theta'");
+    refuses("m,sn\n0,0\n", {}, "f.csv has no column 'u', the argument of sn: its columns are 'm', 'sn'");
+    refuses("u,q,sn\n0,0.1,0\n", {}, "f.csv has no modulus: its columns are 'u', 'q', 'sn'");
+    refuses("", {}, "f.csv has no header");
+    refuses("time,theta,energy\n", {}, "f.csv has no row to compare");
+    refuses("time,theta,energy\n", {"--format", "json"}, "f.csv has no row to compare");
+    check_refused({"verify", "none.csv"}, {"FILE 'none.csv'"});
+}
+
+TEST_CASE("verify refuses tolerances, inputs and formats that are none", "[command][verify][bad input]") {
+    const std::string csv = "time,theta,energy\n0,1,1\n";
+    refuses(csv, {"--ulp", "1", "--tolerance", "1"}, "--ulp '1' comes together with --tolerance '1'");
+    refuses(csv, {"--relative", "1e-9", "--ulp", "1"}, "--ulp '1' comes together with --relative '1e-9'");
+    refuses(csv, {"--tolerance", "x"}, "--tolerance 'x'");
+    refuses(csv, {"--inputs", "float"}, "--inputs 'float'");
+    refuses(csv, {"--format", "xml"}, "--format 'xml' is no format");
+    refuses("u,m,sn\n0,0,0\n", {"--modulo-2pi"}, "--modulo-2pi has no meaning");
 }
 
 TEST_CASE("verify reads hexadecimal floats as numbers and inputs", "[command][verify]") {
@@ -298,10 +315,7 @@ TEST_CASE("verify knows columns by common spellings and by --columns", "[command
     CHECK(verify(both).exit_code == 2);
     CHECK(verdict_of(both, {"--columns", "energy=-"}) == "ok");
     const auto refused = [&](const std::string& header, const std::string& mapping, const std::string& reason) {
-        const auto done = verify(header + "\n" + row, {"--columns", mapping});
-        CHECK(done.exit_code == 2);
-        CHECK(done.out.empty());
-        CHECK(says(done, reason));
+        refuses(header + "\n" + row, {"--columns", mapping}, reason);
     };
     refused("a,b,c", "x=time", "--columns 'x=time' has 'x', which is no column of 'f.csv': choose among 'a', 'b', 'c'");
     refused("a,b,c", "a=tme", "has 'tme', which is no quantity: write time, ");
@@ -392,7 +406,6 @@ TEST_CASE("verify has a relative tolerance, alone and beside an absolute one", "
     CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1e-9", "--tolerance", "0.003"}) == "ok");
     CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1e-2", "--tolerance", "1e-9"}) == "ok");
     CHECK(verdict_of(head + "2.1800,1.71\n", {"--relative", "1e-9", "--tolerance", "1e-9"}) == "miss");
-    CHECK(says(verify(head + "2.18,1.71\n", {"--relative", "1e-9", "--ulp", "1"}), "--ulp '1' comes together with"));
 }
 
 TEST_CASE("verify writes JSON", "[command][verify]") {
@@ -404,8 +417,6 @@ TEST_CASE("verify writes JSON", "[command][verify]") {
     CHECK(rows[0].at("note") == "a \"b\"");
     CHECK((rows[0].at("verdict") == "ok" && rows[0].at("error") == "0.00289"));
     CHECK((rows[1].at("verdict") == "malformed" && rows[1].at("error").is_null()));
-    CHECK(verify("time,theta,energy\n", {"--format", "json"}).exit_code == 2);
-    CHECK(says(verify("time,theta,energy\n0,0,1\n", {"--format", "xml"}), "--format 'xml' is no format"));
 }
 
 TEST_CASE("verify compares elliptic functions", "[command][verify]") {

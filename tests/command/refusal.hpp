@@ -1,0 +1,48 @@
+// Bad input ends in exit code 2 and one line on stderr that names the option, the value and the remedy; nothing is on
+// stdout and no file is left behind.
+#pragma once
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "command/child_process.hpp"
+
+namespace libration::tests {
+
+/// Whether the last sentence of a complaint tells what to do.
+inline bool has_remedy(const std::string& line) {
+    static const words verbs{"write ", "give ", "add ",   "use ", "choose ", "ask ",
+                             "make ",  "name ", "leave ", "run ", "see "};
+    const auto colon = line.rfind(": ");
+    return colon != std::string::npos && std::any_of(verbs.begin(), verbs.end(), [&](const std::string& verb) {
+               return line.compare(colon + 2, verb.size(), verb) == 0;
+           });
+}
+
+/// Checks that the command line is refused, that the complaint mentions all of `mentioned`, and that the folder stays
+/// as it was.
+inline void check_refused(const words& line, const words& mentioned, const temporary_folder& folder) {
+    const auto before = folder.content();
+    const finished_process done = run_libration(line, folder.path());
+    INFO(command_line(line) << "\n" << done.err);
+    CHECK(done.exit_code == 2);
+    CHECK(done.out.empty());
+    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
+    CHECK(done.err.ends_with("\n"));
+    CHECK(done.err.starts_with("libration: "));
+    CHECK(has_remedy(done.err));
+    for (const std::string& mention : mentioned) {
+        INFO("should mention " << mention);
+        CHECK(done.err.find(mention) != std::string::npos);
+    }
+    CHECK(folder.content() == before);
+}
+
+/// The same in an empty folder.
+inline void check_refused(const words& line, const words& mentioned) {
+    const temporary_folder folder;
+    check_refused(line, mentioned, folder);
+}
+
+}  // namespace libration::tests
