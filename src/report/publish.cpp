@@ -32,7 +32,7 @@ void replace(const fs::path& from, const fs::path& target) {
 void publish(const std::string& made, const std::string& published, const std::vector<std::string>& parts) {
     output_folder into("--results", published);
     for (const std::string& part : parts) {
-        const std::string name = part == claims_name ? "claims.csv" : part;
+        const std::string name = place_of_part(part);
         if (fs::exists(fs::path(made) / name)) {
             replace(fs::path(made) / name, fs::path(published) / name);
             into.keep();

@@ -52,7 +52,7 @@ constexpr double seconds_of_references = 0.5;
 
 void make_claims(const std::string& folder, int jobs) {
     const auto claims = all_claims();
-    write_into((fs::path(folder) / "claims.csv").string(), to_csv(claims_table(judge(claims, jobs))));
+    write_into((fs::path(folder) / place_of_part(claims_name)).string(), to_csv(claims_table(judge(claims, jobs))));
 }
 
 // All parts, the longest first, so that short ones fill the cores at the end.

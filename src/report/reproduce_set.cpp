@@ -68,6 +68,12 @@ reproduce_set names_of(const char* option, const std::string& list) {
 
 }  // namespace
 
+std::string place_of_part(const std::string& part) { return part == claims_name ? "claims.csv" : part; }
+
+std::string description_of_part(const std::string& part) {
+    return part == claims_name ? place_of_part(part) : part + "/" + part + ".json";
+}
+
 reproduce_set set_named(const std::string& name) {
     if (name == "paper") {
         return {studies_where(is_of_paper), true, true};

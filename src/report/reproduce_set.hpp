@@ -20,6 +20,12 @@ struct reproduce_set {
 inline constexpr const char* claims_name = "claims";
 inline constexpr const char* references_name = "reference";
 
+/// Where a part stands in a folder of results: the file claims.csv, or a folder of its name.
+std::string place_of_part(const std::string& part);
+
+/// The file without which a part is not made: claims.csv, or the description NAME/NAME.json.
+std::string description_of_part(const std::string& part);
+
 /// A set by its name:
 ///   paper      the paper's studies, its claims and the reference values; studies that come later are not in it
 ///   problems   the studies of other problems

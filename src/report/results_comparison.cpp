@@ -65,10 +65,12 @@ public:
     folder_comparison(fs::path made, fs::path published) : made_(std::move(made)), published_(std::move(published)) {}
 
     void compare(const std::string& part) {
-        if (part == claims_name) {
-            compare_part(part, "claims.csv", {{"claims.csv", false}});
-        } else if (fs::exists(made_ / part)) {
-            compare_part(part, part, tables_of(part));
+        if (!fs::exists(made_ / description_of_part(part))) {
+            found_.missing.push_back(part);
+        } else if (part == claims_name) {
+            compare_part(part, {{place_of_part(part), false}});
+        } else {
+            compare_part(part, tables_of(part));
             compare_figures(part);
         }
     }
@@ -87,7 +89,7 @@ private:
         if (part == references_name) {
             return tables;
         }
-        const auto json = nlohmann::json::parse(text_of((made_ / part / (part + ".json")).string()));
+        const auto json = nlohmann::json::parse(text_of((made_ / description_of_part(part)).string()));
         for (const auto& each : json.at("tables")) {
             const bool timed = each.contains("note");
             tables[part + "/" + each.at("file").get<std::string>()] =
@@ -108,8 +110,8 @@ private:
         return files;
     }
 
-    void compare_part(const std::string& part, const std::string& place, const std::map<std::string, bool>& tables) {
-        if (!fs::exists(published_ / place)) {
+    void compare_part(const std::string& part, const std::map<std::string, bool>& tables) {
+        if (!fs::exists(published_ / place_of_part(part))) {
             found_.fresh.push_back(part);
             return;
         }
@@ -179,6 +181,9 @@ std::vector<std::string> results_comparison::lines(const std::string& published)
     }
     add_line(lines, moved, machine + exact, "tables differ as libm and clocks may (double, long double, quad, times)");
     add_line(lines, redrawn, figures, "figures differ");
+    if (!missing.empty()) {
+        lines.push_back(fmt::format("not compared, because not made: {}", fmt::join(missing, ", ")));
+    }
     if (!fresh.empty()) {
         lines.push_back(fmt::format("{} does not have yet: {}", published, fmt::join(fresh, ", ")));
     }

@@ -16,9 +16,10 @@ struct results_comparison {
     std::size_t figures = 0;
     std::vector<std::string> redrawn;  ///< figures (.svg) that differ
     std::vector<std::string> fresh;    ///< parts that are not published yet
+    std::vector<std::string> missing;  ///< parts that were not made
 
-    /// Whether all that has to be the same is.
-    bool same() const { return wrong.empty(); }
+    /// Whether all was made, and all that has to be the same is.
+    bool same() const { return wrong.empty() && missing.empty(); }
     /// One line each, for stderr.
     std::vector<std::string> lines(const std::string& published) const;
 };

@@ -129,7 +129,9 @@ TEST_CASE("an interrupted reproduce goes on with what is missing", "[command][re
     const finished_process first = run_libration(order, folder.path());
     CHECK(first.exit_code == 1);
     const fs::path record = folder.path() / "reproduced" / "unfinished.json";
-    CHECK(nlohmann::json::parse(text_of_file(record)).at("made") == nlohmann::json{"period_error"});
+    const auto made = nlohmann::json::parse(text_of_file(record)).at("made");
+    REQUIRE(made.size() == 1);
+    CHECK(made.at("period_error").front() == "period_error/period_error.csv");
     fs::remove_all(in_the_way.parent_path());
 
     const finished_process second = run_libration(order, folder.path());
@@ -140,8 +142,46 @@ TEST_CASE("an interrupted reproduce goes on with what is missing", "[command][re
     CHECK_FALSE(fs::exists(record));
 
     // What another program has made is made again.
-    write(record, R"({"program": "another", "made": ["period_error", "libration_series"]})");
+    write(record, R"({"program": "another", "made": {"period_error": [], "libration_series": []}})");
     CHECK(lines_with(run_libration(order, folder.path()).err, ", period_error") == 1);
+}
+
+TEST_CASE("an interrupted reproduce makes a part again that lacks a file", "[command][reproduce]") {
+    const temporary_folder folder;
+    const words order{"reproduce", "--only", "period_error,libration_series"};
+    const fs::path in_the_way = folder.path() / "reproduced" / "libration_series" / "libration_series.csv" / "x";
+    fs::create_directories(in_the_way);
+    CHECK(run_libration(order, folder.path()).exit_code == 1);
+    fs::remove_all(in_the_way.parent_path());
+    const fs::path figure = folder.path() / "reproduced" / "period_error" / "period_error.svg";
+    REQUIRE(fs::remove(figure));
+
+    const finished_process second = run_libration(order, folder.path());
+    INFO(second.err);
+    CHECK(second.exit_code == 0);
+    CHECK(lines_with(second.err, "goes on with an interrupted run") == 0);
+    CHECK(lines_with(second.err, "of 2, period_error") == 1);
+    CHECK(fs::exists(figure));
+}
+
+TEST_CASE("the comparison names a part that was not made", "[command][reproduce]") {
+    const published_folder results;
+    fs::create_directories(results.path() / "reproduced");
+    // Files where folders have to be: neither part can be made.
+    fs::remove_all(results.path() / "reproduced" / "period_error");
+    write(results.path() / "reproduced" / "period_error", "in the way\n");
+    write(results.path() / "reproduced" / "reference", "in the way\n");
+    const finished_process done =
+        run_libration({"reproduce", "--only", "period_error,reference,claims"}, results.path());
+    INFO(done.err);
+    CHECK(done.exit_code == 1);
+    CHECK(lines_with(done.err, "failed: period_error: ") == 1);
+    CHECK(lines_with(done.err, "failed: reference: ") == 1);
+    CHECK(lines_with(done.err, "failed: comparison") == 0);
+    CHECK(lines_with(done.err, "not compared, because not made: period_error, reference") +
+              lines_with(done.err, "not compared, because not made: reference, period_error") ==
+          1);
+    CHECK(lines_with(done.err, "results does not have yet: claims") == 1);
 }
 
 TEST_CASE("the sets of reproduce: the paper's is fixed, and one that holds nothing is refused",
