@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "libration/scalar/complex_functions.hpp"
 #include "scalars.hpp"
 
 namespace scalar_complex_number_test {
@@ -65,6 +66,24 @@ TEMPLATE_LIST_TEST_CASE("sums, products and quotients by a real are those of 3 +
     CHECK(modulus_of(z) == 5);
     CHECK((z - z * T(2) + z).im == 0);
     CHECK((-z / T(2)).re == T(-3) / 2);
+}
+
+TEMPLATE_LIST_TEST_CASE("hyperbolic functions and the arcsine of complex numbers fulfil their identities", "[scalar]",
+                        all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    const complex_number<T> z{T(T(3) / 7), T(T(-5) / 8)};
+    const complex_number<T> turned{T(-z.im), z.re};
+    // sinh(iz) = i sin z, cosh(iz) = cos z, sin(asin z) = z: a few functions and products of numbers below 2.
+    const auto close = [](const complex_number<T>& a, const complex_number<T>& b) {
+        CHECK_THAT(a.re, near(b.re, 16, T(1)));
+        CHECK_THAT(a.im, near(b.im, 16, T(1)));
+    };
+    const complex_number<T> sine = sin(z);
+    close(sinh(turned), {T(-sine.im), sine.re});
+    close(cosh(turned), cos(z));
+    close(sin(asin(z)), z);
+    close(asin(complex_number<T>{T(T(1) / 2), T(0)}), {T(pi<T>() / 6), T(0)});
 }
 
 }  // namespace scalar_complex_number_test

@@ -83,6 +83,45 @@ TEST_CASE("over fractions sine, cosine and the tangents obey their laws exactly"
     CHECK(same(tangent(f, rational(rational(3) / 4)), s2 / c2));
 }
 
+TEST_CASE("over fractions hyperbolic functions and the arcsine obey their laws exactly", "[series][kernel]") {
+    const auto f = fractions(zero, 3);
+    const auto slope = slope_of(f);
+    auto s = power_series<rational>::zero(order);
+    auto c = s;
+    auto a = s;
+    auto root = s;
+    auto slope_a = s;
+    c[0] = 1;
+    root[0] = 1;
+    for (int n = 0; n <= order; ++n) {
+        hyperbolic_sine_cosine_kernel(slope.data(), s.data(), c.data(), n);
+        arcsine_kernel(f.data(), slope.data(), root.data(), slope_a.data(), a.data(), n);
+    }
+    CHECK(same(c * c - s * s, unit<rational>()));
+    CHECK(same(s + c, exponential(f, one)));
+    CHECK(same(sine_cosine(a, zero, one).first, f));
+    CHECK(same(root * root + f * f, unit<rational>()));
+}
+
+TEST_CASE("a progression leaves out zeros and nothing else", "[series][kernel]") {
+    // Every third coefficient, from the second on; its square stands in degrees 2 * 2 + 3k.
+    auto f = power_series<rational>::zero(order);
+    for (int n = 2; n <= order; n += 3) {
+        f[n] = rational(n + 1) / (n + 4);
+    }
+    const progression thirds(3, 2);
+    const auto g = fractions(one, 4);
+    for (int n = 0; n <= order; ++n) {
+        CHECK(product_coefficient(f, g, n, thirds) == product_coefficient(f, g, n));
+        CHECK(square_coefficient(f, n, thirds) == square_coefficient(f, n));
+        CHECK(thirds.from(n) == (n + (2 - n % 3)));
+        CHECK(thirds.holds(n) == (n % 3 == 2));
+    }
+    CHECK(degrees_of_slope(thirds).first == 1);
+    CHECK(degrees_of_slope(progression(3, 0)).first == 2);
+    CHECK(progression(parity::odd).first == 1);
+}
+
 TEST_CASE("kernels solve an equation one coefficient at a time", "[series][kernel]") {
     // y' = exp(-y), y(0) = 0: y = log(1 + x).
     std::vector<rational> y(order + 2);

@@ -55,6 +55,20 @@ complex_number<T> tanh(const complex_number<T>& z) {
     return {turned.im, T(-turned.re)};
 }
 
+/// sinh x cos y + i cosh x sin y.
+template <scalar T>
+complex_number<T> sinh(const complex_number<T>& z) {
+    using std::cos, std::cosh, std::sin, std::sinh;
+    return {T(sinh(z.re) * cos(z.im)), T(cosh(z.re) * sin(z.im))};
+}
+
+/// cosh x cos y + i sinh x sin y.
+template <scalar T>
+complex_number<T> cosh(const complex_number<T>& z) {
+    using std::cos, std::cosh, std::sin, std::sinh;
+    return {T(cosh(z.re) * cos(z.im)), T(sinh(z.re) * sin(z.im))};
+}
+
 /// (i/2) (log(1 - iz) - log(1 + iz)); z not i or -i.
 template <scalar T>
 complex_number<T> atan(const complex_number<T>& z) {
@@ -68,6 +82,14 @@ complex_number<T> atan(const complex_number<T>& z) {
 template <rounding_scalar T>
 complex_number<T> sqrt(const complex_number<T>& z) {
     return square_root(z);
+}
+
+/// -i log(iz + sqrt(1 - z^2)).
+template <rounding_scalar T>
+complex_number<T> asin(const complex_number<T>& z) {
+    const complex_number<T> turned{T(-z.im), z.re};
+    const complex_number<T> logarithm = log(turned + sqrt(complex_number<T>(1) - z * z));
+    return {logarithm.im, T(-logarithm.re)};
 }
 
 /// exp(w log z); z not 0.
