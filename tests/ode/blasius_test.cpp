@@ -1,15 +1,15 @@
-// Blasius' boundary layer f''' + f f''/2 = 0, f(0) = f'(0) = 0, f'(infinity) = 1: a nonlinear differential equation
-// that is not the pendulum's, solved with the tools of series/ one coefficient at a time.
+// Blasius' boundary layer f''' + f f''/2 = 0, f(0) = f'(0) = 0, f'(infinity) = 1, from the wall to far out in steps.
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <utility>
 
+#include "libration/ode/parse.hpp"
+#include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/exact.hpp"
-#include "libration/series/arithmetic.hpp"
 #include "scalars.hpp"
 
-namespace series_blasius_test {
+namespace ode_blasius_test {
 
 using namespace libration;
 using namespace libration::series;
@@ -28,17 +28,17 @@ struct boundary_layer {
     T curvature;
 };
 
-// (n+3)(n+2)(n+1) f_{n+3} = -(1/2) sum_k f_k (n-k+2)(n-k+1) f_{n-k+2}.
+const ode::tape& equation() {
+    static const ode::tape made = ode::tape::about_points(
+        ode::explicit_system(ode::parse("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f''(0) = 1")));
+    return made;
+}
+
 template <class T>
 power_series<T> expand(const boundary_layer<T>& at, int order) {
-    power_series<T> f(std::vector<T>{at.f, at.slope, T(at.curvature / 2)});
-    power_series<T> second(std::vector<T>{at.curvature});
-    for (int n = 0; n + 3 <= order; ++n) {
-        const T third = -product_coefficient(f, second, n) / 2;
-        second.push_back(third / (n + 1));
-        f.push_back(second[n + 1] / ((n + 3) * (n + 2)));
-    }
-    return f;
+    ode::taylor_expansion<T> expansion(equation(), order);
+    expansion.about(T(0), {{at.f, at.slope, at.curvature}});
+    return expansion.series_of(0);
 }
 
 template <class T>
@@ -74,7 +74,7 @@ constexpr long walked = 6;
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("Blasius' series at the wall is the known one", "[series][blasius]", all_scalars) {
+TEMPLATE_LIST_TEST_CASE("Blasius' series at the wall is the known one", "[ode][blasius]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
     // With f''(0) = 1: only powers 2, 5, 8, ..., 1/2!, -1/(2 5!), 11/(4 8!), -375/(8 11!) [Blasius 1908].
@@ -89,8 +89,7 @@ TEMPLATE_LIST_TEST_CASE("Blasius' series at the wall is the known one", "[series
     CHECK_THAT(f[11], tests::near<T>(from_rational<T>(rational(-375) / (8 * integer(39916800))), 9));
 }
 
-TEMPLATE_LIST_TEST_CASE("Blasius' layer ends at speed 1 with its known displacement", "[series][blasius]",
-                        all_scalars) {
+TEMPLATE_LIST_TEST_CASE("Blasius' layer ends at speed 1 with its known displacement", "[ode][blasius]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
     const auto [at, momentum] = far_out<T>();
@@ -109,4 +108,4 @@ TEMPLATE_LIST_TEST_CASE("Blasius' layer ends at speed 1 with its known displacem
     CHECK_THAT(balance, tests::near<T>(tests::exactly(T(0)), walked, T(32)));
 }
 
-}  // namespace series_blasius_test
+}  // namespace ode_blasius_test

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "libration/ode/parse.hpp"
+#include "libration/ode/taylor_expansion.hpp"
 #include "libration/pendulum/taylor/coefficients.hpp"
 #include "libration/pendulum/taylor/other_recurrences.hpp"
 #include "libration/series/exponential.hpp"
@@ -227,6 +229,27 @@ TEST_CASE("a dual number differentiates the pendulum's series by the angle at th
     // theta = theta0 + omega0 t - sin(theta0) t^2/2 - ..., in t/2.
     CHECK(found[0][1].slope == 0);
     CHECK(abs(mpfr(found[0][2].slope + cos(theta) * 2)) < pow(mpfr(10), -48));
+}
+
+TEST_CASE("any equation runs over a scalar of one's own", "[series][foreign_scalars][ode]") {
+    const both_precisions precision;
+    const ode::explicit_system system(ode::parse("x'' = -sin(x); x(0) = 5/4; x'(0) = -3/10"));
+    const ode::tape about_start = ode::tape::about_start(system);
+    const ode::tape about_points = ode::tape::about_points(system);
+    ode::taylor_expansion<interval> enclosed(about_start, order);
+    enclosed.about_start();
+    ode::taylor_expansion<dual> varied(about_points, order);
+    varied.about(dual(0), {{dual(ratio<mpfr>(5, 4), mpfr(1)), dual(ratio<mpfr>(-3, 10), mpfr(0))}});
+    const auto truth = all_ways(start_of(dual(ratio<mpfr>(5, 4), mpfr(1)), dual(ratio<mpfr>(-3, 10), mpfr(0)))).front();
+    for (int n = 0; n <= order; ++n) {
+        INFO("degree " << n);
+        const mpfr expected = ldexp(truth[n].value, -n);  // all_ways scales by 2
+        CHECK(holds(interval(enclosed.coefficients(0)[n] + interval(-ldexp(mpfr(1), -300), ldexp(mpfr(1), -300))),
+                    expected));
+        CHECK(width(enclosed.coefficients(0)[n]) < pow(mpfr(10), -40));
+        CHECK(abs(mpfr(varied.coefficients(0)[n].value - expected)) < pow(mpfr(10), -90));
+        CHECK(abs(mpfr(varied.coefficients(0)[n].slope - ldexp(truth[n].slope, -n))) < pow(mpfr(10), -90));
+    }
 }
 
 TEST_CASE("a dual number differentiates the functions of series", "[series][foreign_scalars]") {

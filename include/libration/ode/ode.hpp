@@ -1,4 +1,4 @@
-// Differential equations as text and in C++, and numerical solutions of the pendulum's.
+// Differential equations as text and in C++, their Taylor series in any scalar, and the numerical march of the pendulum.
 #pragma once
 
 #include "libration/ode/equation_system.hpp"
@@ -8,3 +8,5 @@
 #include "libration/ode/numerical_solution.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/runge_kutta.hpp"
+#include "libration/ode/tape.hpp"
+#include "libration/ode/taylor_expansion.hpp"

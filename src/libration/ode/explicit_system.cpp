@@ -65,18 +65,7 @@ bool same_number(const number& a, const number& b) {
 explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
     read_unknowns(given);
     read_starts(given);
-    start_values values([this](const expression& leaf) -> std::optional<number> {
-        if (leaf.kind() == node_kind::variable) {
-            return point_;
-        }
-        if (leaf.kind() == node_kind::parameter) {
-            return number();  // s
-        }
-        const auto found = std::ranges::find(unknowns_, leaf.name(), &unknown_function::name);
-        const auto& of_unknown = starts_[static_cast<std::size_t>(found - unknowns_.begin())];
-        const auto order = static_cast<std::size_t>(leaf.derivative());
-        return order < of_unknown.size() ? std::optional(of_unknown[order]) : std::nullopt;
-    });
+    start_values values(leaves_at_start(*this));
     std::vector<equation> equations;
     for (const equation& each : given.equations) {
         named("equation", each.at, [&] {

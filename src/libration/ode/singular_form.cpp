@@ -31,7 +31,7 @@ public:
 
     factored_form of(const expression& e) {
         switch (e.kind()) {
-            case node_kind::parameter: return {1, 1};
+            case node_kind::parameter: met_ = true; return {1, 1};
             case node_kind::sum: return of_sum(e);
             case node_kind::product: {
                 const auto a = of(e.left());
@@ -51,11 +51,10 @@ public:
 
     /// The least root in whose powers all powers of s are whole.
     int root() const { return root_; }
-    /// Whether a negative or a broken power was met.
-    bool is_singular() const { return singular_; }
+    /// Whether s was met at all: what cannot be evaluated may be a quotient of its powers.
+    bool has_met_powers() const { return met_; }
 
     void note(const rational& exponent) {
-        singular_ = singular_ || exponent < 0 || denominator(exponent) != 1;
         const integer whole = lcm(integer(root_), denominator(exponent));
         if (whole > largest_root) {
             throw error(
@@ -76,6 +75,7 @@ private:
             const expression slope = partial(e, distance());
             const auto at_start = [&] { return values_.refusal_of(e) ? number(rational(1)) : values_.value_of(e); };
             if (slope.kind() == node_kind::constant && !slope.is(0) && at_start().sign() == 0) {
+                met_ = true;
                 return {1, slope};
             }
         }
@@ -108,7 +108,7 @@ private:
 
     start_values& values_;
     int root_ = 1;
-    bool singular_ = false;
+    bool met_ = false;
 };
 
 // How far behind coefficient n the newest coefficient is that can be known before y_n is.
@@ -166,7 +166,7 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
         forms.push_back(factors.of(in_distance.back()));
         factors.note(forms.back().exponent);
     }
-    if (!factors.is_singular()) {
+    if (!factors.has_met_powers()) {
         return std::nullopt;
     }
     singular_start result{factors.root(), {}};

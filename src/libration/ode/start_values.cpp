@@ -1,5 +1,7 @@
 #include "start_values.hpp"
 
+#include <algorithm>
+
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -83,6 +85,21 @@ std::optional<std::string> start_values::refusal_of(const expression& e) {
     } catch (const error& problem) {
         return problem.reason();
     }
+}
+
+leaf_value leaves_at_start(const explicit_system& of) {
+    return [&of](const expression& leaf) -> std::optional<number> {
+        if (leaf.kind() == node_kind::variable) {
+            return of.point();
+        }
+        if (leaf.kind() == node_kind::parameter) {
+            return number();  // s
+        }
+        const auto found = std::ranges::find(of.unknowns(), leaf.name(), &unknown_function::name);
+        const auto& of_unknown = of.starts()[static_cast<std::size_t>(found - of.unknowns().begin())];
+        const auto order = static_cast<std::size_t>(leaf.derivative());
+        return order < of_unknown.size() ? std::optional(of_unknown[order]) : std::nullopt;
+    };
 }
 
 }  // namespace libration::ode

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/ode/explicit_system.hpp"
 
 namespace libration::ode {
 
@@ -32,5 +32,8 @@ private:
     leaf_value of_leaf_;
     std::unordered_map<const void*, std::pair<expression, number>> done_;  // the expression keeps its identity
 };
+
+/// The values that the starts of a system give to t, s = 0 and the unknowns; the system has to outlive them.
+leaf_value leaves_at_start(const explicit_system& of);
 
 }  // namespace libration::ode

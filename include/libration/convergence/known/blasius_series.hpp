@@ -2,8 +2,11 @@
 // fractional powers.
 #pragma once
 
+#include <string>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/exact.hpp"
-#include "libration/series/arithmetic.hpp"
 
 namespace libration::convergence {
 
@@ -14,26 +17,19 @@ inline constexpr const char* blasius_curvature =
 inline constexpr const char* blasius_radius =
     "5.690038054522639997479095712414787877240800361151316761657276209931428433581121614660836232099035461";
 
-/// f = sum c_k t^(3k+2), c_0 = f''(0)/2, 2 (3k+2)(3k+1) 3k c_k = -sum_{i<k} (3i+2)(3i+1) c_i c_{k-1-i} [Blasius]; right
-/// to the digits of f''(0), 100. O(N^2).
+/// f of [Blasius], with powers 2, 5, 8, ... alone; right to the digits of f''(0), 100. O(N^2).
 ///
 /// Nearest are three singularities, R e^(+-i pi/3) and -R. Near each f = 6/u + a u^(1+i sqrt 2) + b u^(1-i sqrt 2) +
 /// ... with the distance u: a simple pole with branch points upon it, as p^2 - 2p + 3 = 0 for a power u^p that disturbs
 /// it.
 template <rounding_scalar T>
 series::power_series<T> blasius_series(int order) {
-    auto a = series::power_series<T>::zero(order);
-    series::power_series<T> c(std::vector<T>{T(from_exact<T>(read_exact(blasius_curvature)) / 2)});
-    series::power_series<T> second(std::vector<T>{T(c[0] * 2)});
-    for (int k = 0; 3 * k + 2 <= order; ++k) {
-        const int n = 3 * k + 2;
-        if (k > 0) {
-            c.push_back(-product_coefficient(second, c, k - 1) / 2 / n / (n - 1) / (n - 2));
-            second.push_back(c[k] * n * (n - 1));
-        }
-        a[n] = c[k];
-    }
-    return a;
+    const ode::explicit_system layer(
+        ode::parse("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f''(0) = " + std::string(blasius_curvature)));
+    const ode::tape made = ode::tape::about_start(layer);
+    ode::taylor_expansion<T> expansion(made, order);
+    expansion.about_start();
+    return expansion.series_of(0);
 }
 
 }  // namespace libration::convergence

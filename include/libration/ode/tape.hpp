@@ -1,0 +1,117 @@
+// The right sides of a system as a list of elementary operations, without a scalar in it: what taylor_expansion runs.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+
+namespace libration::ode {
+
+/// What a step of a tape computes, coefficient by coefficient; a and b are its operands.
+enum class operation {
+    constant,                ///< one of the constants of the tape
+    variable,                ///< t = t0 + s; on a singular tape s itself, a power of the series' variable
+    state,                   ///< an unknown or one of its lower derivatives
+    sum,                     ///< a + b
+    difference,              ///< a - b
+    scaled,                  ///< a constant times a, or a numerator / denominator
+    raised,                  ///< a plus a constant
+    by_variable,             ///< t a
+    delayed,                 ///< a times a power of the series' variable, `shift`
+    product,                 ///< a b
+    square,                  ///< a^2
+    quotient,                ///< a / b
+    slope,                   ///< the derivative of a by the series' variable, one degree behind
+    square_root,             ///< sqrt a
+    power,                   ///< a^r, r a constant, b the slope of a
+    exponential,             ///< exp a, b the slope of a; so the next ones
+    logarithm,               ///< log a
+    sine_cosine,             ///< sin a, and cos a in the step behind
+    tangent,                 ///< tan a
+    arctangent,              ///< atan a
+    arcsine,                 ///< asin a
+    hyperbolic_sine_cosine,  ///< sinh a, and cosh a in the step behind
+    hyperbolic_tangent,      ///< tanh a
+    companion                ///< filled by a step before
+};
+
+/// One operation; operands are indices of steps.
+struct tape_step {
+    operation kind = operation::constant;
+    int left = -1;
+    int right = -1;
+    int constant = -1;  ///< index of a constant
+    int numerator = 1;  ///< of scaled without a constant
+    int denominator = 1;
+    int shift = 0;
+    /// At step n of the recurrence coefficient n - lag is computed.
+    int lag = 0;
+    /// Whether that coefficient depends on the newest ones of the unknowns.
+    bool newest = false;
+    /// Coefficients may be non-zero for degrees = residue modulo the stride of the tape alone.
+    int residue = 0;
+    /// The value at the start, where it is known exactly.
+    std::optional<number> centre = {};
+};
+
+/// Where a derivative of an unknown stands on the tape.
+struct tape_state {
+    int unknown = 0;
+    int derivative = 0;
+    int step = 0;
+};
+
+/// The steps in an order in which operands come first; common subexpressions and constants stand once, products of
+/// constants are folded exactly, whole and half powers are products and roots.
+class tape {
+public:
+    /// For expansions about any point where the right sides have values, the start among them if it is not singular.
+    /// Expressions in the variable, the unknowns and their lower derivatives may be watched beside (watched()).
+    static tape about_points(const explicit_system& of, const std::vector<expression>& watched = {});
+    /// For the expansion about the start. A symmetry of the start under t -> t exp(2 pi i/p), seen from its exact zeros,
+    /// leaves out all coefficients but every p-th (stride). On a singular start s^q y^(q) stands for y^(q). Throws error
+    /// where the equation has no power series there or does not determine it.
+    static tape about_start(const explicit_system& of);
+
+    const std::vector<tape_step>& steps() const { return steps_; }
+    const std::vector<number>& constants() const { return constants_; }
+    const std::vector<tape_state>& states() const { return states_; }
+    /// The step of the highest derivative of each unknown.
+    const std::vector<int>& outputs() const { return outputs_; }
+    /// The steps of the watched expressions.
+    const std::vector<int>& watched() const { return watched_; }
+    /// The orders of the unknowns.
+    const std::vector<int>& orders() const { return orders_; }
+    /// Modulo which an unknown has a residue, and that.
+    int stride() const { return stride_; }
+    int residue_of(int unknown) const { return residues_[static_cast<std::size_t>(unknown)]; }
+    /// t0 and the starts of explicit_system.
+    const number& point() const { return point_; }
+    const std::vector<std::vector<number>>& starts() const { return starts_; }
+    /// Whether s^q y^(q) stands for y^(q).
+    bool is_singular() const { return singular_; }
+    /// Series go in powers of s^(1/root).
+    int root() const { return root_; }
+    /// weights()[i][k][l] as in scaled_right_side.
+    const std::vector<std::vector<std::vector<number>>>& weights() const { return weights_; }
+
+private:
+    friend class tape_builder;
+
+    std::vector<tape_step> steps_;
+    std::vector<number> constants_;
+    std::vector<tape_state> states_;
+    std::vector<int> outputs_;
+    std::vector<int> watched_;
+    std::vector<int> orders_;
+    std::vector<int> residues_;
+    int stride_ = 1;
+    number point_;
+    std::vector<std::vector<number>> starts_;
+    bool singular_ = false;
+    int root_ = 1;
+    std::vector<std::vector<std::vector<number>>> weights_;
+};
+
+}  // namespace libration::ode

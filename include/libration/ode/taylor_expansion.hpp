@@ -1,0 +1,422 @@
+// Taylor coefficients of the solution of any system of differential equations, in any field.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/constant_value.hpp"
+#include "libration/ode/tape.hpp"
+#include "libration/series/arithmetic.hpp"
+#include "libration/series/kernel.hpp"
+
+namespace libration::ode {
+
+/// The values of unknowns and their lower derivatives at a point: [unknown][derivative].
+template <field R>
+using solution_state = std::vector<std::vector<R>>;
+
+/// The series about one point: coefficient n of each step of the tape from those below, by the kernels of series/, and
+/// y^(j)_{n+1} = y^(j+1)_n/(n + 1). Over fractions exact, on balls an enclosure of each coefficient, else rounded as the
+/// kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a symmetry of the
+/// start (tape::about_start) divides that by its square. The arrays are made once and serve any number of points.
+template <field R>
+class taylor_expansion {
+public:
+    /// Up to the power N >= 0 of each unknown. Throws error for N < 0, and for constants that R does not hold. The tape
+    /// has to outlive this.
+    taylor_expansion(const tape& of, int order);
+
+    /// About the start of the system. A tape made by tape::about_start, or by tape::about_points where that is the same.
+    /// Throws error where R has a function or a value of the start not.
+    void about_start();
+    /// About another point, which may be complex, from the state there. Not for a singular tape.
+    void about(const R& point, const solution_state<R>& state);
+
+    int order() const { return order_; }
+    /// Coefficient n = 0 .. N of (t - t0)^(n/root), all zero before the first call of about.
+    const R* coefficients(int unknown) const { return array(states_[static_cast<std::size_t>(unknown)][0]); }
+    /// Of y^(q), or of s^q y^(q) on a singular tape, as far as they were needed.
+    const R* right_side(int unknown) const { return array(tape_->outputs()[static_cast<std::size_t>(unknown)]); }
+    series::power_series<R> series_of(int unknown) const {
+        const R* const first = coefficients(unknown);
+        return series::power_series<R>(std::vector<R>(first, first + order_ + 1));
+    }
+    /// Of a watched expression, as far as the right sides were needed.
+    const R* watched(int which) const { return array(tape_->watched()[static_cast<std::size_t>(which)]); }
+    /// The polynomials of degree N of the unknowns and of their lower derivatives, by Horner's rule, at a distance from
+    /// the point; not for a singular tape whose root is not 1.
+    solution_state<R> at(const R& distance) const;
+
+private:
+    R* array(int step) { return arrays_.data() + static_cast<std::size_t>(step) * length_; }
+    const R* array(int step) const { return arrays_.data() + static_cast<std::size_t>(step) * length_; }
+    series::progression degrees_of(int step) const {
+        const int residue = tape_->steps()[static_cast<std::size_t>(step)].residue;
+        return {stride_, residue < 0 ? 0 : residue};
+    }
+    bool due(const tape_step& step, int n) const;
+
+    void clear();
+    void run();
+    void run_singular();
+    void set_newest(int unknown, int n, const R& value);
+    R solved(int unknown, int n) const;
+    void step(int index, int n);
+    void linear_step(const tape_step& s, int index, int n);
+    void function_step(const tape_step& s, int index, int n);
+    void set_centre(const tape_step& s, int index);
+    R centre(const tape_step& s, elementary f) const;
+
+    const tape* tape_;
+    int order_;
+    int stride_ = 1;  // of the tape about the start, 1 elsewhere
+    bool exact_ = false;
+    std::size_t length_;
+    std::vector<R> constants_;
+    std::vector<std::vector<std::vector<R>>> weights_;
+    std::vector<std::vector<int>> states_;  // steps of the derivatives of each unknown
+    std::vector<R> arrays_;
+    R point_ = R(0);
+};
+
+template <field R>
+taylor_expansion<R>::taylor_expansion(const tape& of, int order) : tape_(&of), order_(order) {
+    if (order < 0) {
+        throw error(error_kind::argument, "order", std::to_string(order), "of a series is negative");
+    }
+    int highest = 0;
+    for (const int q : of.orders()) {
+        highest = std::max(highest, q);
+        states_.emplace_back(static_cast<std::size_t>(q), -1);
+    }
+    for (const tape_state& each : of.states()) {
+        states_[static_cast<std::size_t>(each.unknown)][static_cast<std::size_t>(each.derivative)] = each.step;
+    }
+    for (const number& each : of.constants()) {
+        constants_.push_back(constant_value<R>::of(each));
+    }
+    for (const auto& right : of.weights()) {
+        auto& rows = weights_.emplace_back();
+        for (const auto& of_unknown : right) {
+            auto& row = rows.emplace_back();
+            for (const number& each : of_unknown) {
+                row.push_back(constant_value<R>::of(each));
+            }
+        }
+    }
+    length_ = static_cast<std::size_t>(order) + static_cast<std::size_t>(highest) + 1;
+    arrays_.assign(of.steps().size() * length_, R(0));
+}
+
+// Leaves nothing of an expansion about another point where a symmetry skips coefficients.
+template <field R>
+void taylor_expansion<R>::clear() {
+    const R zero(0);
+    for (R& each : arrays_) {
+        each = zero;
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::about_start() {
+    clear();
+    stride_ = tape_->stride();
+    exact_ = true;
+    point_ = constant_value<R>::of(tape_->point());
+    if (tape_->is_singular()) {
+        run_singular();
+        return;
+    }
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        for (std::size_t j = 0; j < states_[i].size(); ++j) {
+            array(states_[i][j])[0] = constant_value<R>::of(tape_->starts()[i][j]);
+        }
+    }
+    run();
+}
+
+template <field R>
+void taylor_expansion<R>::about(const R& point, const solution_state<R>& state) {
+    if (stride_ != 1) {
+        clear();
+    }
+    stride_ = 1;
+    exact_ = false;
+    point_ = point;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        for (std::size_t j = 0; j < states_[i].size(); ++j) {
+            array(states_[i][j])[0] = state[i][j];
+        }
+    }
+    run();
+}
+
+template <field R>
+bool taylor_expansion<R>::due(const tape_step& step, int n) const {
+    if (stride_ == 1) {
+        return !exact_ || step.residue >= 0 || step.kind > operation::square_root;
+    }
+    if (step.kind == operation::slope) {
+        --n;  // one degree behind
+    }
+    const bool pair = step.kind > operation::logarithm;  // and functions that keep an even one beside them
+    return (step.residue >= 0 && n % stride_ == step.residue) || (pair && n % stride_ == 0);
+}
+
+template <field R>
+void taylor_expansion<R>::run() {
+    int lowest = static_cast<int>(length_);
+    for (const int q : tape_->orders()) {
+        lowest = std::min(lowest, q);
+    }
+    const int count = static_cast<int>(tape_->steps().size());
+    for (int n = 0; n < order_; ++n) {
+        for (int i = 0; i < count && n + lowest <= order_; ++i) {
+            step(i, n);
+        }
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            const R* above = array(tape_->outputs()[i]);
+            for (std::size_t j = states_[i].size(); j-- > 0;) {
+                R* const here = array(states_[i][j]);
+                if (stride_ == 1 || degrees_of(states_[i][j]).holds(n + 1)) {
+                    here[n + 1] = n == 0 ? above[n] : R(above[n] / (n + 1));
+                }
+                above = here;
+            }
+        }
+    }
+}
+
+// y_n and what it means in the derivatives, whose index n - l root has to exist where it is not 0.
+template <field R>
+void taylor_expansion<R>::set_newest(int unknown, int n, const R& value) {
+    const int root = tape_->root();
+    R derived = value;
+    const auto& of_unknown = states_[static_cast<std::size_t>(unknown)];
+    for (std::size_t l = 0; l < of_unknown.size(); ++l) {
+        const int index = n - static_cast<int>(l) * root;
+        if (of_unknown[l] >= 0 && index >= 0) {
+            array(of_unknown[l])[index] = derived;
+        }
+        derived = R(derived * index);
+        if (root != 1) {
+            derived = R(derived / root);
+        }
+    }
+}
+
+// y_{k,n} from (n/root)(n/root - 1) .. y_n - sum weights (n/root) .. y_n = coefficient n of the right side without y_n.
+template <field R>
+R taylor_expansion<R>::solved(int unknown, int n) const {
+    const auto k = static_cast<std::size_t>(unknown);
+    const int root = tape_->root();
+    R falling(1);
+    R factor(0);
+    for (std::size_t l = 0; l < weights_[k][k].size(); ++l) {
+        factor -= weights_[k][k][l] * falling;
+        falling = R(falling * (n - static_cast<int>(l) * root) / root);
+    }
+    return array(tape_->outputs()[k])[n] / R(falling + factor);
+}
+
+template <field R>
+void taylor_expansion<R>::run_singular() {
+    const int count = static_cast<int>(tape_->steps().size());
+    const int unknowns = static_cast<int>(states_.size());
+    const int root = tape_->root();
+    for (int n = 0; n <= order_; ++n) {
+        std::vector<bool> given;
+        for (int k = 0; k < unknowns; ++k) {
+            const auto& starts = tape_->starts()[static_cast<std::size_t>(k)];
+            const auto j = static_cast<std::size_t>(n / root);
+            given.push_back(n % root == 0 && j < starts.size());
+            R value(0);
+            if (given.back()) {
+                value = constant_value<R>::of(starts[j]);
+                for (int i = 2; i <= static_cast<int>(j); ++i) {
+                    value = R(value / i);
+                }
+            }
+            set_newest(k, n, value);
+        }
+        for (int i = 0; i < count; ++i) {
+            step(i, n);
+        }
+        for (int k = 0; k < unknowns; ++k) {
+            if (!given[static_cast<std::size_t>(k)]) {
+                set_newest(k, n, solved(k, n));
+            }
+        }
+        for (int i = 0; i < count; ++i) {
+            if (tape_->steps()[static_cast<std::size_t>(i)].newest) {
+                step(i, n);
+            }
+        }
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::step(int index, int at) {
+    const tape_step& s = tape_->steps()[static_cast<std::size_t>(index)];
+    const int n = at - s.lag;
+    if (n < 0 || s.kind == operation::state || s.kind == operation::companion || !due(s, n)) {
+        return;
+    }
+    if (s.kind < operation::product) {
+        linear_step(s, index, n);
+    } else {
+        function_step(s, index, n);
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::linear_step(const tape_step& s, int index, int n) {
+    R& result = array(index)[n];
+    const R* const a = s.left < 0 ? nullptr : array(s.left);
+    const R* const b = s.right < 0 ? nullptr : array(s.right);
+    switch (s.kind) {
+        case operation::constant:
+            if (n == 0) {
+                result = constants_[static_cast<std::size_t>(s.constant)];
+            }
+            return;
+        case operation::variable:
+            if (n == (tape_->is_singular() ? tape_->root() : 1)) {
+                result = R(1);
+            } else if (n == 0 && !tape_->is_singular()) {
+                result = point_;
+            }
+            return;
+        case operation::sum: result = R(a[n] + b[n]); return;
+        case operation::difference: result = R(a[n] - b[n]); return;
+        case operation::raised:
+            result = n == 0 ? R(a[n] + constants_[static_cast<std::size_t>(s.constant)]) : a[n];
+            return;
+        case operation::by_variable: result = n == 0 ? R(point_ * a[0]) : R(point_ * a[n] + a[n - 1]); return;
+        case operation::delayed: result = n < s.shift ? R(0) : a[n - s.shift]; return;
+        default: break;  // scaled
+    }
+    if (s.constant >= 0) {
+        result = R(a[n] * constants_[static_cast<std::size_t>(s.constant)]);
+        return;
+    }
+    result = s.numerator == 1 ? a[n] : s.numerator == -1 ? R(-a[n]) : R(a[n] * s.numerator);
+    if (s.denominator != 1) {
+        result = R(result / s.denominator);
+    }
+}
+
+template <field R>
+R taylor_expansion<R>::centre(const tape_step& s, elementary f) const {
+    return exact_ && s.centre ? constant_value<R>::of(*s.centre) : function_value<R>(f, array(s.left)[0]);
+}
+
+// The values that only the functions themselves know.
+template <field R>
+void taylor_expansion<R>::set_centre(const tape_step& s, int index) {
+    const auto second = [&](elementary f) {
+        const tape_step& behind = tape_->steps()[static_cast<std::size_t>(index) + 1];
+        return exact_ && behind.centre ? constant_value<R>::of(*behind.centre) : function_value<R>(f, array(s.left)[0]);
+    };
+    R& value = array(index)[0];
+    switch (s.kind) {
+        case operation::square_root:
+            value = centre(s, elementary::sqrt);
+            array(index + 1)[0] = R(value * 2);
+            return;
+        case operation::power:
+            value = exact_ && s.centre
+                        ? constant_value<R>::of(*s.centre)
+                        : power_value<R>(array(s.left)[0], constants_[static_cast<std::size_t>(s.constant)]);
+            return;
+        case operation::exponential: value = centre(s, elementary::exp); return;
+        case operation::logarithm: value = centre(s, elementary::log); return;
+        case operation::tangent: value = centre(s, elementary::tan); return;
+        case operation::arctangent: value = centre(s, elementary::atan); return;
+        case operation::hyperbolic_tangent: value = centre(s, elementary::tanh); return;
+        case operation::sine_cosine:
+            value = centre(s, elementary::sin);
+            array(index + 1)[0] = second(elementary::cos);
+            return;
+        case operation::hyperbolic_sine_cosine:
+            value = centre(s, elementary::sinh);
+            array(index + 1)[0] = second(elementary::cosh);
+            return;
+        case operation::arcsine: {
+            value = centre(s, elementary::asin);
+            const auto& exact = tape_->steps()[static_cast<std::size_t>(index) + 1].centre;
+            const R& x = array(s.left)[0];
+            array(index + 1)[0] =
+                exact_ && exact ? constant_value<R>::of(*exact) : function_value<R>(elementary::sqrt, R(R(1) - x * x));
+            return;
+        }
+        default: return;
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
+    using namespace series;
+    if (n == 0) {
+        set_centre(s, index);
+    }
+    R* const result = array(index);
+    const R* const a = array(s.left);
+    const R* const b = s.right < 0 ? nullptr : array(s.right);
+    const progression of_a = degrees_of(s.left);
+    const progression of_slope = s.right < 0 ? of_a : degrees_of(s.right);
+    const progression even(stride_, 0);
+    switch (s.kind) {
+        case operation::product: product_kernel(a, b, result, n, of_a); return;
+        case operation::square: square_kernel(a, result, n, of_a); return;
+        case operation::quotient: quotient_kernel(a, b, result, n, even); return;
+        case operation::slope: slope_kernel(a, result, n); return;
+        case operation::square_root: square_root_kernel(a, array(index + 1)[0], result, n, even); return;
+        case operation::power: {
+            const R& r = constants_[static_cast<std::size_t>(s.constant)];
+            power_kernel(a, b, r, array(index + 1), result, n, even);
+            return;
+        }
+        case operation::exponential: exponential_kernel(b, result, n, of_slope); return;
+        case operation::logarithm: logarithm_kernel(a, array(index + 1), result, n, of_slope); return;
+        case operation::sine_cosine: sine_cosine_kernel(b, result, array(index + 1), n, of_slope); return;
+        case operation::tangent: tangent_kernel(b, array(index + 1), result, n, of_a); return;
+        case operation::arctangent:
+            arctangent_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a);
+            return;
+        case operation::arcsine: arcsine_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a); return;
+        case operation::hyperbolic_sine_cosine:
+            hyperbolic_sine_cosine_kernel(b, result, array(index + 1), n, of_slope);
+            return;
+        default: hyperbolic_tangent_kernel(b, array(index + 1), result, n, of_a); return;
+    }
+}
+
+template <field R>
+solution_state<R> taylor_expansion<R>::at(const R& distance) const {
+    solution_state<R> result;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        auto& of_unknown = result.emplace_back();
+        series::power_series<R> y = series_of(static_cast<int>(i));
+        for (std::size_t j = 0; j < states_[i].size(); ++j) {
+            of_unknown.push_back(evaluate_value(y, distance));
+            y = derivative(y);
+        }
+    }
+    return result;
+}
+
+#ifdef LIBRATION_COMPILED
+extern template class taylor_expansion<double>;
+extern template class taylor_expansion<long double>;
+extern template class taylor_expansion<quad>;
+extern template class taylor_expansion<mpfr>;
+extern template class taylor_expansion<rational>;
+extern template class taylor_expansion<complex_number<double>>;
+extern template class taylor_expansion<complex_number<mpfr>>;
+#endif
+
+}  // namespace libration::ode

@@ -1,0 +1,324 @@
+#include "tape_builder.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace libration::ode {
+
+namespace {
+
+constexpr int largest_whole_power = 64;
+
+bool fits_int(const rational& q) {
+    const auto fits = [](const integer& n) { return abs(n) <= std::numeric_limits<int>::max(); };
+    return fits(numerator(q)) && fits(denominator(q));
+}
+
+bool is_minus(const expression& e) { return e.kind() == node_kind::product && e.left().is(-1); }
+
+}  // namespace
+
+tape_builder::tape_builder(const explicit_system& of, start_values* at_start) : system_(of), at_start_(at_start) {
+    result_.point_ = of.point();
+    result_.starts_ = of.starts();
+    for (const unknown_function& each : of.unknowns()) {
+        result_.orders_.push_back(each.order);
+    }
+    result_.residues_.resize(of.unknowns().size());
+    if (at_start != nullptr && of.singular()) {
+        result_.singular_ = true;
+        result_.root_ = of.singular()->root;
+    }
+}
+
+tape tape_builder::build(const std::vector<expression>& watched) {
+    for (const unknown_function& each : system_.unknowns()) {
+        for (int j = 0; j < (result_.singular_ ? 1 : each.order); ++j) {
+            step_of(unknown(each.name, j));
+        }
+    }
+    for (std::size_t i = 0; i < system_.unknowns().size(); ++i) {
+        if (result_.singular_) {
+            const scaled_right_side& right = system_.singular()->right[i];
+            result_.outputs_.push_back(step_of(right.scaled));
+            result_.weights_.push_back(right.weights);
+        } else {
+            result_.outputs_.push_back(step_of(system_.right()[i]));
+        }
+    }
+    for (const expression& each : watched) {
+        result_.watched_.push_back(step_of(each));
+    }
+    return std::move(result_);
+}
+
+int tape_builder::step_of(const expression& e) {
+    const auto [first, last] = done_.equal_range(e.hash());
+    for (auto at = first; at != last; ++at) {
+        if (same_form(at->second.first, e)) {
+            return at->second.second;
+        }
+    }
+    const int step = made(e);
+    done_.emplace(e.hash(), std::pair(e, step));
+    return step;
+}
+
+int tape_builder::made(const expression& e) {
+    switch (e.kind()) {
+        case node_kind::constant: return constant(e.constant());
+        case node_kind::variable:
+        case node_kind::parameter: return shared({.kind = operation::variable});
+        case node_kind::unknown: return state(e);
+        case node_kind::sum: return sum_of(e);
+        case node_kind::product: return product_of(e);
+        case node_kind::quotient: {
+            const int a = step_of(e.left());
+            return quotient(a, step_of(e.right()));
+        }
+        case node_kind::power: return power_of(e);
+        default: return function_of(e);
+    }
+}
+
+int tape_builder::shared(tape_step step) {
+    const bool commutes = step.kind == operation::sum || step.kind == operation::product;
+    if (commutes && step.left > step.right) {
+        std::swap(step.left, step.right);
+    }
+    const std::tuple key(static_cast<int>(step.kind), step.left, step.right, step.constant, step.numerator,
+                         step.denominator, step.shift);
+    const auto found = known_.find(key);
+    if (found != known_.end()) {
+        return found->second;
+    }
+    set_lag(step);
+    result_.steps_.push_back(std::move(step));
+    const int index = static_cast<int>(result_.steps_.size()) - 1;
+    known_.emplace(key, index);
+    return index;
+}
+
+// A step is as far behind as its operands; a delay by p catches p up.
+void tape_builder::set_lag(tape_step& step) const {
+    if (step.kind == operation::state) {
+        return;  // set by state()
+    }
+    for (const int operand : {step.left, step.right}) {
+        if (operand >= 0) {
+            step.lag = std::max(step.lag, result_.steps_[static_cast<std::size_t>(operand)].lag);
+        }
+    }
+    for (const int operand : {step.left, step.right}) {
+        if (operand >= 0) {
+            const tape_step& of = result_.steps_[static_cast<std::size_t>(operand)];
+            step.newest = step.newest || (of.newest && of.lag == step.lag);
+        }
+    }
+    if (step.kind == operation::delayed) {
+        step.newest = step.newest && step.lag >= step.shift;
+        step.lag = std::max(0, step.lag - step.shift);
+    }
+}
+
+int tape_builder::state(const expression& e) {
+    const auto& all = system_.unknowns();
+    const auto found = std::ranges::find(all, e.name(), &unknown_function::name);
+    const int which = static_cast<int>(found - all.begin());
+    tape_step step{.kind = operation::state, .left = which, .right = e.derivative()};
+    step.lag = result_.singular_ ? e.derivative() * result_.root_ : 0;
+    step.newest = result_.singular_;
+    const int index = shared(step);
+    result_.states_.push_back({which, e.derivative(), index});
+    return index;
+}
+
+int tape_builder::constant_index(const number& value) {
+    auto& all = result_.constants_;
+    const auto found = std::ranges::find_if(all, [&](const number& each) { return same_form(each, value); });
+    if (found == all.end()) {
+        all.push_back(value);
+        return static_cast<int>(all.size()) - 1;
+    }
+    return static_cast<int>(found - all.begin());
+}
+
+int tape_builder::constant(const number& value) {
+    return shared({.kind = operation::constant, .constant = constant_index(value)});
+}
+
+int tape_builder::sum_of(const expression& e) {
+    const int a = step_of(e.left());
+    if (e.right().kind() == node_kind::constant) {
+        return shared({.kind = operation::raised, .left = a, .constant = constant_index(e.right().constant())});
+    }
+    if (is_minus(e.right())) {
+        return shared({.kind = operation::difference, .left = a, .right = step_of(e.right().right())});
+    }
+    if (is_minus(e.left())) {
+        const int b = step_of(e.right());
+        return shared({.kind = operation::difference, .left = b, .right = step_of(e.left().right())});
+    }
+    return shared({.kind = operation::sum, .left = a, .right = step_of(e.right())});
+}
+
+int tape_builder::scaled_by(int of, const number& factor) {
+    const auto q = factor.fraction();
+    if (q && fits_int(*q)) {
+        return shared({.kind = operation::scaled,
+                       .left = of,
+                       .numerator = numerator(*q).convert_to<int>(),
+                       .denominator = denominator(*q).convert_to<int>()});
+    }
+    return shared({.kind = operation::scaled, .left = of, .constant = constant_index(factor)});
+}
+
+int tape_builder::product(int a, int b) {
+    const auto is_variable = [&](int step) {
+        return result_.steps_[static_cast<std::size_t>(step)].kind == operation::variable;
+    };
+    if (is_variable(a) || is_variable(b)) {
+        const int other = is_variable(a) ? b : a;
+        return result_.singular_ ? delayed_by(other, 1) : shared({.kind = operation::by_variable, .left = other});
+    }
+    return a == b ? shared({.kind = operation::square, .left = a})
+                  : shared({.kind = operation::product, .left = a, .right = b});
+}
+
+int tape_builder::quotient(int a, int b) { return shared({.kind = operation::quotient, .left = a, .right = b}); }
+
+int tape_builder::delayed_by(int of, const rational& exponent) {
+    const rational shift = exponent * result_.root_;
+    return shared({.kind = operation::delayed, .left = of, .shift = numerator(shift).convert_to<int>()});
+}
+
+int tape_builder::product_of(const expression& e) {
+    const expression& factor = e.left();
+    if (factor.kind() == node_kind::constant) {
+        return scaled_by(step_of(e.right()), factor.constant());
+    }
+    if (result_.singular_ && factor.kind() == node_kind::power && factor.left().kind() == node_kind::parameter) {
+        return delayed_by(step_of(e.right()), *factor.right().fraction());
+    }
+    const int a = step_of(factor);
+    return product(a, step_of(e.right()));
+}
+
+int tape_builder::whole_power(int base, const integer& n) {
+    if (n == 1) {
+        return base;
+    }
+    const int half = whole_power(base, n / 2);
+    const int even = product(half, half);
+    return n % 2 == 0 ? even : product(even, base);
+}
+
+int tape_builder::power_of(const expression& e) {
+    if (result_.singular_ && e.left().kind() == node_kind::parameter) {
+        return delayed_by(constant(number(rational(1))), *e.right().fraction());
+    }
+    const int base = step_of(e.left());
+    const auto exponent = e.right().constant().fraction();
+    const rational twice = exponent ? rational(abs(*exponent) * 2) : rational(0);
+    if (exponent && denominator(twice) == 1 && twice <= 2 * largest_whole_power) {
+        const bool half = numerator(twice) % 2 != 0;
+        const int from = half ? root_of(base, e.left()) : base;
+        const int power = whole_power(from, half ? numerator(twice) : integer(numerator(twice) / 2));
+        return *exponent > 0 ? power : quotient(constant(number(rational(1))), power);
+    }
+    const int slope = slope_of(base);
+    tape_step step{.kind = operation::power, .left = base, .right = slope};
+    step.constant = constant_index(e.right().constant());
+    if (at_start_ != nullptr && at_start_->value_of(e.left()).plain()) {
+        step.centre = at_start_->value_of(e);
+    }
+    const auto before = result_.steps_.size();
+    const int index = shared(step);
+    if (result_.steps_.size() > before) {
+        companions(index, 1);
+    }
+    return index;
+}
+
+std::optional<number> tape_builder::centre_of(elementary f, const expression& argument) {
+    if (at_start_ == nullptr || !at_start_->value_of(argument).plain()) {
+        return std::nullopt;
+    }
+    return apply(f, at_start_->value_of(argument));
+}
+
+int tape_builder::root_of(int a, const expression& argument) {
+    tape_step step{.kind = operation::square_root, .left = a};
+    step.centre = centre_of(elementary::sqrt, argument);
+    const auto before = result_.steps_.size();
+    const int index = shared(step);
+    if (result_.steps_.size() > before) {
+        companions(index, 1);  // twice the root of the centre
+    }
+    return index;
+}
+
+int tape_builder::slope_of(int a) { return shared({.kind = operation::slope, .left = a}); }
+
+// Arrays behind a new step which it fills with its own.
+int tape_builder::companions(int of, int count) {
+    for (int i = 0; i < count; ++i) {
+        tape_step step = result_.steps_[static_cast<std::size_t>(of)];
+        step.kind = operation::companion;
+        step.centre.reset();
+        result_.steps_.push_back(step);
+    }
+    return of;
+}
+
+int tape_builder::pair_of(operation kind, const expression& e, int argument, bool second) {
+    const bool circular = kind == operation::sine_cosine;
+    tape_step step{.kind = kind, .left = argument, .right = slope_of(argument)};
+    step.centre = centre_of(circular ? elementary::sin : elementary::sinh, e.left());
+    const auto before = result_.steps_.size();
+    const int index = shared(step);
+    if (result_.steps_.size() > before) {
+        companions(index, 1);
+        result_.steps_.back().centre = centre_of(circular ? elementary::cos : elementary::cosh, e.left());
+    }
+    return second ? index + 1 : index;
+}
+
+int tape_builder::function_of(const expression& e) {
+    const int a = step_of(e.left());
+    const auto with = [&](operation kind, int arrays) {
+        tape_step step{.kind = kind, .left = a, .right = slope_of(a)};
+        step.centre = centre_of(kind == operation::arcsine ? elementary::asin : e.function(), e.left());
+        const auto before = result_.steps_.size();
+        const int index = shared(step);
+        if (result_.steps_.size() > before) {
+            companions(index, arrays);
+            if (kind == operation::arcsine && step.centre) {
+                const number x = at_start_->value_of(e.left());
+                result_.steps_[before + 1].centre = apply(elementary::sqrt, number(rational(1)) - x * x);
+            }
+        }
+        return index;
+    };
+    switch (e.function()) {
+        case elementary::sqrt: return root_of(a, e.left());
+        case elementary::exp: return with(operation::exponential, 0);
+        case elementary::log: return with(operation::logarithm, 1);
+        case elementary::sin: return pair_of(operation::sine_cosine, e, a, false);
+        case elementary::cos: return pair_of(operation::sine_cosine, e, a, true);
+        case elementary::sinh: return pair_of(operation::hyperbolic_sine_cosine, e, a, false);
+        case elementary::cosh: return pair_of(operation::hyperbolic_sine_cosine, e, a, true);
+        case elementary::tan: return with(operation::tangent, 1);
+        case elementary::tanh: return with(operation::hyperbolic_tangent, 1);
+        case elementary::atan: return with(operation::arctangent, 2);
+        case elementary::asin: return with(operation::arcsine, 2);
+        default: {  // acos x = pi/2 - asin x
+            const int negative = scaled_by(with(operation::arcsine, 2), number(rational(-1)));
+            return shared({.kind = operation::raised,
+                           .left = negative,
+                           .constant = constant_index(number(rational(1, 2), unit::pi))});
+        }
+    }
+}
+
+}  // namespace libration::ode

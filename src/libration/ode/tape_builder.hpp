@@ -1,0 +1,72 @@
+// From expressions to the steps of a tape.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/tape.hpp"
+#include "start_values.hpp"
+
+namespace libration::ode {
+
+class tape_builder {
+public:
+    /// About any point where `at_start` is null.
+    tape_builder(const explicit_system& of, start_values* at_start);
+
+    /// The finished tape: the right sides, or the scaled ones of a singular start, and what is watched beside.
+    tape build(const std::vector<expression>& watched);
+
+private:
+    int step_of(const expression& e);
+    int made(const expression& e);
+    int sum_of(const expression& e);
+    int product_of(const expression& e);
+    int power_of(const expression& e);
+    int whole_power(int base, const integer& n);
+    int function_of(const expression& e);
+    int pair_of(operation kind, const expression& e, int argument, bool second);
+    int delayed_by(int of, const rational& exponent);
+    int scaled_by(int of, const number& factor);
+    int product(int a, int b);
+    int quotient(int a, int b);
+    int root_of(int a, const expression& argument);
+    int slope_of(int a);
+    int constant(const number& value);
+    int constant_index(const number& value);
+    int state(const expression& e);
+    int companions(int of, int count);
+    /// The step like this one, a new one where there is none.
+    int shared(tape_step step);
+    void set_lag(tape_step& step) const;
+    std::optional<number> centre_of(elementary f, const expression& argument);
+
+    const explicit_system& system_;
+    start_values* at_start_;
+    tape result_;
+    std::unordered_multimap<std::size_t, std::pair<expression, int>> done_;
+    std::map<std::tuple<int, int, int, int, int, int, int>, int> known_;
+};
+
+/// Finds the largest stride in which the coefficients about a start stand, and sets the residues.
+class tape_symmetry {
+public:
+    tape_symmetry(const tape& of) : tape_(of) {}
+
+    /// The residues of the steps and of the unknowns modulo the stride; nothing where they do not agree.
+    bool holds(int stride);
+    const std::vector<int>& steps() const { return steps_; }
+    const std::vector<int>& unknowns() const { return unknowns_; }
+
+private:
+    int residue_of(const tape_step& step, int stride) const;
+
+    const tape& tape_;
+    std::vector<int> steps_, unknowns_;
+};
+
+}  // namespace libration::ode

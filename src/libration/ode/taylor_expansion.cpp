@@ -1,0 +1,13 @@
+#include "libration/ode/taylor_expansion.hpp"
+
+namespace libration::ode {
+
+template class taylor_expansion<double>;
+template class taylor_expansion<long double>;
+template class taylor_expansion<quad>;
+template class taylor_expansion<mpfr>;
+template class taylor_expansion<rational>;
+template class taylor_expansion<complex_number<double>>;
+template class taylor_expansion<complex_number<mpfr>>;
+
+}  // namespace libration::ode
