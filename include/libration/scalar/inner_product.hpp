@@ -16,11 +16,11 @@ void add_product(R& sum, const R& a, const R& b) {
 }
 
 /// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end, in double over neighbours by
-/// sum_in_lanes (long double and quad have no vectors). O(count).
+/// sum_in_lanes (long double and quad have no vectors). 0 for a count of 0, where arrays may have no address. O(count).
 template <ring R>
 R inner_product(const R* x, int x_step, const R* y, int y_step, int count) {
     if constexpr (requires { scalar_traits<R>::sum_of_products(x, x_step, y, y_step, count); }) {
-        return scalar_traits<R>::sum_of_products(x, x_step, y, y_step, count);
+        return count == 0 ? R(0) : scalar_traits<R>::sum_of_products(x, x_step, y, y_step, count);
     } else {
         R sum(0);
         for (int i = 0; i < count; ++i) {
