@@ -286,8 +286,7 @@ TEST_CASE("in balls each coefficient holds the exact one", "[ode][taylor_expansi
 TEST_CASE("expansions about other points continue the solution, complex ones too", "[ode][taylor_expansion]") {
     const precision_scope scope(60);
     using complex = complex_number<mpfr>;
-    // y = tan t, z = 1/(1 + t): to 1/2 + i/3 and on to 1/4 - i/5, within four decimal orders of the precision: 150 powers
-    // of steps of at most 0.7 R.
+    // y = tan t, z = 1/(1 + t): to 1/2 + i/3 and on to 1/4 - i/5, within four decimal orders of the precision.
     const explicit_system system(parse("y' = 1 + y^2; z' = -z^2 + 0*t; y(0) = 0; z(0) = 1"));
     const tape about_start = tape::about_start(system);
     const tape about_points = tape::about_points(system, {unknown("z") * (1 + variable()), variable()});

@@ -1,4 +1,4 @@
-// Differential equations as text and in C++, their Taylor series in any scalar, and the numerical march of the pendulum.
+// Differential equations as text and in C++, their Taylor series in any scalar, and numerical solutions.
 #pragma once
 
 #include "libration/ode/equation_system.hpp"
@@ -8,5 +8,7 @@
 #include "libration/ode/numerical_solution.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/runge_kutta.hpp"
+#include "libration/ode/step.hpp"
 #include "libration/ode/tape.hpp"
 #include "libration/ode/taylor_expansion.hpp"
+#include "libration/ode/trajectory.hpp"

@@ -20,8 +20,8 @@ namespace libration::ode {
 /// variable and the names of functions; for unknowns also n, time, digits, rigour, other columns of tables. Numbers are
 /// exact: 2E-3 is 0.002. Operators + - * / ^ (also **): * and / from left to right; ^ binds tighter than a sign and to
 /// the right, and its exponent is constant; primes bind to their name. Functions exp log sqrt sin cos tan asin acos
-/// atan sinh cosh tanh. In values (of starts and parameters) a number may stand directly before pi and deg. Throws error
-/// with the line, the column and the remedy.
+/// atan sinh cosh tanh. In values (of starts and parameters) a number may stand directly before pi and deg.
+/// Throws error with the line, the column and the remedy.
 equation_system parse(std::string_view text);
 
 /// The system with one parameter or start changed, as `k = 1/3` or `f''(0) = 0.332`. Throws error as parse(), and for

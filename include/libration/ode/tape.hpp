@@ -69,9 +69,9 @@ public:
     /// For expansions about any point where the right sides have values, the start among them if it is not singular.
     /// Expressions in the variable, the unknowns and their lower derivatives may be watched beside (watched()).
     static tape about_points(const explicit_system& of, const std::vector<expression>& watched = {});
-    /// For the expansion about the start. A symmetry of the start under t -> t exp(2 pi i/p), seen from its exact zeros,
-    /// leaves out all coefficients but every p-th (stride). On a singular start s^q y^(q) stands for y^(q). Throws error
-    /// where the equation has no power series there or does not determine it.
+    /// For the expansion about the start. A symmetry of the start under t -> t exp(2 pi i/p), seen from its exact
+    /// zeros, leaves out all coefficients but every p-th (stride). On a singular start s^q y^(q) stands for y^(q).
+    /// Throws error where the equation has no power series there or does not determine it.
     static tape about_start(const explicit_system& of);
 
     const std::vector<tape_step>& steps() const { return steps_; }

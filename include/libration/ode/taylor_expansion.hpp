@@ -19,9 +19,9 @@ template <field R>
 using solution_state = std::vector<std::vector<R>>;
 
 /// The series about one point: coefficient n of each step of the tape from those below, by the kernels of series/, and
-/// y^(j)_{n+1} = y^(j+1)_n/(n + 1). Over fractions exact, on balls an enclosure of each coefficient, else rounded as the
-/// kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a symmetry of the
-/// start (tape::about_start) divides that by its square. The arrays are made once and serve any number of points.
+/// y^(j)_{n+1} = y^(j+1)_n/(n + 1). Over fractions exact, on balls an enclosure of each coefficient, else rounded as
+/// the kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a symmetry of
+/// the start (tape::about_start) divides that by its square. The arrays are made once and serve any number of points.
 template <field R>
 class taylor_expansion {
 public:
@@ -29,8 +29,8 @@ public:
     /// has to outlive this.
     taylor_expansion(const tape& of, int order);
 
-    /// About the start of the system. A tape made by tape::about_start, or by tape::about_points where that is the same.
-    /// Throws error where R has a function or a value of the start not.
+    /// About the start of the system. A tape made by tape::about_start, or by tape::about_points where that is the
+    /// same. Throws error where R has a function or a value of the start not.
     void about_start();
     /// About another point, which may be complex, from the state there. Not for a singular tape.
     void about(const R& point, const solution_state<R>& state);
@@ -40,6 +40,10 @@ public:
     const R* coefficients(int unknown) const { return array(states_[static_cast<std::size_t>(unknown)][0]); }
     /// Of y^(q), or of s^q y^(q) on a singular tape, as far as they were needed.
     const R* right_side(int unknown) const { return array(tape_->outputs()[static_cast<std::size_t>(unknown)]); }
+    /// Of the derivative of an unknown below its order; not for a singular tape.
+    const R* coefficients(int unknown, int derivative) const {
+        return array(states_[static_cast<std::size_t>(unknown)][static_cast<std::size_t>(derivative)]);
+    }
     series::power_series<R> series_of(int unknown) const {
         const R* const first = coefficients(unknown);
         return series::power_series<R>(std::vector<R>(first, first + order_ + 1));
@@ -47,7 +51,7 @@ public:
     /// Of a watched expression, as far as the right sides were needed.
     const R* watched(int which) const { return array(tape_->watched()[static_cast<std::size_t>(which)]); }
     /// The polynomials of degree N of the unknowns and of their lower derivatives, by Horner's rule, at a distance from
-    /// the point; not for a singular tape whose root is not 1.
+    /// the point; where the root is not 1, not at 0, and by the principal value of the root.
     solution_state<R> at(const R& distance) const;
 
 private:
@@ -397,13 +401,23 @@ void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
 
 template <field R>
 solution_state<R> taylor_expansion<R>::at(const R& distance) const {
+    const int root = tape_->root();
+    const R base = root == 1 ? distance : power_value<R>(distance, R(R(1) / root));
     solution_state<R> result;
     for (std::size_t i = 0; i < states_.size(); ++i) {
         auto& of_unknown = result.emplace_back();
         series::power_series<R> y = series_of(static_cast<int>(i));
+        R scale(1);
         for (std::size_t j = 0; j < states_[i].size(); ++j) {
-            of_unknown.push_back(evaluate_value(y, distance));
-            y = derivative(y);
+            of_unknown.push_back(R(evaluate_value(y, base) * scale));
+            if (root == 1) {
+                y = series::derivative(y);
+                continue;
+            }
+            for (int n = 0; n <= order_; ++n) {  // (n/root - j) s^(n/root - j - 1)
+                y[n] = R(y[n] * (n - static_cast<int>(j) * root) / root);
+            }
+            scale /= distance;
         }
     }
     return result;

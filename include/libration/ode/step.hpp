@@ -1,0 +1,165 @@
+// The solution of any system from its start to any time, by Taylor series in steps of adaptive length.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/taylor_expansion.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration::ode {
+
+/// The order ln(1/epsilon)/2 that costs least with steps of R/e^2, rounded up, and two more [JorbaZou2005].
+constexpr int taylor_order(int bits) { return static_cast<int>((34658L * bits) / 100'000) + 3; }
+
+/// mantissa 2^exponent.
+struct step_length {
+    int mantissa = 0;
+    long exponent = 0;
+};
+
+/// |c_n| as a binary exponent, or exponent_of_zero.
+struct coefficient_size {
+    int degree = 0;
+    long exponent = 0;
+};
+
+/// The least of (size / |c_n|)^(1/n) / e^2 over the last coefficients: R/e^2, at which they fall below epsilon times
+/// the size of the solution, within a factor of 2^(2/n); mantissa 0 where they all are 0. The same for every scalar.
+step_length taylor_step(long size, const std::vector<coefficient_size>& last);
+
+/// A march through real time in the arithmetic of T. Errors: some epsilon of the largest component a step, grown by the
+/// flow; nothing is proved. A step ends where the next expansion begins; between, the polynomial is the solution (dense
+/// output), so that the times asked for do not change it.
+template <rounding_scalar T>
+class taylor_march {
+public:
+    static constexpr long most_steps = 10'000'000;
+
+    /// Throws error where the start has no series (tape::about_start).
+    explicit taylor_march(const explicit_system& system)
+        : start_(tape::about_start(system)),
+          points_(tape::about_points(system)),
+          first_(start_, taylor_order(digits<T>())),
+          other_(points_, taylor_order(digits<T>())),
+          origin_(constant_value<T>::of(system.point())) {
+        first_.about_start();
+        restart();
+    }
+
+    /// The unknowns and their lower derivatives at time t, forwards or backwards. Throws error where the steps become
+    /// too small before: there is a singularity near.
+    const solution_state<T>& advance_to(const T& t) {
+        const int forward = t < origin_ ? -1 : 1;
+        if (way_ != 0 && (forward != way_ || T((t - centre_) * way_) < 0)) {
+            restart();  // before the centre, or on the other side of the start
+        }
+        for (long steps = 0; !reaches(t); ++steps) {
+            way_ = forward;
+            require_step(t, steps);
+            move(T(centre_ + length_ * forward));
+        }
+        state_ = at_start_ && t == origin_ ? start_state() : current().at(T(t - centre_));
+        return state_;
+    }
+
+    /// Steps that have begun so far.
+    long steps() const { return steps_; }
+    /// The length of the current one; 0 where the series is a polynomial and holds everywhere.
+    const T& length() const { return length_; }
+
+private:
+    const taylor_expansion<T>& current() const { return at_start_ ? first_ : other_; }
+
+    void restart() {
+        at_start_ = true;
+        way_ = 0;
+        centre_ = origin_;
+        measure(start_.root());
+    }
+
+    bool reaches(const T& t) const {
+        using std::abs;
+        return unlimited_ || T(abs(T(t - centre_))) <= length_;
+    }
+
+    void move(const T& to) {
+        const solution_state<T> there = current().at(T(to - centre_));
+        at_start_ = false;
+        centre_ = to;
+        other_.about(to, there);
+        measure(1);
+        ++steps_;
+    }
+
+    // The length of the step from the last coefficients, of which a symmetry may have left out some.
+    void measure(int root) {
+        const tape& of = at_start_ ? start_ : points_;
+        const int order = current().order();
+        const int window = at_start_ ? std::max(2, of.stride()) : 2;
+        std::vector<coefficient_size> last;
+        for (int n = order - window + 1; n <= order; ++n) {
+            last.push_back({n, size_of(n)});
+        }
+        const step_length h = taylor_step(std::max(1L, size_of(0)), last);
+        using std::ldexp;
+        unlimited_ = h.mantissa == 0;
+        length_ = unlimited_ ? T(0) : T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
+        for (int i = 1; i < root; ++i) {
+            length_ *= T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
+        }
+    }
+
+    // The binary exponent of the largest coefficient of degree n.
+    long size_of(int n) const {
+        long largest = exponent_of_zero;
+        const tape& of = at_start_ ? start_ : points_;
+        for (int i = 0; i < static_cast<int>(of.orders().size()); ++i) {
+            const int count = of.is_singular() ? 1 : of.orders()[static_cast<std::size_t>(i)];
+            for (int j = 0; j < count; ++j) {
+                largest = std::max(largest, binary_exponent(current().coefficients(i, j)[n]));
+            }
+        }
+        return largest;
+    }
+
+    void require_step(const T& t, long steps) const {
+        using std::abs;
+        if (steps >= most_steps || T(centre_ + length_ / 64) == centre_ || !(length_ > 0)) {
+            throw error(error_kind::argument, "time", to_decimal(t, 10),
+                        "is not reached: the steps become too small near " + to_decimal(centre_, 10) +
+                            ", where a singularity is close");
+        }
+    }
+
+    solution_state<T> start_state() const {
+        solution_state<T> result;
+        for (const auto& of_unknown : start_.starts()) {
+            auto& values = result.emplace_back();
+            for (const number& each : of_unknown) {
+                values.push_back(constant_value<T>::of(each));
+            }
+        }
+        return result;
+    }
+
+    tape start_, points_;
+    taylor_expansion<T> first_, other_;
+    T origin_;
+    T centre_ = T(0);
+    T length_ = T(0);
+    bool unlimited_ = false;
+    bool at_start_ = true;
+    int way_ = 0;
+    long steps_ = 1;
+    solution_state<T> state_;
+};
+
+#ifdef LIBRATION_COMPILED
+extern template class taylor_march<double>;
+extern template class taylor_march<mpfr>;
+#endif
+
+}  // namespace libration::ode

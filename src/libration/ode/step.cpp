@@ -1,0 +1,30 @@
+#include "libration/ode/step.hpp"
+
+#include <cmath>
+
+namespace libration::ode {
+
+step_length taylor_step(long size, const std::vector<coefficient_size>& last) {
+    constexpr int bits = 10;
+    bool found = false;
+    double least = 0;
+    for (const coefficient_size& each : last) {
+        if (each.exponent == exponent_of_zero || each.degree == 0) {
+            continue;
+        }
+        const double here = static_cast<double>(size - each.exponent) / each.degree;
+        least = found ? std::min(least, here) : here;
+        found = true;
+    }
+    if (!found) {
+        return {};
+    }
+    const double exponent = least - 2 * std::log2(std::exp(1.0));
+    const double whole = std::floor(exponent);
+    return {static_cast<int>(std::exp2(exponent - whole + bits)), static_cast<long>(whole) - bits};
+}
+
+template class taylor_march<double>;
+template class taylor_march<mpfr>;
+
+}  // namespace libration::ode

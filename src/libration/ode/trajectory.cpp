@@ -1,0 +1,84 @@
+#include "libration/ode/trajectory.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "libration/digits/agreed_values.hpp"
+#include "libration/ode/step.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// One march forwards through the times from the start on, one backwards, all values in the order of the times.
+std::vector<mpfr> marched_values(const explicit_system& system, const std::vector<number>& times) {
+    std::vector<mpfr> at;
+    for (const number& each : times) {
+        at.push_back(constant_value<mpfr>::of(each));
+    }
+    const mpfr origin = constant_value<mpfr>::of(system.point());
+    std::vector<std::size_t> order(times.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+        const bool after_a = at[a] >= origin;
+        const bool after_b = at[b] >= origin;
+        return after_a != after_b ? after_a : after_a ? at[a] < at[b] : at[a] > at[b];
+    });
+    std::vector<std::vector<mpfr>> rows(times.size());
+    taylor_march<mpfr> march(system);
+    for (const std::size_t i : order) {
+        for (const auto& of_unknown : march.advance_to(at[i])) {
+            rows[i].insert(rows[i].end(), of_unknown.begin(), of_unknown.end());
+        }
+    }
+    std::vector<mpfr> all;
+    for (const auto& row : rows) {
+        all.insert(all.end(), row.begin(), row.end());
+    }
+    return all;
+}
+
+bool is_exactly_zero(const number& x) {
+    const auto plain = x.plain();
+    return plain && plain->coefficient == 0;
+}
+
+// At the start itself zeros are exact.
+std::vector<bool> zeros_of(const explicit_system& system, const std::vector<number>& times) {
+    std::vector<bool> zeros;
+    for (const number& time : times) {
+        const bool at_start = is_exactly_zero(time - system.point());
+        for (const auto& of_unknown : system.starts()) {
+            for (const number& value : of_unknown) {
+                zeros.push_back(at_start && is_exactly_zero(value));
+            }
+        }
+    }
+    return zeros;
+}
+
+}  // namespace
+
+std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
+                                             long digits) {
+    const auto values = agreed_values(
+        digits,
+        [&](long guard) {
+            const precision_scope scope(digits + guard);
+            return marched_values(system, times);
+        },
+        [&] { return zeros_of(system, times); });
+    std::vector<solution_state<mpfr>> result;
+    auto next = values.begin();
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        auto& state = result.emplace_back();
+        for (const unknown_function& each : system.unknowns()) {
+            state.emplace_back(next, next + each.order);
+            next += each.order;
+        }
+    }
+    return result;
+}
+
+}  // namespace libration::ode

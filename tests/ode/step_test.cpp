@@ -1,0 +1,99 @@
+// Marches through time: closed forms, ways back, dense output, and digits that two runs agree on.
+#include "libration/ode/step.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/trajectory.hpp"
+#include "libration/scalar/error.hpp"
+#include "scalars.hpp"
+
+namespace ode_step_test {
+
+using namespace libration;
+using namespace libration::ode;
+using namespace libration::tests;
+
+namespace {
+
+explicit_system solved(const std::string& text) { return explicit_system(parse(text)); }
+
+const std::string swinging = "x'' = -sin(x); x(0) = 5/2; x'(0) = -3/10";
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("a march reaches closed forms forwards and backwards", "[ode][step]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    using std::exp;
+    using std::sin;
+    using std::sqrt;
+    // y = 1/(1 + e^-t), a shift of it and e^(sin t): a step has some epsilon, some ten steps.
+    taylor_march<T> logistic(solved("y' = y*(1 - y); y(0) = 1/2"));
+    for (const int time : {3, 7, -5, 0, 1}) {
+        CHECK_THAT(logistic.advance_to(T(time))[0][0], near<T>(T(1 / (1 + exp(T(-time)))), 100));
+    }
+    taylor_march<T> driven(solved("y' = y*cos(t); y(0) = 1"));
+    CHECK_THAT(driven.advance_to(T(10))[0][0], near<T>(T(exp(sin(T(10)))), 200));
+    // A polynomial, whose step has no end; and the first step of a series in sqrt(t): y = e^(2 sqrt t).
+    taylor_march<T> polynomial(solved("y'' = 6*t; y(0) = 1; y'(0) = 0"));
+    CHECK(polynomial.advance_to(T(100))[0][0] == 1'000'001);
+    taylor_march<T> root(solved("sqrt(t)*y' = y; y(0) = 1"));
+    CHECK_THAT(root.advance_to(T(T(1) / 16))[0][0], near<T>(T(exp(T(T(1) / 2))), 50));
+    CHECK_THAT(root.advance_to(T(9))[0][0], near<T>(T(exp(T(6))), 200));
+}
+
+TEST_CASE("a march does not depend on the times that are asked for", "[ode][step]") {
+    const auto system = solved(swinging);
+    taylor_march<double> once(system);
+    const double at_ten = once.advance_to(10)[0][0];
+    taylor_march<double> often(system);
+    for (int i = 1; i < 1000; ++i) {
+        often.advance_to(i / 100.0);
+    }
+    CHECK(often.advance_to(10)[0][0] == at_ten);
+    CHECK(often.steps() == once.steps());
+    const double back = often.advance_to(2.5)[0][0];
+    taylor_march<double> fresh(system);
+    CHECK(fresh.advance_to(2.5)[0][0] == back);
+    CHECK(fresh.advance_to(0)[0][0] == 2.5);
+}
+
+TEST_CASE("steps that end before a singularity say where", "[ode][step]") {
+    taylor_march<double> tangent(solved("y' = 1 + y^2; y(0) = 0"));
+    CHECK(tangent.advance_to(1.5)[0][0] == Approx(std::tan(1.5)));
+    CHECK_THROWS_WITH(
+        tangent.advance_to(2),
+        "time '2.000000000' is not reached: the steps become too small near 1.570796327, where a singularity is "
+        "close");
+}
+
+TEST_CASE("the length of a step is the least of the last roots over e^2", "[ode][step]") {
+    // Coefficients 2^-n: R = 2, R/e^2 = 0.2706...
+    const auto h = taylor_step(0, {{19, -19}, {20, -20}});
+    CHECK(std::ldexp(h.mantissa, static_cast<int>(h.exponent)) == Approx(2 / std::exp(2.0)).epsilon(1e-3));
+    CHECK(taylor_step(0, {{19, exponent_of_zero}, {20, exponent_of_zero}}).mantissa == 0);
+    CHECK(taylor_step(0, {{19, exponent_of_zero}, {20, -20}}).mantissa == h.mantissa);
+    CHECK(taylor_order(53) == 21);
+}
+
+TEST_CASE("trajectories have the digits that were asked for", "[ode][trajectory]") {
+    const precision_scope scope(60);
+    // Lorenz' system loses four digits up to t = 10.
+    const auto lorenz = solved("x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z; x(0) = 1; y(0) = 0; z(0) = 0");
+    const auto ten = number(rational(10));
+    const auto few = trajectory(lorenz, {ten, number(), number(rational(1))}, 20);
+    const auto many = trajectory(lorenz, {ten, number(), number(rational(1))}, 40);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const mpfr error = abs(mpfr(few[i][k][0] - many[i][k][0]));
+            CHECK(error <= abs(many[i][k][0]) * pow(mpfr(10), -20));
+        }
+    }
+    CHECK(few[1][0][0] == 1);
+    CHECK(few[1][1][0] == 0);
+}
+
+}  // namespace ode_step_test
