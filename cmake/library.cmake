@@ -41,7 +41,19 @@ set(proved_sources ${library_sources})
 list(FILTER proved_sources INCLUDE REGEX "/(ball|proved)/")
 list(FILTER library_sources EXCLUDE REGEX "/(ball|proved)/")
 
-add_library(libration STATIC ${library_sources})
+# The catalogue: the texts of problems/, embedded.
+file(GLOB problem_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/problems/*.ode)
+list(SORT problem_files)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${problem_files})
+set(catalogue_entries "")
+foreach(file IN LISTS problem_files)
+    cmake_path(GET file STEM name)
+    file(READ ${file} text)
+    string(APPEND catalogue_entries "        {\"${name}\", R\"ode(${text})ode\"},\n")
+endforeach()
+configure_file(cmake/catalogue.cpp.in ${PROJECT_BINARY_DIR}/generated/catalogue.cpp @ONLY)
+
+add_library(libration STATIC ${library_sources} ${PROJECT_BINARY_DIR}/generated/catalogue.cpp)
 add_library(libration::libration ALIAS libration)
 # The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)

@@ -1,0 +1,25 @@
+// The catalogue: problems as text (ode/parse.hpp), each with its sources and defaults, embedded in the library.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace libration {
+
+/// problems/NAME.ode.
+struct catalogue_entry {
+    std::string_view name;
+    std::string_view text;
+};
+
+/// All of them, by name.
+const std::vector<catalogue_entry>& catalogue();
+
+/// The text of a problem. Throws error for a name that is not in the catalogue.
+std::string_view problem_text(std::string_view name);
+
+/// What a problem is, in a line: its first comment.
+std::string title_of(const catalogue_entry& entry);
+
+}  // namespace libration
