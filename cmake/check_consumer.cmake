@@ -1,5 +1,5 @@
 # cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README= | -D PROGRAM= -D SCALARS=]
-#     [-D WITHOUT_FLINT=ON] -P check_consumer.cmake
+#     [-D WITHOUT_FLINT=ON] [-D FLAGS=] -P check_consumer.cmake
 # Configures, builds and runs the project that finds libration in PREFIX, as on a machine without FLINT where told so.
 # With README its program is the file's first ```cpp block, and it has to print exactly the ```text block that comes
 # next.
@@ -39,6 +39,9 @@ foreach(name IN ITEMS PROGRAM SCALARS)
 endforeach()
 if(WITHOUT_FLINT)
     list(APPEND arguments -D CMAKE_DISABLE_FIND_PACKAGE_FLINT=ON)
+endif()
+if(FLAGS)
+    list(APPEND arguments -D CMAKE_CXX_FLAGS=${FLAGS})
 endif()
 execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${PROJECT} -B ${BUILD}/build --fresh -G ${GENERATOR}

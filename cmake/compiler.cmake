@@ -14,7 +14,8 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 
 if(LIBRATION_SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    set(sanitizer_options -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_compile_options(${sanitizer_options})
     add_link_options(-fsanitize=address,undefined)
     # Instrumented code makes GCC's flow analysis guess wrong; the plain builds keep this warning an error.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

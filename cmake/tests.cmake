@@ -40,7 +40,9 @@ target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libratio
 
 # The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.
 set(installed ${PROJECT_BINARY_DIR}/installed)
+list(JOIN sanitizer_options " " consumer_flags) # what links our archives has the sanitizers too
 set(consumer ${CMAKE_COMMAND}
+    -D FLAGS=${consumer_flags}
     -D PREFIX=${installed}
     -D PROJECT=${PROJECT_SOURCE_DIR}/tests/consumer
     -D COMPILER=${CMAKE_CXX_COMPILER}
