@@ -15,6 +15,16 @@ void add_product(R& sum, const R& a, const R& b) {
     }
 }
 
+/// sum = sum x + next, rounded twice as it is written, in place where the arithmetic can: one step of Horner's rule.
+template <ring R>
+void horner_step(R& sum, const R& x, const R& next) {
+    if constexpr (requires { scalar_traits<R>::horner_step(sum, x, next); }) {
+        scalar_traits<R>::horner_step(sum, x, next);
+    } else {
+        sum = sum * x + next;
+    }
+}
+
 /// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end, in double over neighbours by
 /// sum_in_lanes (long double and quad have no vectors). 0 for a count of 0, where arrays may have no address. O(count).
 template <ring R>

@@ -28,6 +28,7 @@ namespace libration {
 /// default_scalar_traits<T> has what most types share: derive from it, then digits, pi, from_rational and
 /// binary_exponent are left. Where a type has something better than the loops of the library, also
 ///     static void add_product(T& sum, const T& a, const T& b)                 sum += a b with one rounding
+///     static void horner_step(T& sum, const T& x, const T& next)              sum = sum x + next with two roundings
 ///     static T sum_of_products(const T* x, int x_step, const T* y, int y_step, int count), count > 0
 ///     static std::vector<T> whole_product(const std::vector<T>& a, const std::vector<T>& b)
 ///     static std::vector<T> whole_quotient(const std::vector<T>& a, const std::vector<T>& b)

@@ -66,10 +66,15 @@ power_series<T> integral(const power_series<T>& a, const T& constant) {
 /// Value and derivative of the polynomial at x, by Horner's rule. O(N).
 template <ring T>
 jet<T> evaluate(const power_series<T>& a, const T& x) {
-    jet<T> result{a[a.order()], T(0)};
-    for (int n = a.order() - 1; n >= 0; --n) {
-        result.slope = result.slope * x + result.value;
-        result.value = result.value * x + a[n];
+    const int order = a.order();
+    if (order == 0) {
+        return {a[0], T(0)};
+    }
+    // The first step, by the operators, finds the precision of the others.
+    jet<T> result{a[order] * x + a[order - 1], T(0) * x + a[order]};
+    for (int n = order - 2; n >= 0; --n) {
+        horner_step(result.slope, x, result.value);
+        horner_step(result.value, x, a[n]);
     }
     return result;
 }
@@ -77,9 +82,13 @@ jet<T> evaluate(const power_series<T>& a, const T& x) {
 /// The value alone: the same roundings as evaluate(), at half the cost.
 template <ring T>
 T evaluate_value(const power_series<T>& a, const T& x) {
-    T value = a[a.order()];
-    for (int n = a.order() - 1; n >= 0; --n) {
-        value = value * x + a[n];
+    const int order = a.order();
+    if (order == 0) {
+        return a[0];
+    }
+    T value = a[order] * x + a[order - 1];
+    for (int n = order - 2; n >= 0; --n) {
+        horner_step(value, x, a[n]);
     }
     return value;
 }

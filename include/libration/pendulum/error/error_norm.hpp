@@ -11,6 +11,7 @@
 #include "libration/pendulum/arc/bounds.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/pendulum/error/arc_method.hpp"
+#include "libration/pendulum/error/arc_panels.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 
@@ -32,7 +33,7 @@ class arc_errors {
 public:
     /// Throws error for E = 0 (theta is constant) and E = 2.
     explicit arc_errors(const motion& m)
-        : truth_(m), second_route_(m), arc_(arc_of<mpfr>(m)), bounds_(top_bounds<mpfr>::of(arc_.level())) {}
+        : second_route_(m), arc_(arc_of<mpfr>(m)), truth_(arc_), bounds_(top_bounds<mpfr>::of(arc_.level())) {}
 
     const top_bounds<mpfr>& bounds() const { return bounds_; }
     const fundamental_arc<mpfr>& arc() const { return arc_; }
@@ -94,13 +95,13 @@ public:
     template <class F>
     norm_at<mpfr> norm_of(const F& approximation, int order) {
         const auto points = chebyshev_points(points_for(order));
-        const auto& truth = truth_at(points);
+        const auto& truth = sampled(jets_, points, &arc_panels::jets);
         std::vector<series::jet<mpfr>> differences;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const series::jet<mpfr> value = approximation(mpfr(points[i]));
             differences.push_back({value.value - truth[i].value, value.slope - truth[i].slope});
         }
-        const auto exactly = [this](const mpfr& x) { return exact(x); };
+        const auto exactly = [this](const mpfr& x) { return truth_.at(x); };
         return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
     }
 
@@ -109,7 +110,7 @@ public:
     template <class T, class F>
     norm_at<mpfr> rounded_norm(const F& value, const T& place) {
         const auto points = chebyshev_points(points_in_rounding_scalars);
-        const auto& truth = truth_at(points);
+        const auto& truth = sampled(values_, points, &arc_panels::values);
         norm_at<mpfr> largest{mpfr(0), mpfr(0)};
         const auto consider = [&](const T& x, const mpfr& theta) {
             const mpfr error = abs(widen(value(x)) - theta);
@@ -118,9 +119,9 @@ public:
             }
         };
         for (std::size_t i = 0; i < points.size(); ++i) {
-            consider(T(points[i]), truth[i].value);
+            consider(T(points[i]), truth[i]);
         }
-        consider(place, exact(widen(place)).value);
+        consider(place, truth_.at(widen(place)).value);
         return largest;
     }
 
@@ -130,40 +131,28 @@ private:
     // Enough points to part the stationary points: at least 251, and more than twice the order.
     static int points_for(int order) { return std::max(251, 2 * order + 11); }
 
-    series::jet<mpfr> exact(const mpfr& x) const {
-        const auto state = truth_.from_top(x);
-        const motion& m = truth_.of();
-        const int mirrored = m.regime() == regime::rotation ? m.direction() : 1;
-        return {canonical(state.theta), state.omega * mirrored * arc_.effective_period()};
-    }
-
-    // theta of the canonical motion from that of a motion in any well and direction.
-    mpfr canonical(const mpfr& theta) const {
-        const motion& m = truth_.of();
-        mpfr own = theta - whole_turns<mpfr>(m.turns());
-        if (m.regime() != regime::rotation || m.direction() > 0) {
-            return own;
-        }
-        return pi<mpfr>() * 2 - own;
-    }
-
     mpfr second_theta(const mpfr& x) const {
-        return canonical(second_route_.at(phase_from_top<mpfr>(truth_.of(), x, arc_.effective_period())).value);
+        return truth_.canonical(second_route_.at(phase_from_top<mpfr>(arc_.of(), x, arc_.effective_period())).value);
     }
 
-    const std::vector<series::jet<mpfr>>& truth_at(const std::vector<double>& points) {
-        auto& sampled = sampled_[points.size()];
-        for (std::size_t i = sampled.size(); i < points.size(); ++i) {
-            sampled.push_back(exact(mpfr(points[i])));
+    // The truth at so many points, made once.
+    template <class Value>
+    const std::vector<Value>& sampled(std::map<std::size_t, std::vector<Value>>& by_count,
+                                      const std::vector<double>& points,
+                                      std::vector<Value> (arc_panels::*make)(const std::vector<double>&)) {
+        auto& there = by_count[points.size()];
+        if (there.empty()) {
+            there = (truth_.*make)(points);
         }
-        return sampled;
+        return there;
     }
 
-    exact_solution<mpfr> truth_;
     separatrix_sum<mpfr> second_route_;
     fundamental_arc<mpfr> arc_;
+    arc_panels truth_;
     top_bounds<mpfr> bounds_;
-    std::map<std::size_t, std::vector<series::jet<mpfr>>> sampled_;
+    std::map<std::size_t, std::vector<series::jet<mpfr>>> jets_;
+    std::map<std::size_t, std::vector<mpfr>> values_;
 };
 
 }  // namespace libration::pendulum
