@@ -35,6 +35,40 @@ TEST_CASE("a fitted recurrence is the one that made the coefficients", "[converg
     CHECK_THAT(first_order->below[1], near(nu, 10000000));
 }
 
+TEST_CASE("lists of different lengths have the recurrences that each has alone", "[convergence][recurrence_fit]") {
+    const precision_scope scope(60);
+    fitting::wide_series list{{}, 0, 1};
+    for (int n = 0; n <= 60; ++n) {
+        list.c.push_back(cos(mpfr(n * n)));  // which no recurrence makes
+    }
+    const recurrence_form form{0, 2};
+    constexpr int degree = 3;
+    const std::vector<int> lasts{60, 59, 58, 57, 53, 46};
+    const auto together = fitting::recurrence_fits(list, form, degree).up_to(lasts);
+    REQUIRE(together);
+    REQUIRE(together->size() == lasts.size());
+    for (std::size_t i = 0; i < lasts.size(); ++i) {
+        // Alone in solve_linear, by the definition: sum of q_ij n^i c over j and i is 0, the first q of n^2 being 1.
+        std::vector<std::vector<mpfr>> a;
+        std::vector<mpfr> b;
+        for (int k = lasts[i] - 10; k <= lasts[i]; ++k) {
+            std::vector<mpfr> row;
+            for (int j = 0; j <= degree; ++j) {
+                for (int power = 0; power <= 2; ++power) {
+                    const mpfr term = list.c[static_cast<std::size_t>(k - j)] * pow(mpfr(mpfr(k - j) / 60), power);
+                    (j == 0 && power == 2) ? b.push_back(-term) : row.push_back(term);
+                }
+            }
+            a.push_back(row);
+        }
+        const auto alone = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * 100));
+        REQUIRE(alone);
+        // The 11 unknowns are determined to half of the 60 digits.
+        CHECK_THAT((*together)[i].top[1], near((*alone)[4], 1L << 62));
+        CHECK_THAT((*together)[i].below[0], near(mpfr((*alone)[1] * 60), 1L << 62));
+    }
+}
+
 TEST_CASE("a recurrence counts its unknowns and the coefficients it takes", "[convergence][recurrence_fit]") {
     CHECK(unknowns_of({0, 0}, 8) == 8);
     CHECK(unknowns_of({1, 1}, 8) == 8);

@@ -2,8 +2,8 @@
 //
 // The systems are solved in twice the digits of the coefficients and 40 more, for they lose digits with every
 // degree. What a recurrence leaves out and what rounding in the coefficients themselves spoils shows in the
-// uncertainty: every root is compared with those from the list without its last one, its last two and so on up to
-// its last quarter of coefficients.
+// uncertainty: every root is compared with those from the list without its last one, its last two and so on up to its
+// last quarter of coefficients.
 #pragma once
 
 #include <algorithm>
@@ -86,14 +86,16 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
                                                                    const recurrence_form& form, int degree) {
     const auto count = static_cast<int>(series.c.size());
     const auto fewer = fewer_coefficients(count, coefficients_needed(form, degree) - 4);
-    std::vector<leading_polynomials> fits;
+    std::vector<int> lasts;
+    lasts.reserve(fewer.size());
     for (const int without : fewer) {
-        auto fit = fit_recurrence(series, form, degree, count - 1 - without);
-        if (!fit) {
-            return std::nullopt;
-        }
-        fits.push_back(*std::move(fit));
+        lasts.push_back(count - 1 - without);
     }
+    const auto determined = recurrence_fits(series, form, degree).up_to(lasts);
+    if (!determined) {
+        return std::nullopt;
+    }
+    const std::vector<leading_polynomials>& fits = *determined;
     fitted_singularities found{degree, {}, mpfr(0)};
     const auto starts = starting_roots(fits[0].top);
     std::size_t first = 0;

@@ -18,12 +18,60 @@ struct leftover {
     mpfr likely;  ///< the error that their decrease leaves
 };
 
+/// evaluate() of polynomial_roots.hpp at many points, without its temporaries, and on the real axis in real numbers.
+class polynomial_values {
+public:
+    explicit polynomial_values(const series::power_series<mpfr>& p) : p_(p) {
+        sizes_.reserve(p.coefficients().size());
+        for (const mpfr& a : p.coefficients()) {
+            sizes_.push_back(abs(a));
+        }
+    }
+
+    polynomial_value<mpfr> at(const complex_number<mpfr>& z) const {
+        const mpfr size = modulus_of(z);
+        polynomial_value<mpfr> at{{p_[p_.order()]}, {mpfr(0)}, sizes_.back()};
+        for (int n = p_.order() - 1; n >= 0; --n) {
+            if (z.im == 0) {
+                horner_step(at.slope.re, z.re, at.value.re);
+                horner_step(at.value.re, z.re, p_[n]);
+            } else {
+                turn(at.slope, z);
+                at.slope.re += at.value.re;
+                at.slope.im += at.value.im;
+                turn(at.value, z);
+                at.value.re += p_[n];
+            }
+            horner_step(at.rounding, size, sizes_[static_cast<std::size_t>(n)]);
+        }
+        at.rounding *= epsilon<mpfr>() * (4 * p_.order());
+        return at;
+    }
+
+private:
+    // value *= z, as the operator of complex numbers rounds.
+    static void turn(complex_number<mpfr>& value, const complex_number<mpfr>& z) {
+        mpfr across = value.re;
+        across *= z.im;
+        value.re *= z.re;
+        mpfr square = value.im;
+        square *= z.im;
+        value.re -= square;
+        value.im *= z.re;
+        value.im += across;
+    }
+
+    const series::power_series<mpfr>& p_;
+    std::vector<mpfr> sizes_;
+};
+
 /// Newton's iteration for a root of p from a good start; nothing where it does not settle. A real start stays real.
 inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p, complex_number<mpfr> z) {
     constexpr int most_steps = 60;
     const mpfr fine = epsilon<mpfr>() * 16;
+    const polynomial_values values(p);
     for (int step = 0; step < most_steps; ++step) {
-        const auto at = evaluate(p, z);
+        const auto at = values.at(z);
         if (modulus_of(at.slope) == 0) {
             return std::nullopt;
         }

@@ -9,7 +9,9 @@
 // or of x f' (i = 1: logarithms), that is Prony's fit of a sum of exponentials to the last 2M coefficients.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,47 +62,122 @@ struct leading_polynomials {
     series::power_series<mpfr> below;
 };
 
-/// The recurrence from the coefficients up to `last`. Nothing where they do not determine it, as an exact recurrence of
-/// smaller degree does not.
-inline std::optional<leading_polynomials> fit_recurrence(const wide_series& series, const recurrence_form& form,
-                                                         int degree, int last) {
-    const int unknowns = unknowns_of(form, degree);
-    const mpfr size(series.first + series.stride * last);
-    std::vector<std::vector<mpfr>> a;
-    std::vector<mpfr> b;
-    for (int k = last - unknowns + 1; k <= last; ++k) {
-        std::vector<mpfr> row;
-        for (int j = 0; j <= degree; ++j) {
-            const mpfr n = (series.first + series.stride * (k - j)) / size;
-            mpfr term = series.c[static_cast<std::size_t>(k - j)] * pow(n, form.lowest);
-            for (int i = form.lowest; i <= form.highest; ++i, term *= n) {
-                if (j > 0 || i < form.highest) {
-                    row.push_back(term);
-                } else {
-                    b.push_back(-term);
-                }
+/// The recurrences of one form and degree from lists of different lengths. Their linear systems have equations in common,
+/// which are eliminated once.
+class recurrence_fits {
+public:
+    recurrence_fits(const wide_series& series, const recurrence_form& form, int degree)
+        : form_(form),
+          degree_(degree),
+          unknowns_(unknowns_of(form, degree)),
+          size_(series.first + series.stride * (static_cast<int>(series.c.size()) - 1)) {
+        add_terms(series);
+    }
+
+    /// From the coefficients up to each of `lasts`. Nothing where one of the lists does not determine it, as an exact
+    /// recurrence of smaller degree does not.
+    std::optional<std::vector<leading_polynomials>> up_to(const std::vector<int>& lasts) const {
+        std::vector<leading_polynomials> fits;
+        for (auto begin = lasts.begin(); begin != lasts.end();) {
+            // Lists with more equations in common than not.
+            auto end = begin + 1;
+            while (end != lasts.end() && 2 * std::abs(*begin - *end) < unknowns_) {
+                ++end;
+            }
+            if (!add_fits({begin, end}, fits)) {
+                return std::nullopt;
+            }
+            begin = end;
+        }
+        return fits;
+    }
+
+private:
+    // c_k n_k^i, n_k in units of the last one.
+    void add_terms(const wide_series& series) {
+        terms_.reserve(series.c.size() * static_cast<std::size_t>(form_.powers()));
+        for (int k = 0; k < static_cast<int>(series.c.size()); ++k) {
+            const mpfr n = (series.first + series.stride * k) / size_;
+            mpfr term = series.c[static_cast<std::size_t>(k)] * pow(n, form_.lowest);
+            for (int i = form_.lowest; i <= form_.highest; ++i, term *= n) {
+                terms_.push_back(term);
             }
         }
-        a.push_back(std::move(row));
     }
-    if (const auto solution = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * (8 * (unknowns + 1))))) {
-        const std::vector<mpfr>& q = *solution;
-        leading_polynomials found{series::power_series<mpfr>::zero(degree), series::power_series<mpfr>::zero(degree)};
+
+    // The equation at k: the terms of k, k - 1, .., k - degree, the one whose factor is 1 on the right side.
+    std::vector<mpfr> equation_at(int k) const {
+        std::vector<mpfr> row;
+        row.reserve(static_cast<std::size_t>(unknowns_) + 1);
+        const auto powers = static_cast<std::size_t>(form_.powers());
+        for (int j = 0; j <= degree_; ++j) {
+            const std::size_t begin = static_cast<std::size_t>(k - j) * powers;
+            for (std::size_t i = 0; i + (j > 0 ? 0 : 1) < powers; ++i) {
+                row.push_back(terms_[begin + i]);
+            }
+        }
+        row.push_back(-terms_[static_cast<std::size_t>(k) * powers + powers - 1]);
+        return row;
+    }
+
+    bool add_equations(growing_system<mpfr>& system, int first, int last) const {
+        for (int k = first; k <= last; ++k) {
+            if (!system.add(equation_at(k))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // Appends the fits of these lists; false where one is not determined.
+    bool add_fits(const std::vector<int>& lasts, std::vector<leading_polynomials>& fits) const {
+        growing_system<mpfr> system(static_cast<std::size_t>(unknowns_), mpfr(epsilon<mpfr>() * (8 * (unknowns_ + 1))));
+        const auto [shortest, longest] = std::minmax_element(lasts.begin(), lasts.end());
+        const int first = *longest - unknowns_ + 1;
+        if (!add_equations(system, first, *shortest)) {
+            return false;
+        }
+        const std::size_t shared = system.equations();
+        for (const int last : lasts) {
+            system.keep(shared);
+            if (!add_equations(system, *shortest + 1, last) ||
+                !add_equations(system, last - unknowns_ + 1, first - 1)) {
+                return false;
+            }
+            fits.push_back(leading(*system.solution()));
+        }
+        return true;
+    }
+
+    leading_polynomials leading(const std::vector<mpfr>& q) const {
+        leading_polynomials found{series::power_series<mpfr>::zero(degree_), series::power_series<mpfr>::zero(degree_)};
         found.top[0] = 1;
         const auto at = [&](int j, int i) {
-            return static_cast<std::size_t>(j * form.powers() + i - form.lowest - (j > 0 ? 1 : 0));
+            return static_cast<std::size_t>(j * form_.powers() + i - form_.lowest - (j > 0 ? 1 : 0));
         };
-        for (int j = 0; j <= degree; ++j) {
+        for (int j = 0; j <= degree_; ++j) {
             if (j > 0) {
-                found.top[j] = q[at(j, form.highest)];
+                found.top[j] = q[at(j, form_.highest)];
             }
-            if (form.highest > form.lowest) {
-                found.below[j] = q[at(j, form.highest - 1)] * size;
+            if (form_.highest > form_.lowest) {
+                found.below[j] = q[at(j, form_.highest - 1)] * size_;
             }
         }
         return found;
     }
-    return std::nullopt;
+
+    recurrence_form form_;
+    int degree_;
+    int unknowns_;
+    mpfr size_;
+    std::vector<mpfr> terms_;
+};
+
+/// The recurrence from the coefficients up to `last` alone.
+inline std::optional<leading_polynomials> fit_recurrence(const wide_series& series, const recurrence_form& form,
+                                                         int degree, int last) {
+    auto found = recurrence_fits(series, form, degree).up_to({last});
+    return found ? std::optional(std::move(found->front())) : std::nullopt;
 }
 
 }  // namespace fitting

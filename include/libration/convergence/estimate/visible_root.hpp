@@ -24,16 +24,19 @@ struct root_with_exponent {
     mpfr exponent;
 };
 
-/// Whether the largest |c_k w^k| k^(nu+1) of the last eighth is more than 2^-10 of that at half of the list.
+/// Whether the largest |c_k w^k| k^(nu+1) of the last eighth is more than 2^-10 of that at half of the list. Logarithms
+/// of 20 digits tell.
 inline bool as_large_as_coefficients(const wide_series& series, const root_with_exponent& root) {
+    const precision_scope scope(20);
     const auto count = static_cast<int>(series.c.size());
-    const mpfr size = log2(modulus_of(root.at));
+    const mpfr size = log2(narrow<mpfr>(modulus_of(root.at)));
+    const mpfr falling = narrow<mpfr>(root.exponent) + 1;
     const auto largest = [&](int first, int last) {
         std::optional<mpfr> most;
         for (int k = std::max(1, first); k <= last; ++k) {
             const mpfr& c = series.c[static_cast<std::size_t>(k)];
             if (c != 0) {
-                const mpfr now = log2(mpfr(abs(c))) + size * k + (root.exponent + 1) * log2(mpfr(k));
+                const mpfr now = log2(narrow<mpfr>(abs(c))) + size * k + falling * log2(mpfr(k));
                 most = most && *most > now ? *most : now;
             }
         }
@@ -46,11 +49,9 @@ inline bool as_large_as_coefficients(const wide_series& series, const root_with_
 }
 
 /// w^-(k - k0) k^-(nu + 1 + s) at k = k0 - back as one or two columns: the real and, off the axis, the imaginary part.
-inline void add_columns(std::vector<mpfr>& row, const root_with_exponent& root, int k, int k0, int terms) {
-    complex_number<mpfr> power{mpfr(1)};
-    for (int j = k; j < k0; ++j) {
-        power = power * root.at;
-    }
+/// `power` is w^back.
+inline void add_columns(std::vector<mpfr>& row, const root_with_exponent& root, const complex_number<mpfr>& power,
+                        int k, int k0, int terms) {
     const mpfr falling = mpfr(k0) / k;
     mpfr factor = pow(falling, mpfr(root.exponent + 1));
     for (int s = 0; s < terms; ++s, factor *= falling) {
@@ -71,14 +72,16 @@ inline std::optional<mpfr> amplitude_of_first(const wide_series& series, const s
     for (const auto& root : roots) {
         unknowns += static_cast<std::size_t>(terms) * (root.at.im == 0 ? 1 : 2);
     }
+    std::vector<complex_number<mpfr>> powers(roots.size(), complex_number<mpfr>{mpfr(1)});
     for (std::size_t i = 0; i < unknowns; ++i) {
         const int k = k0 - static_cast<int>(i);
         if (k < 1) {
             return std::nullopt;
         }
         std::vector<mpfr> row;
-        for (const auto& root : roots) {
-            add_columns(row, root, k, k0, terms);
+        for (std::size_t r = 0; r < roots.size(); ++r) {
+            add_columns(row, roots[r], powers[r], k, k0, terms);
+            powers[r] = powers[r] * roots[r].at;
         }
         a.push_back(std::move(row));
         b.push_back(series.c[static_cast<std::size_t>(k)]);
