@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -136,6 +137,20 @@ std::vector<int> orders_up_to(int last) {
     return orders;
 }
 
+// The power of t that symmetry leaves: the greatest common divisor of the steps between the coefficients behind a_0 that
+// are not 0; 1 where there are not two of them.
+int power_left(const std::vector<mpfr>& a) {
+    int first = 0;
+    int power = 0;
+    for (int n = 1; n < static_cast<int>(a.size()); ++n) {
+        if (a[static_cast<std::size_t>(n)] != 0) {
+            first = first == 0 ? n : first;
+            power = std::gcd(power, n - first);
+        }
+    }
+    return std::max(power, 1);
+}
+
 }  // namespace
 
 table list_values(const list_request& request) {
@@ -244,21 +259,35 @@ table list_poles(const list_request& request) {
 
 table list_ratios(const list_request& request) {
     const precision_scope scope(request.digits + first_guard);
-    table data({{"n", ""}, {"inverse_n", ""}, {"ratio", ""}, {"root", ""}, {"corrected_root", ""}});
-    mpfr before(0);
+    table data({{"n", ""},
+                {"inverse_n", ""},
+                {"ratio", ""},
+                {"root", ""},
+                {"corrected_root", ""},
+                {"power", ""},
+                {"ratio_in_power", ""}});
+    std::vector<mpfr> a;
+    a.reserve(request.coefficients.size());
+    for (const exact& coefficient : request.coefficients) {
+        a.push_back(from_exact<mpfr>(coefficient));
+    }
+    const int power = power_left(a);
+    const auto ratio_to = [&](int n, int back) {
+        const bool after_constant = back == 1 || n > back;
+        const mpfr before = n >= back && after_constant ? a[static_cast<std::size_t>(n - back)] : mpfr(0);
+        return before == 0 ? cell() : decimal_cell(mpfr(a[static_cast<std::size_t>(n)] / before), request.digits);
+    };
     for (int n = 0; n <= request.order(); ++n) {
-        const auto now = from_exact<mpfr>(request.coefficients[static_cast<std::size_t>(n)]);
+        const mpfr& now = a[static_cast<std::size_t>(n)];
         if (n > 0) {
             const auto root = [&](const mpfr& x) {
                 return x == 0 ? std::nullopt : std::optional(mpfr(exp(mpfr(log(x)) / n)));
             };
             const mpfr size = abs(now);
-            data.add_row({n, decimal_cell(mpfr(mpfr(1) / n), request.digits),
-                          before == 0 ? cell() : decimal_cell(mpfr(now / before), request.digits),
-                          decimal_cell(root(size), request.digits),
-                          decimal_cell(root(mpfr(size * n)), request.digits)});
+            data.add_row({n, decimal_cell(mpfr(mpfr(1) / n), request.digits), ratio_to(n, 1),
+                          decimal_cell(root(size), request.digits), decimal_cell(root(mpfr(size * n)), request.digits),
+                          power, ratio_to(n, power)});
         }
-        before = now;
     }
     return data;
 }

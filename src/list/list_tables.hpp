@@ -19,8 +19,9 @@ table list_errors(const list_request& request);
 /// of the other kind: where it is small, both are an artefact of rounding (Froissart).
 table list_poles(const list_request& request);
 
-/// n,inverse_n,ratio,root,corrected_root: what Domb-Sykes and root plots draw, a_n/a_(n-1), |a_n|^(1/n) and
-/// |n a_n|^(1/n); empty where they do not exist.
+/// n,inverse_n,ratio,root,corrected_root,power,ratio_in_power: what Domb-Sykes and root plots draw, a_n/a_(n-1),
+/// |a_n|^(1/n), |n a_n|^(1/n), the power p of t in which the list behind a_0 is a series, and a_n/a_(n-p), without a_0
+/// where p > 1; empty where they do not exist.
 table list_ratios(const list_request& request);
 
 }  // namespace libration

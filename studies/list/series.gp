@@ -1,5 +1,5 @@
 # series: what a list of coefficients is worth. Columns of errors: time,method,order,error,log10_error; of poles:
-# kind,position_re,position_im,modulus,distance; of ratios: n,inverse_n,ratio,root,corrected_root.
+# kind,position_re,position_im,modulus,distance; of ratios: n,inverse_n,ratio,root,corrected_root,power,ratio_in_power.
 load scripts.'/style.gp'
 
 errors = data.'/errors.csv'
@@ -14,17 +14,18 @@ shorter(s) = strlen(s) > 10 ? s[1:10].'...' : s
 tint(j) = shade[(j - 1) % 6 + 1]
 
 do for [kind in terminals] {
-    # Where every second coefficient is 0 no ratio says anything.
-    if (count_of(ratios, '$3 != "" && v($3) != 0') > 0) {
+    # Where symmetry makes coefficients 0, in the power of t that it leaves.
+    power = first_of(ratios, 6, '1') + 0
+    if (count_of(ratios, '$7 != "" && v($7) != 0') > 0) {
         eval use_terminal(kind, target.'/domb_sykes', 720, 480)
-        set title 'Ratios of successive coefficients over 1/n: a straight line for a single nearest singularity'
+        set title 'Ratios of '.(power > 1 ? sprintf('the coefficients in t^{%d}', power) : 'successive coefficients').' over 1/n: a straight line for a single nearest singularity'
         set xlabel '1/n'
-        set ylabel 'a_n/a_{n-1}'
+        set ylabel power > 1 ? sprintf('a_n/a_{n-%d}', power) : 'a_n/a_{n-1}'
         set xrange [0:*]
         set autoscale y
         set offsets graph 0, graph 0, graph 0.05, graph 0.05
         unset key
-        plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $3 != "" {print $2 "," $3}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] notitle
+        plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $7 != "" {print $2 "," $7}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] notitle
         unset output
     }
 

@@ -137,7 +137,7 @@ TEST_CASE("series --out writes the tables and draws the figures", "[command][ser
     CHECK(ratios[0].at("root").starts_with("1.0"));
 }
 
-TEST_CASE("series draws an odd list, whose ratios all are 0 or missing and which is 0 at 0", "[command][series]") {
+TEST_CASE("series draws an odd list in t^2, and where it is 0 at 0", "[command][series]") {
     const temporary_folder folder;
     // arctan t: its approximants are 0 at t = 0, as the sum is.
     std::string list;
@@ -151,11 +151,18 @@ TEST_CASE("series draws an odd list, whose ratios all are 0 or missing and which
     INFO(done.err);
     REQUIRE(done.exit_code == 0);
     CHECK(done.err.find("Warning") == std::string::npos);
-    for (const std::string name : {"errors.svg", "poles.svg", "roots.svg"}) {
+    for (const std::string name : {"errors.svg", "poles.svg", "roots.svg", "domb_sykes.svg"}) {
         INFO(name);
         CHECK(std::filesystem::exists(folder.path() / "mine" / name));
     }
-    CHECK_FALSE(std::filesystem::exists(folder.path() / "mine" / "domb_sykes.svg"));
+    std::ifstream file(folder.path() / "mine" / "ratios.csv");
+    const auto ratios = csv_rows({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+    REQUIRE(ratios.size() == 11);
+    CHECK(ratios[4].at("n") == "5");
+    CHECK(ratios[4].at("ratio").empty());
+    CHECK(ratios[4].at("power") == "2");
+    CHECK(ratios[4].at("ratio_in_power").starts_with("-0.6000"));  // (1/5)/(-1/3)
+    CHECK(ratios[3].at("ratio_in_power").empty());
 }
 
 TEST_CASE("series refuses what it cannot evaluate or compare", "[command][series][bad input]") {
