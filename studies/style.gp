@@ -41,6 +41,8 @@ ramp(t) = ramp_at(1 + 5 * t, t >= 1 ? 5 : 1 + int(5 * t))
 colour(i, n) = n <= 6 ? shade[i] : ramp((i - 1.0) / (n - 1))
 mark_of(i) = mark[(i - 1) % 6 + 1]
 in_key(i, n) = n <= 8 || i == 1 || i == n || int((i - 1) * 7.0 / (n - 1)) != int((i - 2) * 7.0 / (n - 1))
+# Of few curves each has a dash of its own.
+line_of(j) = shown <= 6 ? j : 1
 dash_of(method) = method eq 'series' ? 2 : 1
 
 # --- what a table holds. `where` is a condition of awk on the cells $1, $2, ...; v() reads a number or a fraction.

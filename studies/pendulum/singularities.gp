@@ -8,8 +8,10 @@ energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
 orders = system(sprintf("awk -F, '$2 == \"pade_pole\" { print $3 }' '%s' | sort -nu", file))
 no_poles = words(orders) == 0
 if (no_poles) { orders = '0' }  # gnuplot also reads the body of a loop over nothing
-count = words(energies)
-across = count > 1 ? 2 : 1
+# Of many energies six planes, from the first to the last; the poles of every one below.
+all_energies = words(energies)
+count = smaller(all_energies, 6)
+across = count > 4 ? 3 : count > 1 ? 2 : 1
 down = (count + across - 1) / across
 of(e, k) = real(system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"expansion_top\" { print $%d; exit }' '%s'", e, k, file)))
 named(e) = energy_name(e, first_of(data.'/singularities.csv', 16, sprintf('$1 == "%s"', e)))
@@ -21,7 +23,7 @@ high = 430                # of a panel, in points
 head = 36                 # of the title above them
 keys = words(orders) > 6 ? (words(orders) + 5) / 3 : 3
 foot = 20 * keys + 20     # of the key below
-wide = count > 1 ? 1220 : 760
+wide = across > 2 ? 1600 : across > 1 ? 1220 : 760
 all = high * down + head + foot + 0.0
 
 do for [kind in terminals] {
@@ -32,7 +34,7 @@ do for [kind in terminals] {
     unset grid
     set key at screen 0.5, (foot - 4) / all center top vertical maxrows keys samplen 2.5 width 1
     do for [p=1:count] {
-        e = word(energies, p)
+        e = pick(energies, 6, p)
         tstar = of(e, 14); height = of(e, 15); radius = of(e, 6)
         # The CSV holds the lattice up to 4 T* and 4 K~', or 1.5 R.
         w = larger(3.6 * tstar, 1.2 * radius)
@@ -59,7 +61,7 @@ do for [kind in terminals] {
              '+' using (-tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' notitle, \
              file using (in_panel(e, 'singularity', column(4))):5 with points pt 7 ps 0.9 lc rgb '#000000' title 'singularities', \
              for [i=1:words(orders)] for [s=0:3] file using (pole(e, word(orders, i) + 0, s % 2 ? -column(4) : column(4))):(s > 1 ? -column(5) : column(5)) \
-                 with points pt mark[(i-1)%6+1] ps 0.9 + 0.35 * ((i-1)%6+1) lw 1.4 lc rgb shade[(i-1)%6+1] title s || no_poles ? '' : 'Padé, N = '.word(orders, i)
+                 with points pt mark_of(i) ps 0.9 + 0.35 * ((i-1)%6+1) lw 1.4 lc rgb colour(i, words(orders)) title s || no_poles ? '' : 'Padé, N = '.word(orders, i)
         unset label 9
         unset key
     }
@@ -71,21 +73,24 @@ do for [kind in terminals] {
 eval restart
 file = data.'/singularities_convergence.csv'
 at(e, y) = strcol(1) eq e ? y : NaN
+place(e) = sum [i=1:all_energies] (word(energies, i) eq e ? i : 0)
+hue(p) = all_energies <= 6 ? shade[(p+2)%6+1] : colour(p, all_energies)
 with_poles = system(sprintf("awk -F, 'NR > 1 && $3 != \"\" { print $1 }' '%s' | uniq", file))
 last = real(system(sprintf("tail -n 1 '%s' | cut -d, -f2", file)))
 lowest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c != \"\" && $c + 0 < l) l = $c + 0 } END { print l - 2 }' '%s'", file)))
 highest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c + 0 > l) l = $c + 0 } END { print l + 1 }' '%s'", file)))
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/singularities_convergence', 900, 560)
-    set title 'The first singularity, T* + i K̃′, from N coefficients' font ',16'
+    set title (all_energies > 2 ? 'The Padé pole nearest to T* + i K̃′, from N coefficients' : 'The first singularity, T* + i K̃′, from N coefficients') font ',16'
     set xlabel 'order N, last power of the series'
     set ylabel 'log_{10} (|error| / (ℓ/g)^{1/2})'
-    set key bottom left title 'energy E'
+    if (all_energies > 2) { set key outside right top title 'energy E' } else { set key bottom left title 'energy E' }
     set lmargin 9
     set xrange [0:last + 2]
     set yrange [lowest:highest]
-    roots = "for [p=1:count] file using 2:(at(word(energies, p), column(4))) with linespoints lw 2 dt 2 pt 2 ps 0.5 lc rgb shade[(p+2)%6+1] title named(word(energies, p)).': root test (its radius only)'"
-    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark[(p-1)%6+1] ps 0.8 lc rgb shade[(p+2)%6+1] title named(word(with_poles, p)).': nearest pole of the Padé approximant', "
+    short = all_energies > 2
+    roots = "for [p=1:all_energies] file using 2:(at(word(energies, p), column(4))) with linespoints lw 2 dt 2 pt 2 ps 0.5 lc rgb hue(p) title short ? (p == all_energies ? 'dashed: root test' : '') : named(word(energies, p)).': root test (its radius only)'"
+    poles = "for [p=1:words(with_poles)] file using 2:(at(word(with_poles, p), column(3))) with linespoints lw 2 pt mark_of(p) ps 0.8 lc rgb hue(place(word(with_poles, p))) title short && !in_key(place(word(with_poles, p)), all_energies) ? '' : named(word(with_poles, p)).(short ? '' : ': nearest pole of the Padé approximant'), "
     eval 'plot '.(words(with_poles) > 0 ? poles : '').roots
     unset output
 }

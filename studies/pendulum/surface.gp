@@ -16,7 +16,7 @@ first = edge(2, 'l'); last = edge(2, 'h')
 low = edge(1, 'l'); high = edge(1, 'h')
 top = highest > 12 ? 12 : (highest > 1.2 ? highest : 1.2)
 dash(i) = (i-1)%5+1
-hue(i) = shade[(3+2*i)%6+1]
+hue(i) = words(ways) <= 6 ? shade[(3+2*i)%6+1] : colour(i, words(ways))
 is(regime, y) = strcol(4) eq regime ? y : NaN
 
 do for [kind in terminals] {
@@ -48,6 +48,7 @@ do for [kind in terminals] {
     if (ways ne '') {
     set xrange [low:high]
     set yrange [*:*]
+    if (energies < 2) { eval rising('y', floor(greatest(file, '10', '$6 != ""', 0)) - 2, floor(greatest(file, '10', '$6 != ""', 0)) + 2) }
     set origin 0.64, 0
     set size 0.36, 0.90
     set lmargin 8
@@ -56,7 +57,7 @@ do for [kind in terminals] {
     set title 'Error of the resummation' offset 0,-0.5
     set key at graph 0.98, 0.03 right bottom noreverse Right title 'N, T* by'
     if (low < 2 && high > 2) { set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3 }
-    plot for [i=1:words(ways)] '<'.worst(word(ways, i)) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title word(ways, i)
+    plot for [i=1:words(ways)] '<'.worst(word(ways, i)) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title in_key(i, words(ways)) ? word(ways, i) : ''
     unset arrow
     }
     unset multiplot

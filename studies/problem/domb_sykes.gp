@@ -9,8 +9,8 @@ file = data.'/domb_sykes.csv'
 lists = data.'/domb_sykes_lists.csv'
 energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", lists))
 points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", lists))
-shown = smaller(words(energies), 6)
-energy(j) = pick(energies, 6, j)
+shown = words(energies)
+energy(j) = word(energies, j)
 named(j) = energy_name(energy(j), first_of(file, 10, sprintf('$1 == "%s"', energy(j))))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
 down = smaller(words(points), 6)
@@ -69,7 +69,7 @@ do for [kind in terminals] {
             if (straight) { set label 2 '◆ exact: ±1/R^p, and the slope of a logarithm' at graph 0.98, 0.94 right textcolor rgb soft }
             if (straight < shown && !bad) { set label 3 (straight ? 'elsewhere ' : '').'a pair is nearest: no intercept' at graph 0.98, 0.865 right textcolor rgb soft }
             if (bad) { set label 3 'bottom rows: not defined, divided by 0' at graph 0.98, 0.23 right textcolor rgb soft }
-            eval 'plot '.lines.'for [j=1:shown] ratios(energy(j), p, side == 1 ? 1 : power(energy(j), p)) using 1:2 with points pt mark[j] ps 0.9 lw 1.3 lc rgb shade[j] title "E = ".named(j), for [j=1:shown] undefined(energy(j), p, side == 1 ? 1 : power(energy(j), p)) using 1:(column(2) - 0.09 * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb shade[j] notitle'
+            eval 'plot '.lines.'for [j=1:shown] ratios(energy(j), p, side == 1 ? 1 : power(energy(j), p)) using 1:2 with points pt mark_of(j) ps 0.9 lw 1.3 lc rgb colour(j, shown) title in_key(j, shown) ? "E = ".named(j) : "", for [j=1:shown] undefined(energy(j), p, side == 1 ? 1 : power(energy(j), p)) using 1:(column(2) - smaller(0.09, 0.4 / shown) * (j - 1)) with points pt 2 ps 0.35 lw 1 lc rgb colour(j, shown) notitle'
             unset label 1; unset label 2; unset label 3
             do for [j=1:shown] { unset label 10 + j }
         }
@@ -83,7 +83,7 @@ eval restart
 answers = data.'/domb_sykes_intercepts.csv'
 present = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
 methods = ''
-do for [m in 'ratio-in-power domb-sykes mercer-roberts verdict'] { if (count_of(answers, sprintf('$4 == "%s"', m)) > 0) { methods = methods.' '.m } }
+do for [m in 'ratio-in-power domb-sykes mercer-roberts verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # "order,log10 error" of a method, 0 drawn at the floor; behind them a point out of sight.
@@ -114,7 +114,7 @@ do for [kind in terminals] {
             if (i == 1) { set ylabel 'log_{10} |R estimated/R - 1|' } else { unset ylabel }
             if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
             if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
-            plot for [j=1:shown] errors(m, p, energy(j)) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.named(j)
+            plot for [j=1:shown] errors(m, p, energy(j)) using 1:2 with linespoints lw 1.8 dt line_of(j) pt mark_of(j) ps 0.8 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
             unset label 1
             unset label 2
         }

@@ -17,6 +17,7 @@ place(m) = sum [i=1:count] (word(methods, i) eq m ? count + 1 - i : 0)
 of(s, n, y) = strcol(2) eq s && strcol(1) eq n ? y : NaN
 half(s, y) = strcol(1) eq 'judged' && strcol(2) eq s && strcol(3) ne 'all' ? y : NaN
 array mark[6] = [4, 8, 6, 12, 10, 2]
+tint(k) = colour(k, words(orders))
 panels = words(scalars) + 1
 left = 0.19
 wide = (0.985 - left) / panels
@@ -42,7 +43,7 @@ do for [kind in terminals] {
         set xrange [0:most * 1.06 + 0.5]
         set xlabel 'correct digits, mean ('.s.')'
         if (p == 1) { set key at screen left + 0.02, 0.915 left horizontal samplen 1 width 1 title 'order N:' left }
-        plot for [k=1:words(orders)] ranking using (of(s, word(orders, k), column(7))):(place(strcol(4))) with points pt mark[(k-1)%6+1] ps 1.1 lw 1.8 lc rgb shade[(k-1)%6+1] title word(orders, k)
+        plot for [k=1:words(orders)] ranking using (of(s, word(orders, k), column(7))):(place(strcol(4))) with points pt mark_of(k) ps 1.1 lw 1.8 lc rgb tint(k) title in_key(k, words(orders)) ? word(orders, k) : ''
         unset label 1
         unset key
     }

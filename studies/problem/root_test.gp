@@ -7,9 +7,9 @@ load scripts.'/style.gp'
 file = data.'/root_test.csv'
 energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
 points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
-shown = smaller(words(energies), 6)
+shown = words(energies)
 across = smaller(words(points), 4)
-energy(j) = pick(energies, 6, j)
+energy(j) = word(energies, j)
 place(i) = pick(points, 4, i)
 named(j) = energy_name(energy(j), first_of(file, 12, sprintf('$1 == "%s"', energy(j))))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
@@ -49,7 +49,7 @@ do for [kind in terminals] {
             set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} - 1, A = %d', a) : 'dotted: 1 - A^{-1/n}' at graph 0.98, 0.865 right textcolor rgb soft
             plot [2:last * 1.15] log10_of(row == 0 ? log(x) / x : log(a) / x) with lines lw 5 lc rgb '#dddddd' notitle, \
                  log10_of(row == 0 ? (x / a)**(1 / x) - 1 : 1 - a**(-1 / x)) with lines lw 1.2 dt 3 lc rgb '#555555' notitle, \
-                 for [j=1:shown] errors(energy(j), p, 9 + row) using 1:2 with points pt mark[j] ps 0.7 lw 1.2 lc rgb shade[j] title 'E = '.named(j)
+                 for [j=1:shown] errors(energy(j), p, 9 + row) using 1:2 with points pt mark_of(j) ps 0.7 lw 1.2 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
             unset label 1; unset label 2; unset label 3
         }
     }
@@ -62,7 +62,7 @@ do for [kind in terminals] {
 eval restart
 answers = data.'/root_test_estimates.csv'
 methods = ''
-do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s"', m)) > 0) { methods = methods.' '.m } }
+do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 newest = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # Column k over the order, 0 drawn at the floor.
@@ -97,8 +97,8 @@ do for [kind in terminals] {
             if (i == 1) { set ylabel 'log_{10} relative to R' } else { unset ylabel }
             if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
             if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
-            plot for [j=1:shown] answer(m, p, energy(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb shade[j] notitle, \
-                 for [j=1:shown] answer(m, p, energy(j), 9, low) using 1:2 with linespoints lw 1.8 dt j pt mark[j] ps 0.8 lc rgb shade[j] title 'E = '.named(j)
+            plot for [j=1:shown] answer(m, p, energy(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb colour(j, shown) notitle, \
+                 for [j=1:shown] answer(m, p, energy(j), 9, low) using 1:2 with linespoints lw 1.8 dt line_of(j) pt mark_of(j) ps 0.8 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
             unset label 1
             unset label 2
         }
