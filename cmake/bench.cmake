@@ -20,3 +20,6 @@ if(TARGET libration-gsl-trajectory)
     target_compile_definitions(libration-bench-trajectory PRIVATE
         LIBRATION_GSL_TRAJECTORY="$<TARGET_FILE:libration-gsl-trajectory>")
 endif()
+
+# The one that runs the engine of the studies.
+target_link_libraries(libration-bench-journal PRIVATE libration-sweep)

@@ -5,6 +5,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Threads REQUIRED)
+find_package(SQLite3 REQUIRED)
 if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
 endif()
@@ -40,7 +41,7 @@ endforeach()
 list(JOIN study_entries ", " study_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
-set(study_rooms text run option sweep)
+set(study_rooms text run option journal sweep)
 set(command_rooms list motion table verify report)
 list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
 list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
@@ -62,7 +63,7 @@ add_dependencies(libration-sweep libration-version)
 target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
 target_link_libraries(libration-sweep
     PUBLIC libration::libration libration::proved CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
-    PRIVATE libration-warnings OpenSSL::Crypto)
+    PRIVATE OpenSSL::Crypto SQLite::SQLite3 libration-warnings)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
 target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
@@ -82,14 +83,29 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/run/program_files.cpp PROP
     COMPILE_DEFINITIONS "LIBRATION_BUILD_DIR=\"${PROJECT_BINARY_DIR}\";LIBRATION_INSTALLED_PEERS_DIR=\"${peers_from_program}\""
     SKIP_UNITY_BUILD_INCLUSION ON)
 
-add_executable(libration-command ${command_sources})
+list(REMOVE_ITEM command_sources ${PROJECT_SOURCE_DIR}/src/main.cpp)
+add_library(libration-program OBJECT ${command_sources})
+set_target_properties(libration-program PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
+target_link_libraries(libration-program PUBLIC libration-sweep PRIVATE libration-warnings)
+target_precompile_headers(libration-program PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
+
+add_executable(libration-command ${PROJECT_SOURCE_DIR}/src/main.cpp)
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
-set_target_properties(libration-command PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
 target_link_libraries(libration-command
-    PRIVATE libration-studies libration-claims libration-sweep libration-warnings)
-target_precompile_headers(libration-command PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
+    PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings)
 if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
+endif()
+
+# The same program on many machines: ./run --mpi. Its packages are installed by that alone.
+if(LIBRATION_BUILD_MPI)
+    enable_language(C)  # for MPI's plain C interface
+    find_package(MPI REQUIRED COMPONENTS C)
+    file(GLOB mpi_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/mpi/*.cpp)
+    add_executable(libration-mpi EXCLUDE_FROM_ALL ${mpi_sources})
+    target_compile_definitions(libration-mpi PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+    target_link_libraries(libration-mpi
+        PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings MPI::MPI_C)
 endif()
 
 install(TARGETS libration-command RUNTIME COMPONENT command)

@@ -5,6 +5,7 @@
 set(program_sources include src studies cmake CMakeLists.txt CMakePresets.json)
 
 set(COMMIT unknown)
+set(CHANGES "")
 set(YEAR "")
 find_program(GIT git)
 if(GIT)
@@ -28,6 +29,16 @@ if(GIT)
             set(COMMIT ${head})
             if(changes)
                 string(APPEND COMMIT -dirty)
+                # What is not committed has no name but its content.
+                execute_process(
+                    COMMAND ${GIT} -C ${SOURCE_DIR} diff HEAD -- ${program_sources}
+                    OUTPUT_VARIABLE difference ERROR_QUIET)
+                execute_process(
+                    COMMAND ${GIT} -C ${SOURCE_DIR} ls-files --others --exclude-standard -- ${program_sources}
+                    COMMAND ${GIT} -C ${SOURCE_DIR} hash-object --stdin-paths
+                    OUTPUT_VARIABLE untracked ERROR_QUIET)
+                string(SHA256 CHANGES "${difference}${untracked}")
+                string(SUBSTRING "${CHANGES}" 0 10 CHANGES)
             endif()
         endif()
     endif()

@@ -1,11 +1,15 @@
-// A progress line on stderr while a person watches: nothing at all in a pipe or a log.
+// A progress line on stderr while a person watches; nothing in a pipe or a log, but for what may take days.
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 #include "run/work_estimate.hpp"
 
@@ -22,16 +26,24 @@ struct progress_context {
 /// several of a work may be counted at once: they share the line.
 class progress {
 public:
+    /// Says what takes long at the moment; empty for nothing.
+    using slowest = std::function<std::string()>;
+
     progress(std::string what, std::size_t steps, progress_context context = {});
+    /// Of a work that may take days: with the rate and what is slow, renewed every second on a terminal; in a pipe or a
+    /// log a line a minute.
+    progress(std::string what, std::size_t steps, progress_context context, slowest slow);
     progress(const progress&) = delete;
     progress& operator=(const progress&) = delete;
     /// Takes the line away again.
     ~progress();
 
-    void step();
+    void step(std::size_t count = 1);
 
 private:
     void show();
+    void keep_showing(const std::stop_token& ended);
+    std::string line() const;
 
     std::string what_;
     std::size_t steps_;
@@ -39,9 +51,12 @@ private:
     std::size_t done_ = 0;
     bool watched_;
     bool shown_ = false;
+    slowest slow_;
     std::mutex mutex_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_shown_ = start_;
+    std::condition_variable_any ended_;
+    std::jthread keeper_;  // last, so that it ends first
 };
 
 /// A line of its own on stderr, "libration: ...", in place of a progress line that stands there.

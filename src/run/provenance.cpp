@@ -44,4 +44,9 @@ std::string version_text() {
     return text;
 }
 
+std::string program_identity() {
+    const std::string changes = build::changes.empty() ? "" : fmt::format(", changed {}", build::changes);
+    return fmt::format("{} ({}{})", build::version, build::commit, changes);
+}
+
 }  // namespace libration

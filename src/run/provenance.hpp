@@ -13,4 +13,8 @@ std::vector<std::pair<std::string, std::string>> provenance();
 /// The same as the lines of --version.
 std::string version_text();
 
+/// Version and commit of the program: what cells depend on besides their study. Where sources
+/// are not committed, a hash of what was changed stands beside it.
+std::string program_identity();
+
 }  // namespace libration

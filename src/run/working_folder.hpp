@@ -1,8 +1,10 @@
 // A folder to make files in before they are moved to where they belong.
 #pragma once
 
-#include <mutex>
+#include <optional>
 #include <string>
+
+#include "run/ending_signal.hpp"
 
 namespace libration {
 
@@ -18,12 +20,10 @@ public:
 
     const std::string& path() const { return path_; }
 
-    /// While it is held, INT, TERM and HUP wait: for the moment in which files change places.
-    static std::unique_lock<std::mutex> uninterrupted();
-
 private:
     std::string path_;
     int lock_ = -1;
+    std::optional<at_ending_signal> at_signal_;
 };
 
 }  // namespace libration

@@ -63,7 +63,7 @@ std::map<std::string, rooms> order_of_rooms() {
         problem = ode + proofs + rooms{"problem"}, library = pendulum + problem + rooms{"problem/known"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
-        sweep = option + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
+        journal = option + rooms{"src/journal"}, sweep = journal + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
         command = list_command + rooms{"src/motion"};
     return {
         {"scalar", {}},
@@ -103,7 +103,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/text", problem},
         {"src/run", text},
         {"src/option", run},
-        {"src/sweep", option},
+        {"src/journal", option},
+        {"src/sweep", journal},
         {"src/claims", study},
         {"src/list", study},
         {"src/motion", list_command},
@@ -111,6 +112,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/verify", command + rooms{"src/table"}},
         {"src/report", command + rooms{"src/claims", "src/table"}},
         {"src", command + rooms{"src/claims", "src/table", "src/verify", "src/report"}},
+        {"src/mpi", study + rooms{"src"}},
         {"studies/problem", study},
         {"studies/pendulum", study + rooms{"studies/problem"}},
     };
