@@ -22,6 +22,7 @@ subcommand elliptic_command(CLI::App& program);
 subcommand table_command(CLI::App& program);
 subcommand study_command(CLI::App& program);
 subcommand studies_command(CLI::App& program);
+subcommand journal_command(CLI::App& program);
 subcommand figure_command(CLI::App& program);
 subcommand claims_command(CLI::App& program);
 subcommand reproduce_command(CLI::App& program);

@@ -14,12 +14,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Copies beside the old one, then changes places with it, so that no moment leaves half of it.
+// Copies beside the old one, then changes places with it, so that no moment leaves half of it. Journals belong to the
+// folder of the run.
 void replace(const fs::path& from, const fs::path& target) {
     const std::string own = "." + target.filename().string() + "." + std::to_string(::getpid());
     const fs::path beside = target.parent_path() / (own + ".part");
     const fs::path old = target.parent_path() / (own + ".old");
     fs::copy(from, beside, fs::copy_options::recursive);
+    if (fs::is_directory(beside)) {
+        fs::remove(beside / (from.filename().string() + ".journal"));
+    }
     if (fs::exists(target)) {
         fs::rename(target, old);
     }

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "libration/problem/problem.hpp"
-#include "libration/scalar/dispatch.hpp"
 #include "run/progress.hpp"
-#include "text/table.hpp"
+#include "sweep/study_plan.hpp"
 
 namespace libration {
 
@@ -34,14 +33,6 @@ struct study_parameter {
     std::string meaning;  ///< with unit
 };
 
-/// One CSV of a study: its name is the study's, with _SUFFIX where there are several.
-struct study_table {
-    std::string suffix;
-    scalar_spec scalar;
-    table data;
-    bool timed = false;  ///< holds times of this machine: its bytes differ from run to run
-};
-
 /// A study; studies/FOLDER/NAME.cpp defines one and NAME.gp beside it draws it from the CSV.
 struct study {
     std::string name;
@@ -56,7 +47,10 @@ struct study {
     std::vector<study_parameter> quick;    ///< (option, words) of a run of a second at most, for the tests
     double seconds;                        ///< with the usual parameters, on two cores
     std::vector<without_answer> excluded;  ///< where it has no answer
-    std::function<std::vector<study_table>(const study_request&)> run;
+    /// The cells that answer the request. Throws input_error for what the study cannot be asked.
+    std::function<study_plan(const study_request&)> plan;
+    /// Raised when a cell's rows change that were right by its inputs before: journals of others are not used then.
+    int version = 1;
     arithmetics offers = arithmetics::rounding;  ///< proved_too where it has proofs
     bool alone = false;                          ///< it measures times: nothing is to run beside it
 };

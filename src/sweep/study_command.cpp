@@ -10,6 +10,8 @@
 
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "run/grid.hpp"
+#include "run/progress.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
@@ -21,7 +23,8 @@ namespace {
 struct study_options {
     std::string name;
     std::map<std::string, std::optional<std::string>> words;  // by option
-    std::optional<std::string> columns, out, jobs;
+    std::optional<std::string> columns, out, jobs, shard;
+    bool fresh = false;
 
     study_words said() const {
         study_words result;
@@ -52,14 +55,60 @@ table under_one_header(const std::vector<study_table>& parts, std::string& left_
     return all;
 }
 
-void print_tables(const study_order& order) {
+failures_found print_tables(const study_order& order) {
     std::string left_out;
-    const table all = under_one_header(tables_of(order), left_out);
+    auto answers = answers_of(order);
+    if (answers.tables.empty()) {
+        return {};
+    }
+    const table all = under_one_header(answers.tables, left_out);
     write_to_stdout(to_csv(order.columns ? with_named_columns(all, *order.columns) : all));
     if (!left_out.empty()) {
         fmt::print(stderr, "libration: {} makes more tables ({}): see them with --out DIR\n", order.what->name,
                    left_out);
     }
+    return std::move(answers.failures);
+}
+
+// 2/3 is the second of three.
+study_shard shard_of(const std::string& words) {
+    const auto refuse = [&](const std::string& reason) {
+        throw input_error("--shard", words, reason, "write which of how many, such as 2/3");
+    };
+    constexpr int most_shards = 1'000'000;
+    const auto slash = words.find('/');
+    if (slash == std::string::npos) {
+        refuse("is not I/N");
+    }
+    const auto count_in = [&](const std::string& part) {
+        return reading("--shard", words, "write which of how many, such as 2/3",
+                       [&] { return read_count(part, most_shards); });
+    };
+    const int index = count_in(words.substr(0, slash));
+    const int count = count_in(words.substr(slash + 1));
+    if (index < 1 || index > count) {
+        refuse("is none of the shards 1 to " + std::to_string(count));
+    }
+    return {static_cast<std::size_t>(index - 1), static_cast<std::size_t>(count)};
+}
+
+// Refuses what says something about a journal where there is none.
+study_run run_of(const study_options& options) {
+    const auto refuse = [&](const std::string& option, const std::string& value) {
+        if (!options.out) {
+            throw input_error(option, value, "needs a folder for the journal", "add --out DIR");
+        }
+    };
+    study_run how;
+    if (options.fresh) {
+        refuse("--fresh", "");
+        how.earlier = earlier_cells::replaced;
+    }
+    if (options.shard) {
+        how.shard = shard_of(*options.shard);
+        refuse("--shard", *options.shard);
+    }
+    return how;
 }
 
 int run_study(const study_options& options) {
@@ -70,13 +119,15 @@ int run_study(const study_options& options) {
             fmt::print(stderr, "libration: left out {}\n", order.left_out);
         }
         order.columns = options.columns;
-        if (options.out) {
-            make_study(order, *options.out);
-            fmt::print(stderr, "libration: wrote {}/{}\n", *options.out, what.name);
-        } else {
-            print_tables(order);
+        const study_run how = run_of(options);
+        const failures_found failures = options.out ? make_study(order, *options.out, how) : print_tables(order);
+        if (options.out && !how.shard) {
+            say_line(fmt::format("wrote {}/{}", *options.out, what.name));
         }
-        return 0;
+        if (failures.count > 0) {
+            say_line(message_of(failures));
+        }
+        return failures.count > 0 ? 1 : 0;
     } catch (const error& problem) {
         if (problem.kind() == error_kind::undecided) {
             throw;
@@ -108,6 +159,13 @@ subcommand study_command(CLI::App& program) {
         ->type_name("NAMES");
     command->add_option("--out", options->out, "write DIR/NAME/: tables, figures, provenance; without it CSV to stdout")
         ->type_name("DIR");
+    command->add_flag("--fresh", options->fresh,
+                      "compute all cells anew: without it DIR/NAME/NAME.journal has the rest");
+    command
+        ->add_option("--shard", options->shard,
+                     "the I-th of N shares of the cells alone, into the journal of DIR: 'libration journal merge' "
+                     "makes the tables of all")
+        ->type_name("I/N");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_study(*options); }};
 }

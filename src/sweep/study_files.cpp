@@ -32,7 +32,8 @@ std::string stem_of(const study& what, const study_table& part) {
     return part.suffix.empty() ? what.name : what.name + "_" + part.suffix;
 }
 
-nlohmann::ordered_json description_of(const study_order& order, const std::vector<study_table>& tables) {
+nlohmann::ordered_json description_of(const study_order& order, const gathered_tables& gathered) {
+    const auto& tables = gathered.tables;
     nlohmann::ordered_json description;
     description["study"] = order.what->name;
     description["question"] = order.what->question;
@@ -47,7 +48,7 @@ nlohmann::ordered_json description_of(const study_order& order, const std::vecto
         nlohmann::ordered_json entry{{"file", stem_of(*order.what, part) + ".csv"},
                                      {"scalar", part.scalar.name()},
                                      {"digits", part.scalar.digits},
-                                     {"rows", part.data.rows().size()}};
+                                     {"rows", gathered.too_long ? part.rows : part.data.rows().size()}};
         if (&part != &tables.front()) {
             for (const column& c : part.data.columns()) {
                 entry["columns"][c.name] = c.meaning;
@@ -57,6 +58,9 @@ nlohmann::ordered_json description_of(const study_order& order, const std::vecto
             entry["note"] = "times of the machine that made it";
         }
         description["tables"].push_back(std::move(entry));
+    }
+    for (const cell_failure& each : gathered.failures.first) {
+        description["failed"].push_back({{"cell", each.inputs}, {"reason", each.reason}, {"attempts", each.attempts}});
     }
     description["note"] =
         "mpfr tables depend on the parameters alone; in the others libm may move the last digit from machine to "
@@ -102,7 +106,7 @@ void take_places(const fs::path& made, const fs::path& own, const std::string& j
                               "move it or name another --out");
         }
     }
-    const auto guard = working_folder::uninterrupted();
+    const auto guard = at_ending_signal::uninterrupted();
     fs::remove(own / json);
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(own)) {
@@ -199,33 +203,179 @@ void show_tables(const study& what, const nlohmann::ordered_json& description, c
 
 }  // namespace
 
-void make_study(const study_order& order, const std::string& folder) {
-    if (folder.empty()) {
-        throw input_error("--out", folder, "is no folder", "name one");
+namespace {
+
+// The command that goes on where this one ends.
+std::string command_again(const study_order& order, const std::string& folder, const study_run& how) {
+    std::string words = order.command + " --out " + folder;
+    if (how.shard) {
+        words += fmt::format(" --shard {}/{}", how.shard->index + 1, how.shard->count);
     }
+    return words;
+}
+
+void say_what_is_there(const cells_found& found, const journal& cells) {
+    if (found.to_compute < found.cells) {
+        say_line(fmt::format("{} of {} cells are in {}", found.cells - found.to_compute, found.cells,
+                             cells.path().string()));
+    }
+}
+
+// Computes what the journal does not hold. A signal that ends the process finds all finished cells kept.
+void complete_journal(const study_cells& of, journal& cells, journal_store& store, const study_shard& shard,
+                      const std::string& again) {
+    const cells_found found = missing_cells(of, store, shard);
+    say_what_is_there(found, cells);
+    const at_ending_signal keep([&] {
+        try {
+            store.flush();
+            cells.settle();
+            say_line(fmt::format("{} cells are kept in {}; what goes on is: {}", cells.counts().done,
+                                 cells.path().string(), again));
+        } catch (const std::exception& problem) {
+            say_line(problem.what());
+        }
+    });
+    compute_missing(of, store, found);
+    cells.settle();
+}
+
+// Throws where a shard has not one answer.
+failures_found failures_of_shard(const study_cells& of, const journal_store& store, const study_shard& shard) {
+    const cells_found left = missing_cells(of, store, shard);
+    if (left.cells > 0 && left.to_compute == left.cells) {
+        of.rethrow_first_failure();
+    }
+    failures_found failures;
+    for (const group_work& work : left.missing) {
+        const cell_group group = of.plan().group(work.group);
+        for (const std::size_t which : work.cells) {
+            if (const auto record = store.find(of.key(group.cells[which]))) {
+                failures.add(*record);
+            }
+        }
+    }
+    return failures;
+}
+
+failures_found run_with(const study_order& order, const study_cells& of, journal& cells, journal_store& store,
+                        const std::string& folder, const study_run& how) {
+    const study_shard shard = how.shard.value_or(study_shard{});
+    try {
+        complete_journal(of, cells, store, shard, command_again(order, folder, how));
+    } catch (const journal_error& problem) {
+        if (problem.kind() != journal_error::fault::unwritable) {
+            throw;
+        }
+        throw std::runtime_error(std::string(problem.what()) +
+                                 ": what is finished is kept, and with room on the disk the same command goes on");
+    }
+    if (!how.shard) {
+        return make_tables(order, of, store, folder);
+    }
+    auto failures = failures_of_shard(of, store, shard);
+    say_line(fmt::format("wrote {}, shard {} of {}: 'libration journal merge' makes the tables of all of them",
+                         cells.path().string(), shard.index + 1, shard.count));
+    return failures;
+}
+
+// A journal that was made for a run without one answer goes with it.
+failures_found run_into(const study_order& order, const study_cells& of, const std::string& folder,
+                        const study_run& how) {
+    const fs::path path = journal_path(folder, order.what->name);
+    const bool was_there = fs::exists(path);
+    std::optional<journal> cells(open_study_journal(of, order.command, folder, how.earlier));
+    std::optional<journal_store> store(std::in_place, *cells);
+    try {
+        return run_with(order, of, *cells, *store, folder, how);
+    } catch (...) {
+        store.reset();
+        const bool useless = !was_there && cells->counts().done == 0;
+        cells.reset();
+        if (useless) {
+            drop_journal(path);
+        }
+        throw;
+    }
+}
+
+// One CSV after the other, in constant memory.
+void write_long_tables(const study_order& order, const gathered_tables& gathered, const fs::path& folder) {
+    std::vector<own_columns> kept;
+    std::vector<csv_stream> files;
+    for (const study_table& part : gathered.tables) {
+        kept.emplace_back(part.data.columns());
+    }
+    gathered.each_row([&](std::size_t place, const table_row_cells& row) { kept[place].see(row); });
+    for (std::size_t i = 0; i < gathered.tables.size(); ++i) {
+        const study_table& part = gathered.tables[i];
+        files.emplace_back((folder / (stem_of(*order.what, part) + ".csv")).string(), part.data.columns(),
+                           kept[i].places());
+    }
+    gathered.each_row([&](std::size_t place, const table_row_cells& row) { files[place].add(row); });
+    for (csv_stream& file : files) {
+        file.finish();
+    }
+    say_line(fmt::format("{} has tables of more than {} rows: they are not typeset and not drawn", order.what->name,
+                         most_rows_in_memory));
+}
+
+}  // namespace
+
+failures_found make_tables(const study_order& order, const study_cells& of, cell_store& store,
+                           const std::string& folder) {
     const study& what = *order.what;
-    output_folder into("--out", (fs::path(folder) / what.name).string());
-    const auto tables = tables_of(order);
-    require_columns(tables, order.columns);
-    const auto working = folder_within(into.path());
-    write_tables(order, tables, working->path());
+    const std::string own = (fs::path(folder) / what.name).string();
+    gathered_tables gathered = gather(of, store);
+    if (gathered.finished == 0 && gathered.failures.count > 0) {
+        of.rethrow_first_failure();
+        throw std::runtime_error(message_of(gathered.failures));
+    }
+    const auto working = folder_within(own);
+    if (gathered.too_long) {
+        write_long_tables(order, gathered, working->path());
+    } else {
+        without_repetitions(gathered.tables);
+        write_tables(order, gathered.tables, working->path());
+    }
     std::exception_ptr undrawn;
     try {
-        draw_figures(what, working->path());
+        if (!gathered.too_long) {
+            draw_figures(what, working->path());
+        }
     } catch (const std::exception&) {
         undrawn = std::current_exception();
     }
-    auto description = description_of(order, tables);
+    auto description = description_of(order, gathered);
     description["files"] = fingerprints(working->path());
     const std::string json = what.name + ".json";
     write_into((fs::path(working->path()) / json).string(), description.dump(2) + '\n');
-    take_places(working->path(), into.path(), json, [&](const std::string& file) { return belongs_to(what, file); });
-    into.keep();
+    take_places(working->path(), own, json, [&](const std::string& file) { return belongs_to(what, file); });
     if (undrawn) {
-        fmt::print(stderr,
-                   "libration: the tables are in {}, without figures: 'libration figure {} --out {}' draws them\n",
-                   into.path(), what.name, folder);
+        say_line(fmt::format("the tables are in {}, without figures: 'libration figure {} --out {}' draws them", own,
+                             what.name, folder));
         std::rethrow_exception(undrawn);
+    }
+    return gathered.failures;
+}
+
+failures_found make_study(const study_order& order, const std::string& folder, const study_run& how) {
+    if (folder.empty()) {
+        throw input_error("--out", folder, "is no folder", "name one");
+    }
+    const study_cells of(order);
+    require_columns(of.plan().tables, order.columns);
+    if (cell_server()) {
+        cell_server()(of);
+        return {};
+    }
+    output_folder into("--out", (fs::path(folder) / order.what->name).string());
+    try {
+        auto failures = run_into(order, of, folder, how);
+        into.keep();
+        return failures;
+    } catch (const journal_error& problem) {
+        refuse_journal(problem, "--out");
     }
 }
 

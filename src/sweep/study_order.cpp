@@ -80,6 +80,30 @@ axis_reading without_excluded(const study& what, const axis& along, const std::v
     return result;
 }
 
+// Smaller by value. Formulas that no precision tells apart stand as they were typed.
+bool comes_before(const exact& a, const exact& b) {
+    try {
+        return a.text != b.text && sign_of_exact(a - b) < 0;
+    } catch (const error&) {
+        return false;
+    }
+}
+
+// Every value once, by size, so that the tables do not follow from the order in which they were typed. Times of which
+// some are multiples of T and some are not have no order before a motion is chosen, and words have none at all.
+void put_in_order(const axis& along, std::vector<exact>& values) {
+    const auto in_periods = [](const exact& value) { return value.has_periods(); };
+    const auto periods = std::count_if(values.begin(), values.end(), in_periods);
+    const auto zeros = std::count_if(values.begin(), values.end(), [](const exact& value) { return value.is_zero(); });
+    const bool have_order = periods == 0 || periods + zeros == static_cast<std::ptrdiff_t>(values.size());
+    if (along.form == axis_form::words || !have_order) {
+        return;
+    }
+    std::stable_sort(values.begin(), values.end(), comes_before);
+    const auto same = [](const exact& a, const exact& b) { return a.text == b.text; };
+    values.erase(std::unique(values.begin(), values.end(), same), values.end());
+}
+
 axis_reading read_axis(const study& what, const axis& along, const std::string& words) {
     const auto items = reading(along.option, words, along.remedy, [&] {
         auto read = items_of(along, words);
@@ -94,6 +118,7 @@ axis_reading read_axis(const study& what, const axis& along, const std::string& 
     if (result.kept.empty()) {
         throw input_error(along.option, words, "has no value where " + what.name + " has an answer", along.remedy);
     }
+    put_in_order(along, result.kept);
     return result;
 }
 
@@ -162,36 +187,6 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
     } else if (!own.usual.empty() && !coordinate_chosen(what, along, words)) {
         order.request.values.set(along.name, read_axis(what, along, own.usual).kept);
     }
-}
-
-// The column that is called as this one is without _typed; none where there is none.
-std::optional<std::size_t> plain_of(const table& data, std::size_t typed) {
-    for (std::size_t i = 0; i < data.columns().size(); ++i) {
-        if (data.columns()[i].name + std::string(typed_ending) == data.columns()[typed].name) {
-            return i;
-        }
-    }
-    return std::nullopt;
-}
-
-// Whether a column says nothing but what others say: its cells are empty, those of the other column, or, where there
-// is none, decimals, which were kept exactly.
-bool repeats(const table& data, std::size_t typed) {
-    const auto plain = plain_of(data, typed);
-    return std::all_of(data.rows().begin(), data.rows().end(), [&](const table_row_cells& row) {
-        const cell& said = row[typed];
-        return said.is_empty() || (plain ? said == row[*plain] : read_cell(said.text()).is_number());
-    });
-}
-
-table without_repeated_columns(const table& data) {
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < data.columns().size(); ++i) {
-        if (!data.columns()[i].name.ends_with(typed_ending) || !repeats(data, i)) {
-            kept.push_back(i);
-        }
-    }
-    return data.with_columns(kept);
 }
 
 }  // namespace
@@ -293,12 +288,49 @@ table with_columns_of(const table& data, const std::optional<std::string>& names
     return own.empty() ? data : with_named_columns(data, own);
 }
 
-std::vector<study_table> tables_of(const study_order& order) {
-    std::vector<study_table> tables = order.what->run(order.request);
-    for (study_table& part : tables) {
-        part.data = without_repeated_columns(part.data);
+own_columns::own_columns(const std::vector<column>& columns) : columns_(columns.size()) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (!columns[i].name.ends_with(typed_ending)) {
+            continue;
+        }
+        const std::string plain = columns[i].name.substr(0, columns[i].name.size() - typed_ending.size());
+        const auto found =
+            std::find_if(columns.begin(), columns.end(), [&](const column& other) { return other.name == plain; });
+        typed_.push_back({i, found == columns.end() ? std::nullopt : std::optional(found - columns.begin())});
     }
-    return tables;
+}
+
+// A cell repeats others that is empty, that of the other column, or, where there is none, a decimal, which was kept
+// exactly.
+void own_columns::see(const table_row_cells& row) {
+    for (typed_column& each : typed_) {
+        const cell& said = row[each.place];
+        each.repeats = each.repeats && (said.is_empty() ||
+                                        (each.plain ? said == row[*each.plain] : read_cell(said.text()).is_number()));
+    }
+}
+
+std::vector<std::size_t> own_columns::places() const {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < columns_; ++i) {
+        const bool repeats = std::any_of(typed_.begin(), typed_.end(),
+                                         [&](const typed_column& each) { return each.place == i && each.repeats; });
+        if (!repeats) {
+            kept.push_back(i);
+        }
+    }
+    return kept;
+}
+
+void without_repetitions(std::vector<study_table>& tables) {
+    std::erase_if(tables, [](const study_table& part) { return !part.written; });
+    for (study_table& part : tables) {
+        own_columns own(part.data.columns());
+        for (const table_row_cells& row : part.data.rows()) {
+            own.see(row);
+        }
+        part.data = part.data.with_columns(own.places());
+    }
 }
 
 }  // namespace libration

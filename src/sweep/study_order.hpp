@@ -47,8 +47,27 @@ table with_columns_of(const table& data, const std::optional<std::string>& names
 /// ...". Throws input_error, also for an option that the study does not have.
 study_order order_of(const study& what, const study_words& words, int jobs);
 
-/// The study's tables. A column NAME_typed that says nothing but what NAME says is left out.
-std::vector<study_table> tables_of(const study_order& order);
+/// Which columns of a table say something of their own: a column NAME_typed that says nothing but what NAME says, in
+/// all rows, is left out.
+class own_columns {
+public:
+    explicit own_columns(const std::vector<column>& columns);
+    void see(const table_row_cells& row);
+    /// Of the columns that are kept.
+    std::vector<std::size_t> places() const;
+
+private:
+    struct typed_column {
+        std::size_t place;
+        std::optional<std::size_t> plain;  // the column that is called as this one is without _typed
+        bool repeats = true;
+    };
+    std::size_t columns_;
+    std::vector<typed_column> typed_;
+};
+
+/// The tables with these columns alone, and without those that are not to be written.
+void without_repetitions(std::vector<study_table>& tables);
 
 /// The number of threads: the words of --jobs, or all cores. Throws input_error.
 int jobs_of(const std::optional<std::string>& words);

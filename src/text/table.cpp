@@ -134,6 +134,28 @@ std::string to_csv(const table& data) {
     return out;
 }
 
+csv_stream::csv_stream(const std::string& path, const std::vector<column>& columns, std::vector<std::size_t> places)
+    : path_(path), places_(std::move(places)), file_(path, std::ios::binary) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        file_ << (i > 0 ? "," : "") << columns[places_[i]].name;
+    }
+    file_ << '\n';
+}
+
+void csv_stream::add(const table_row_cells& row) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        file_ << (i > 0 ? "," : "") << csv_cell(row[places_[i]].text());
+    }
+    file_ << '\n';
+}
+
+void csv_stream::finish() {
+    file_.close();
+    if (!file_) {
+        throw std::runtime_error(path_ + " cannot be written");
+    }
+}
+
 table from_csv(const std::string& text) {
     table data;
     std::vector<std::string> cells{""};

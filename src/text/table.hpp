@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
@@ -101,6 +102,20 @@ table make_table(const column_list<Row>& columns, const std::vector<Row>& rows) 
 
 /// One header line, one row a line, no comments.
 std::string to_csv(const table& data);
+
+/// The CSV of a table that is too long to be held: row by row into a file, with these of its columns.
+class csv_stream {
+public:
+    csv_stream(const std::string& path, const std::vector<column>& columns, std::vector<std::size_t> places);
+    void add(const table_row_cells& row);
+    /// Throws std::runtime_error where not all of it could be written.
+    void finish();
+
+private:
+    std::string path_;
+    std::vector<std::size_t> places_;
+    std::ofstream file_;
+};
 
 /// Reads what to_csv wrote: cells may be quoted, and hold commas, quotes and line ends then. The meanings of the
 /// columns stay empty; a cell is a number where one is written. Throws std::runtime_error naming the line where a row

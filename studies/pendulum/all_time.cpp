@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/error/folding_error.hpp"
 #include "libration/pendulum/solution/rounded_phase_map.hpp"
 #include "periodic_rows.hpp"
-#include "run/parallel.hpp"
 
 namespace libration::studies {
 
@@ -128,29 +128,40 @@ table reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const st
     return make_table(reduction_columns(), rows);
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const std::vector<scalar_spec> scalars{read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
-    const std::size_t rules = sweep.period_rules.size();
-    const std::size_t each = rules + scalars.size();
-    progress shown("all_time, ways at energies", sweep.energies.size() * each, request.shown);
-    const auto parts = parallel_map(sweep.energies.size() * each, request.jobs, shown, [&](std::size_t i) {
-        const sweep_energy& at = sweep.energies[i / each];
-        if (i % each < rules) {
-            return folding_rows(at, sweep.period_rules[i % each], sweep.periods);
-        }
-        switch (scalars[i % each - rules].kind) {
-            case scalar_kind::binary64: return reduction_rows<double>(at, scalars[0], sweep.periods);
-            case scalar_kind::extended: return reduction_rows<long double>(at, scalars[1], sweep.periods);
-            default: return reduction_rows<quad>(at, scalars[2], sweep.periods);
-        }
-    });
-    std::vector<table> folding;
-    std::vector<table> reduction;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        (i % each < rules ? folding : reduction).push_back(parts[i]);
+// The rows of one energy by one way to T*, or in one scalar.
+std::vector<table> rows_at(const sweep_energy& at, const sweep_period_rule* by, const scalar_spec& scalar,
+                           const std::vector<integer>& periods) {
+    if (by != nullptr) {
+        return {folding_rows(at, *by, periods)};
     }
-    return {{"", read_scalar("mpfr:40"), stacked(folding)}, {"reduction", read_scalar("quad"), stacked(reduction)}};
+    const table no_folding = make_table(folding_columns(), std::vector<folding_row>());
+    switch (scalar.kind) {
+        case scalar_kind::binary64: return {no_folding, reduction_rows<double>(at, scalar, periods)};
+        case scalar_kind::extended: return {no_folding, reduction_rows<long double>(at, scalar, periods)};
+        default: return {no_folding, reduction_rows<quad>(at, scalar, periods)};
+    }
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
+    const std::vector<scalar_spec> scalars{read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
+    const std::size_t rules = sweep->period_rules.size();
+    const std::size_t each = rules + scalars.size();
+    return plan_of_cells(
+        {head_of("", read_scalar("mpfr:40"), folding_columns()),
+         head_of("reduction", read_scalar("quad"), reduction_columns())},
+        {"energy", "gap", "period_by"}, sweep->energies.size() * each,
+        [sweep, scalars, rules, each](std::size_t i) {
+            const auto at = inputs_of(sweep->energies[i / each]);
+            const std::size_t way = i % each;
+            return way < rules ? with_input(at, "period_by", sweep->period_rules[way].text)
+                               : with_input(at, "scalar", scalars[way - rules].name());
+        },
+        [sweep, scalars, rules, each](std::size_t i) {
+            const std::size_t way = i % each;
+            const auto* const by = way < rules ? &sweep->period_rules[way] : nullptr;
+            return rows_at(sweep->energies[i / each], by, scalars[by != nullptr ? 0 : way - rules], sweep->periods);
+        });
 }
 
 }  // namespace
@@ -182,7 +193,7 @@ const study& all_time() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--periods", "1,1e6", ""}, {"--period-by", "resummed:10", ""}},
         .seconds = 2.5,
         .excluded = without_period(),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "libration/pendulum/proved/proved_theta.hpp"
 
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "run/parallel.hpp"
 #include "text/input_error.hpp"
 
 namespace libration::studies {
@@ -174,27 +174,51 @@ inline std::vector<without_answer> without_modulus() {
     return excluded;
 }
 
-/// The table of an audit.
-inline std::vector<study_table> run_audit(const std::string& name, const std::string& library, const audited_peer& peer,
-                                          const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+/// What a library answers to all cases of an audit, asked at once and when the first answer is needed.
+class peer_answers {
+public:
+    peer_answers(audited_peer peer, std::vector<audit_case> cases) : peer_(std::move(peer)), cases_(std::move(cases)) {}
+
+    const audit_case& of(std::size_t i) const { return cases_[i]; }
+    std::size_t size() const { return cases_.size(); }
+    double theta(std::size_t i) {
+        std::call_once(asked_, [&] {
+            std::vector<audited_input> inputs;
+            inputs.reserve(cases_.size());
+            for (const audit_case& one : cases_) {
+                inputs.push_back({one.k, one.time});
+            }
+            thetas_ = peer_(inputs);
+        });
+        return thetas_[i];
+    }
+
+private:
+    audited_peer peer_;
+    std::vector<audit_case> cases_;
+    std::once_flag asked_;
+    std::vector<double> thetas_;
+};
+
+/// The cells of an audit: each time at each energy.
+inline study_plan plan_of_audit(const std::string& library, const audited_peer& peer, const study_request& request) {
+    const auto sweep = sweep_of(request);
     std::vector<audit_case> cases;
-    cases.reserve(sweep.energies.size() * sweep.times.size());
-    for (const sweep_energy& at : sweep.energies) {
-        for (const exact& time : sweep.times) {
+    cases.reserve(sweep->energies.size() * sweep->times.size());
+    for (const sweep_energy& at : sweep->energies) {
+        for (const exact& time : sweep->times) {
             cases.push_back(case_of(at, time));
         }
     }
-    std::vector<audited_input> inputs;
-    inputs.reserve(cases.size());
-    for (const audit_case& one : cases) {
-        inputs.push_back({one.k, one.time});
-    }
-    const std::vector<double> thetas = peer(inputs);
-    progress shown(name + ", values", cases.size(), request.shown);
-    return {{"", read_scalar("double"), stacked(parallel_map(cases.size(), request.jobs, shown, [&](std::size_t i) {
-                 return judged_rows(cases[i], library, thetas[i]);
-             }))}};
+    const auto answers = std::make_shared<peer_answers>(peer, std::move(cases));
+    return plan_of_cells(
+        {head_of("", read_scalar("double"), audit_columns())}, {"energy", "gap", "time"}, answers->size(),
+        [sweep, answers](std::size_t i) {
+            return with_input(inputs_of(*answers->of(i).at), "time", answers->of(i).asked->text);
+        },
+        [sweep, answers, library](std::size_t i) {
+            return std::vector<table>{judged_rows(answers->of(i), library, answers->theta(i))};
+        });
 }
 
 inline std::vector<study_parameter> audit_parameters() {

@@ -45,7 +45,7 @@ const study& audit_boost() {
         .quick = quick_audit(),
         .seconds = 1,
         .excluded = without_modulus(),
-        .run = [](const study_request& request) { return run_audit("audit_boost", "boost", by_boost, request); }};
+        .plan = [](const study_request& request) { return plan_of_audit("boost", by_boost, request); }};
     return result;
 }
 

@@ -70,7 +70,7 @@ const study& audit_gsl() {
         .quick = quick_audit(),
         .seconds = 1,
         .excluded = without_modulus(),
-        .run = [](const study_request& request) { return run_audit("audit_gsl", "gsl", by_gsl, request); }};
+        .plan = [](const study_request& request) { return plan_of_audit("gsl", by_gsl, request); }};
     return result;
 }
 

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "../problem/sweep_plan.hpp"
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "numerical_points.hpp"
 #include "periodic_rows.hpp"
-#include "run/parallel.hpp"
 #include "value_with_error.hpp"
 
 namespace libration::studies {
@@ -133,18 +133,17 @@ inline std::vector<table> extension_at(const sweep_energy& energy, const pendulu
     return {stacked(approximate), std::move(numerical), curve(std::nullopt, "exact", cells, values, scalar.digits)};
 }
 
-/// The three tables of such a study.
-inline std::vector<study_table> run_extension(const std::string& name, pendulum::arc_method method,
-                                              const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+/// The cells of such a study: its energies, with three tables.
+inline study_plan plan_of_extension(pendulum::arc_method method, const study_request& request) {
+    const auto sweep = sweep_of(request);
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown(name + ", energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return extension_at(sweep.energies[i], sweep, request, method, scalar);
-    }));
     const scalar_spec exact_digits{scalar_kind::arbitrary, scalar.digits};
-    return {
-        {"", scalar, tables[0]}, {"numerical", read_scalar("double"), tables[1]}, {"exact", exact_digits, tables[2]}};
+    return plan_by_energy(
+        {head_of("", scalar, extension_columns()), head_of("numerical", read_scalar("double"), extension_columns()),
+         head_of("exact", exact_digits, extension_columns())},
+        sweep, [sweep, request, method, scalar](const sweep_energy& at) {
+            return extension_at(at, *sweep, request, method, scalar);
+        });
 }
 
 /// The parameters of such a study, with its usual energy and orders.

@@ -22,9 +22,7 @@ const study& libration_series() {
         .quick = {{"--energies", "1.71", ""}, {"--orders", "2", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
         .seconds = 0.4,
         .excluded = without_period(),
-        .run = [](const study_request& request) {
-            return run_extension("libration_series", pendulum::arc_method::series, request);
-        }};
+        .plan = [](const study_request& request) { return plan_of_extension(pendulum::arc_method::series, request); }};
     return result;
 }
 

@@ -25,8 +25,8 @@ const study& near_separatrix_resummed() {
                   {"--step", "1e-3", ""}},
         .seconds = 0.6,
         .excluded = without_period(),
-        .run = [](const study_request& request) {
-            return run_extension("near_separatrix_resummed", pendulum::arc_method::resummed, request);
+        .plan = [](const study_request& request) {
+            return plan_of_extension(pendulum::arc_method::resummed, request);
         }};
     return result;
 }

@@ -25,9 +25,7 @@ const study& near_separatrix_series() {
                   {"--step", "1e-3", ""}},
         .seconds = 0.6,
         .excluded = without_period(),
-        .run = [](const study_request& request) {
-            return run_extension("near_separatrix_series", pendulum::arc_method::series, request);
-        }};
+        .plan = [](const study_request& request) { return plan_of_extension(pendulum::arc_method::series, request); }};
     return result;
 }
 

@@ -1,8 +1,8 @@
 // What becomes of the extended resummation when T* is not exact? [paper fig:period]
+#include "../problem/sweep_plan.hpp"
 #include "folded.hpp"
 #include "numerical_points.hpp"
 #include "periodic_rows.hpp"
-#include "run/parallel.hpp"
 
 namespace libration::studies {
 
@@ -70,14 +70,12 @@ std::vector<table> tables_at(const sweep_energy& at, const pendulum_sweep& sweep
     return {make_table(columns(), folded_rows), make_table(columns(), numerical)};
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown("period_effect, energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return tables_at(sweep.energies[i], sweep, request, scalar);
-    }));
-    return {{"", scalar, tables[0]}, {"numerical", read_scalar("double"), tables[1]}};
+    return plan_by_energy(
+        {head_of("", scalar, columns()), head_of("numerical", read_scalar("double"), columns())}, sweep,
+        [sweep, request, scalar](const sweep_energy& at) { return tables_at(at, *sweep, request, scalar); });
 }
 
 }  // namespace
@@ -117,7 +115,7 @@ const study& period_effect() {
         .quick = {{"--energies", "1.9998,2.0002", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
         .seconds = 1,
         .excluded = without_period(),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "libration/pendulum/energy/period_error.hpp"
-#include "run/parallel.hpp"
 
 namespace libration::studies {
 
@@ -75,14 +75,12 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const scal
     return make_table(columns(), rows);
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const auto orders = request.orders();
+study_plan plan(const study_request& request) {
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown("period_error, energies", sweep.energies.size(), request.shown);
-    return {{"", scalar, stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-                 return rows_at(sweep.energies[i], orders, scalar);
-             }))}};
+    return plan_by_order({head_of("", scalar, columns())}, sweep_of(request), request.orders(),
+                         [scalar](const sweep_energy& at, const std::vector<int>& orders) {
+                             return std::vector<table>{rows_at(at, orders, scalar)};
+                         });
 }
 
 }  // namespace
@@ -112,7 +110,7 @@ const study& period_error() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "1,10", ""}},
         .seconds = 0.4,
         .excluded = no_answer_at_limits("k = 0 and both sums are exact", "the period is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "libration/digits/growing_precision.hpp"
 #include "libration/pendulum/error/arc_approximations.hpp"
-#include "run/parallel.hpp"
 
 namespace libration::studies {
 
@@ -59,9 +59,16 @@ const column_list<resummation_row>& columns() {
     return all;
 }
 
-// What the rows of one energy are made of, and the least norm among them, which says whether the precision was enough.
+// An approximation with so many coefficients.
+struct asked_norm {
+    approximation method;
+    int count;
+};
+
+// The rows of one energy, for each norm that is asked for: one, or none where there is no such approximation. And the
+// least norm among them, which says whether the precision was enough.
 struct energy_rows {
-    std::vector<resummation_row> rows;
+    std::vector<std::vector<resummation_row>> rows;
     mpfr least;
 };
 
@@ -79,48 +86,80 @@ resummation_row row_of(const sweep_energy& at, approximation a, int count, const
             convergence_rate(a, bounds)};
 }
 
-energy_rows rows_in(const sweep_energy& at, const std::vector<int>& counts) {
+energy_rows rows_in(const sweep_energy& at, const std::vector<asked_norm>& asked) {
     const motion m = motion::of_energy(at.value);
     arc_errors errors(m);
     energy_rows result{{}, mpfr(1)};
-    for (const approximation a : all_approximations) {
-        for (const int count : counts) {
-            if (!size_for(a, count, errors.bounds().parity)) {
-                continue;
-            }
-            with_approximation(a, m, errors.arc(), count, [&](const auto& f) {
-                const norm_at<mpfr> found = errors.norm_of(f, 2 * count);
-                const mpfr other = errors.second_opinion_of(f, found.place);
-                const bool agreed =
-                    abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
-                result.rows.push_back(row_of(at, a, count, found, agreed, errors.bounds()));
-                result.least = std::min(result.least, found.norm);
-            });
+    for (const auto& [method, count] : asked) {
+        auto& rows = result.rows.emplace_back();
+        if (!size_for(method, count, errors.bounds().parity)) {
+            continue;
         }
+        with_approximation(method, m, errors.arc(), count, [&, a = method, n = count](const auto& f) {
+            const norm_at<mpfr> found = errors.norm_of(f, 2 * n);
+            const mpfr other = errors.second_opinion_of(f, found.place);
+            const bool agreed =
+                abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
+            rows.push_back(row_of(at, a, n, found, agreed, errors.bounds()));
+            result.least = std::min(result.least, found.norm);
+        });
     }
     return result;
 }
 
 // At a precision that leaves the least norm its digits, and Pade's linear system the 3/2 digits that each degree costs
 // it.
-table rows_at(const sweep_energy& at, const std::vector<int>& counts) {
-    const int most = *std::max_element(counts.begin(), counts.end());
+std::vector<cell_rows> cells_at(const sweep_energy& at, const std::vector<asked_norm>& asked) {
+    int most = 0;
+    for (const asked_norm& each : asked) {
+        most = std::max(most, each.count);
+    }
     constexpr long most_digits = 20'000;
-    const auto attempt = [&](const precision_run& run) -> std::optional<table> {
-        auto found = rows_in(at, counts);
-        const bool enough = found.least > pow(mpfr(10), static_cast<int>(2 * printed_digits - run.more));
-        return enough ? std::optional(make_table(columns(), found.rows)) : std::nullopt;
+    const auto attempt = [&](const precision_run& run) -> std::optional<std::vector<cell_rows>> {
+        const auto found = rows_in(at, asked);
+        if (!(found.least > pow(mpfr(10), static_cast<int>(2 * printed_digits - run.more)))) {
+            return std::nullopt;
+        }
+        std::vector<cell_rows> cells;
+        for (const auto& rows : found.rows) {
+            cells.push_back(rows_of({make_table(columns(), rows)}));
+        }
+        return cells;
     };
     return with_growing_precision({0, 60 + most, most_digits}, "a norm at energy " + at.energy, attempt);
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const std::vector<int> counts = numbers_of_coefficients(request);
-    progress shown("resummations, energies", sweep.energies.size(), request.shown);
-    return {{"", read_scalar("mpfr:" + std::to_string(printed_digits)),
-             stacked(parallel_map(sweep.energies.size(), request.jobs, shown,
-                                  [&](std::size_t i) { return rows_at(sweep.energies[i], counts); }))}};
+// The norms of one energy share its arc.
+cell_group group_of(const shared_sweep& sweep, std::size_t i, const std::vector<int>& counts) {
+    const sweep_energy& at = sweep->energies[i];
+    cell_group group;
+    std::vector<asked_norm> all;
+    for (const approximation method : all_approximations) {
+        for (const int count : counts) {
+            all.push_back({method, count});
+            group.cells.push_back(with_input(with_input(inputs_of(at), "method", std::string(name_of(method))), "order",
+                                             std::to_string(count)));
+        }
+    }
+    group.compute = [sweep, &at, all](const std::vector<std::size_t>& which) {
+        std::vector<asked_norm> asked;
+        for (const std::size_t each : which) {
+            asked.push_back(all[each]);
+        }
+        return cells_at(at, asked);
+    };
+    return group;
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
+    const auto counts = numbers_of_coefficients(request);
+    return {{head_of("", read_scalar("mpfr:" + std::to_string(printed_digits)), columns())},
+            {"energy", "gap", "order"},
+            sweep->energies.size(),
+            [sweep, counts](std::size_t i) { return group_of(sweep, i, counts); },
+            {},
+            {}};
 }
 
 }  // namespace
@@ -150,7 +189,7 @@ const study& resummations() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "4,6", ""}},
         .seconds = 7,
         .excluded = no_answer_at_limits("theta is constant", "the period is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

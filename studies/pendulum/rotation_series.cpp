@@ -20,9 +20,7 @@ const study& rotation_series() {
         .quick = {{"--energies", "2.02", ""}, {"--orders", "3", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},
         .seconds = 0.4,
         .excluded = without_period(),
-        .run = [](const study_request& request) {
-            return run_extension("rotation_series", pendulum::arc_method::series, request);
-        }};
+        .plan = [](const study_request& request) { return plan_of_extension(pendulum::arc_method::series, request); }};
     return result;
 }
 

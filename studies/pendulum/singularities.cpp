@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "libration/convergence/test/root_test.hpp"
 #include "libration/pendulum/arc/stable_pade_poles.hpp"
-#include "run/parallel.hpp"
 
 namespace libration::studies {
 
@@ -177,18 +177,15 @@ std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& ord
     return {stacked(points), make_table(convergence_columns(), convergence)};
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
     const auto orders = request.orders();
     sorted_orders(request, first_order, "leaves no Pade approximant with a pole");
     const auto asked = request.digits();
     const long digits = *std::max_element(asked.begin(), asked.end());
-    progress shown("singularities, energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return tables_at(sweep.energies[i], orders, digits);
-    }));
     const scalar_spec scalar{scalar_kind::arbitrary, digits};
-    return {{"", scalar, tables[0]}, {"convergence", scalar, tables[1]}};
+    return plan_by_energy({head_of("", scalar, columns()), head_of("convergence", scalar, convergence_columns())},
+                          sweep_of(request),
+                          [orders, digits](const sweep_energy& at) { return tables_at(at, orders, digits); });
 }
 
 }  // namespace
@@ -222,7 +219,7 @@ const study& singularities() {
         .seconds = 0.5,
         .excluded = no_answer_at_limits("theta is constant and has no singularity",
                                         "the motion has no top and one column of singularities is left"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

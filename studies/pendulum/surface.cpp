@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
-#include "run/parallel.hpp"
 #include "text/input_error.hpp"
 
 namespace libration::studies {
@@ -117,15 +117,14 @@ void require_surface(const pendulum_sweep& sweep) {
     }
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    require_surface(sweep);
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
+    require_surface(*sweep);
     const auto orders = request.orders();
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown("surface, energies", sweep.energies.size(), request.shown);
-    return {{"", scalar, stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-                 return rows_at(sweep.energies[i], sweep, orders, scalar);
-             }))}};
+    return plan_by_energy({head_of("", scalar, columns())}, sweep, [sweep, orders, scalar](const sweep_energy& at) {
+        return std::vector<table>{rows_at(at, *sweep, orders, scalar)};
+    });
 }
 
 }  // namespace
@@ -158,7 +157,7 @@ const study& surface() {
         .quick = {{"--energies", "1.71,2,2.02", ""}, {"--times", "0:20:6", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,
         .excluded = no_answer_at_limits("the pendulum rests", ""),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

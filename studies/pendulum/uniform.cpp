@@ -2,10 +2,10 @@
 #include <string_view>
 
 #include "../problem/sweep_columns.hpp"
+#include "../problem/sweep_plan.hpp"
 #include "libration/pendulum/arc/uniform_convergence_rate.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
-#include "run/parallel.hpp"
 
 namespace libration::studies {
 
@@ -87,14 +87,10 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
     return {make_table(columns(), in_mpfr), make_table(columns(), in_double)};
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const std::vector<int> counts = numbers_of_coefficients(request);
-    progress shown("uniform, energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown,
-                                             [&](std::size_t i) { return rows_at(sweep.energies[i], counts); }));
-    return {{"", read_scalar("mpfr:" + std::to_string(printed_digits)), tables[0]},
-            {"double", read_scalar("double"), tables[1]}};
+study_plan plan(const study_request& request) {
+    return plan_by_order({head_of("", read_scalar("mpfr:" + std::to_string(printed_digits)), columns()),
+                          head_of("double", read_scalar("double"), columns())},
+                         sweep_of(request), numbers_of_coefficients(request), rows_at);
 }
 
 }  // namespace
@@ -124,7 +120,7 @@ const study& uniform() {
         .quick = {{"--energies", "1.71,1e-20", ""}, {"--gaps", "1e-12,-1e-30", ""}, {"--orders", "4,16", ""}},
         .seconds = 10,
         .excluded = no_answer_at_limits("the columns of singularities are infinitely many", "the period is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -11,8 +11,8 @@
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/pendulum/singularity/singularities.hpp"
 #include "libration/pendulum/taylor/other_recurrences.hpp"
-#include "run/progress.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -301,21 +301,23 @@ std::vector<table> tables_at(const sweep_energy& at, int order, const scalar_spe
 }
 
 // One step after the other, whatever the number of jobs: times taken side by side would measure the company.
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
     const auto orders = request.orders();
     sorted_orders(request, least_order, "leaves no recurrence to count");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:50"));
-    std::vector<std::vector<table>> parts;
-    progress shown("cost, energies and orders", sweep.energies.size() * orders.size(), request.shown);
-    for (const sweep_energy& at : sweep.energies) {
-        for (const int order : orders) {
-            parts.push_back(tables_at(at, order, scalar));
-            shown.step();
-        }
-    }
-    const auto tables = stacked(parts);
-    return {{"", scalar, tables[0]}, {"time", scalar, tables[1], true}};
+    study_table times = head_of("time", scalar, time_columns());
+    times.timed = true;
+    return plan_of_cells(
+        {head_of("", scalar, columns()), std::move(times)}, {"energy", "gap", "order"},
+        sweep->energies.size() * orders.size(),
+        [sweep, orders](std::size_t i) {
+            return with_input(inputs_of(sweep->energies[i / orders.size()]), "order",
+                              std::to_string(orders[i % orders.size()]));
+        },
+        [sweep, orders, scalar](std::size_t i) {
+            return tables_at(sweep->energies[i / orders.size()], orders[i % orders.size()], scalar);
+        });
 }
 
 }  // namespace
@@ -350,7 +352,7 @@ const study& cost() {
         .seconds = 1.5,
         .excluded =
             no_answer_at_limits("the series from the top is the constant 0", "the series from the top is not defined"),
-        .run = run,
+        .plan = plan,
         .alone = true};
     return result;
 }

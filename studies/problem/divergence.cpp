@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "libration/pendulum/taylor/bottom_series.hpp"
-#include "run/parallel.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -93,16 +93,15 @@ std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& ord
     return {make_table(columns(), sums), make_table(radius_columns(), std::vector<radius_row>{radius})};
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
     const auto orders = request.orders();
     const auto digits = request.digits();
     const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(digits.begin(), digits.end())};
-    progress shown("divergence, energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return tables_at(sweep.energies[i], orders, sweep.times, scalar.digits);
-    }));
-    return {{"", scalar, tables[0]}, {"radius", scalar, tables[1]}};
+    return plan_by_energy({head_of("", scalar, columns()), head_of("radius", scalar, radius_columns())}, sweep,
+                          [sweep, orders, digits = scalar.digits](const sweep_energy& at) {
+                              return tables_at(at, orders, sweep->times, digits);
+                          });
 }
 
 }  // namespace
@@ -132,7 +131,7 @@ const study& divergence() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10,40", ""}, {"--times", "0:T:9", ""}},
         .seconds = 2.5,
         .excluded = no_answer_at_limits("the series is the constant 0", "the period is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -6,7 +6,7 @@
 
 #include "libration/convergence/estimate/coefficient_ratios.hpp"
 #include "radius_cells.hpp"
-#include "run/parallel.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -207,16 +207,14 @@ std::vector<table> plots_at(const sweep_energy& at, const exact& point, const st
     return {stacked(points), make_table(list_columns(), lists), std::move(answers)};
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
     const std::vector<int> orders = sorted_orders(request, least_order, "leaves no ratios to draw");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    const std::size_t points = sweep.points.size();
-    progress shown("domb_sykes, lists", sweep.energies.size() * points, request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size() * points, request.jobs, shown, [&](std::size_t i) {
-        return plots_at(sweep.energies[i / points], sweep.points[i % points], orders, scalar);
-    }));
-    return {{"", scalar, tables[0]}, {"lists", scalar, tables[1]}, {"intercepts", scalar, tables[2]}};
+    return plan_by_point({head_of("", scalar, columns()), head_of("lists", scalar, list_columns()),
+                          head_of("intercepts", scalar, answer_columns())},
+                         sweep_of(request), [orders, scalar](const sweep_energy& at, const exact& point) {
+                             return plots_at(at, point, orders, scalar);
+                         });
 }
 
 }  // namespace
@@ -250,7 +248,7 @@ const study& domb_sykes() {
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no ratios", "T* is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -6,8 +6,8 @@
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/error/march_error.hpp"
 #include "libration/pendulum/error/proved/proved_norm.hpp"
-#include "run/parallel.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -258,20 +258,15 @@ const column_list<march_row>& baseline_columns() {
 }
 
 template <fixed_scalar T>
-march_row row_of(const march& m) {
+march_row row_in(const march& m) {
     constexpr int samples = 2000;
     const march_error found = separatrix_march_error<T>(m.step, m.steps, samples);
     return {m, found, mpfr(found.norm / widen(epsilon<T>()))};
 }
 
-study_table baseline_of(const std::vector<march>& marches, const study_request& request) {
-    progress shown("error_norm, marches", marches.size(), request.shown);
-    const auto rows = parallel_map(marches.size(), request.jobs, shown, [&](std::size_t i) {
-        const precision_scope scope(60);
-        return marches[i].scalar.kind == scalar_kind::binary64 ? row_of<double>(marches[i])
-                                                               : row_of<long double>(marches[i]);
-    });
-    return {"baseline", marches.front().scalar, make_table(baseline_columns(), rows)};
+march_row row_of(const march& m) {
+    const precision_scope scope(60);
+    return m.scalar.kind == scalar_kind::binary64 ? row_in<double>(m) : row_in<long double>(m);
 }
 
 // The march is of the paper's whole figure: a run in one scalar is one table.
@@ -280,23 +275,36 @@ std::vector<march> marches_for(const study_request& request) {
     return asked ? marches_of(request.step().coefficient) : std::vector<march>();
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const auto orders = request.orders();
+// The energies first, each with its orders as cells, and then the marches.
+cell_group group_of_march(const march& m, std::size_t table_of_marches) {
+    return {{{{"step", decimal_of(m.step, 50)}, {"scalar", m.scalar.name()}}},
+            [m, table_of_marches](const std::vector<std::size_t>& /*the only one*/) {
+                cell_rows rows(table_of_marches + 1);
+                rows.back() = make_table(baseline_columns(), std::vector<march_row>{row_of(m)}).rows();
+                return std::vector<cell_rows>{std::move(rows)};
+            }};
+}
+
+study_plan plan(const study_request& request) {
     const auto scalars = scalars_of(request);
     const auto marches = marches_for(request);
-    progress shown("error_norm, energies", sweep.energies.size(), request.shown);
-    const auto by_scalar = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(sweep.energies[i], orders, scalars);
-    }));
     std::vector<study_table> tables;
-    for (std::size_t i = 0; i < scalars.size(); ++i) {
-        tables.push_back({request.scalar ? "" : suffix_of(scalars[i]), scalars[i], by_scalar[i]});
+    tables.reserve(scalars.size() + 1);
+    for (const scalar_spec& scalar : scalars) {
+        tables.push_back(head_of(request.scalar ? "" : suffix_of(scalar), scalar, columns()));
     }
     if (!marches.empty()) {
-        tables.push_back(baseline_of(marches, request));
+        tables.push_back(head_of("baseline", marches.front().scalar, baseline_columns()));
     }
-    return tables;
+    study_plan plan = plan_by_order(
+        std::move(tables), sweep_of(request), request.orders(),
+        [scalars](const sweep_energy& at, const std::vector<int>& orders) { return rows_at(at, orders, scalars); });
+    plan.axes.emplace_back("step");
+    plan.group = [of_energies = plan.group, energies = plan.groups, marches, place = scalars.size()](std::size_t i) {
+        return i < energies ? of_energies(i) : group_of_march(marches[i - energies], place);
+    };
+    plan.groups += marches.size();
+    return plan;
 }
 
 }  // namespace
@@ -333,7 +341,7 @@ const study& error_norm() {
         .seconds = 13,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
-        .run = run,
+        .plan = plan,
         .offers = arithmetics::proved_too};
     return result;
 }

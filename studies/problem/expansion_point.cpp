@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "libration/pendulum/error/expansion_coverage.hpp"
-#include "run/parallel.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -128,15 +128,14 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& poi
     return {make_table(columns(), covers), make_table(norm_columns(), norm_rows)};
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
     const std::vector<int> orders = sorted_orders(request, 0, "");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
-    progress shown("expansion_point, energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(sweep.energies[i], sweep.points, orders, scalar);
-    }));
-    return {{"", scalar, tables[0]}, {"norms", scalar, tables[1]}};
+    const auto sweep = sweep_of(request);
+    return plan_by_values({head_of("", scalar, columns()), head_of("norms", scalar, norm_columns())}, sweep, "point",
+                          sweep->points, [orders, scalar](const sweep_energy& at, const std::vector<exact>& points) {
+                              return rows_at(at, points, orders, scalar);
+                          });
 }
 
 }  // namespace
@@ -166,7 +165,7 @@ const study& expansion_point() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6,12", ""}, {"--points", "0,1", ""}},
         .seconds = 3,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "libration/pendulum/error/error_norm.hpp"
-#include "run/parallel.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -102,14 +102,12 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const std:
     return make_table(columns(), rows);
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const auto orders = request.orders();
+study_plan plan(const study_request& request) {
     const auto scalars = scalars_of(request);
-    progress shown("precision_floor, energies", sweep.energies.size(), request.shown);
-    return {{"", scalars.back(), stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-                 return rows_at(sweep.energies[i], orders, scalars);
-             }))}};
+    return plan_by_order({head_of("", scalars.back(), columns())}, sweep_of(request), request.orders(),
+                         [scalars](const sweep_energy& at, const std::vector<int>& orders) {
+                             return std::vector<table>{rows_at(at, orders, scalars)};
+                         });
 }
 
 }  // namespace
@@ -138,7 +136,7 @@ const study& precision_floor() {
         .seconds = 2,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

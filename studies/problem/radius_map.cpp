@@ -1,9 +1,11 @@
 // Can an unknown radius, and with it the optimal expansion point, be deduced from coefficients? [paper sec:conclusions]
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 
 #include "radius_cells.hpp"
-#include "run/parallel.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -95,100 +97,162 @@ const column_list<map_row>& columns() {
     return all;
 }
 
+// A row of the first table as the second one needs it: the numbers as they are printed, which are all the digits that
+// the verdicts have.
+struct seen_point {
+    const table_row_cells* cells;
+    mpfr exact_radius, exact_rate;
+    std::optional<mpfr> radius, rate;
+};
+
+std::size_t place_of(const std::string& name) {
+    const auto& all = columns();
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; }) - all.begin());
+}
+
+std::optional<mpfr> number_in(const table_row_cells& cells, const std::string& name) {
+    const cell& found = cells[place_of(name)];
+    return found.is_empty() ? std::nullopt : std::optional(from_exact<mpfr>(read_exact(found.text())));
+}
+
+seen_point seen_in(const table_row_cells& cells) {
+    const mpfr x = *number_in(cells, "point");
+    const mpfr reach = (x > 1 - x ? x : mpfr(1 - x)) * *number_in(cells, "tstar");
+    const mpfr radius = *number_in(cells, "exact");
+    return {&cells, radius, mpfr(reach / radius), number_in(cells, "radius"), number_in(cells, "rate")};
+}
+
 // The best points by the estimates, where there are any, and by the exact radii.
 struct optimum_row {
-    const sweep_energy& at;
-    long digits;
-    int order;
+    const table_row_cells* any;
     std::size_t seen;
-    const judged_point* widest;
-    const judged_point* fastest;
-    const exact& exactly_widest;
-    const exact& exactly_fastest;
+    const table_row_cells* widest;
+    const table_row_cells* fastest;
+    const table_row_cells* exactly_widest;
+    const table_row_cells* exactly_fastest;
 };
+
+// The cell of a column of the first table, in one of the rows that an optimum names.
+column_of<optimum_row> taken(std::string name, std::string meaning, const table_row_cells* optimum_row::*from,
+                             const std::string& column) {
+    return {std::move(name), std::move(meaning), [from, place = place_of(column)](const optimum_row& r) {
+                return r.*from != nullptr ? (*(r.*from))[place] : cell();
+            }};
+}
 
 const column_list<optimum_row>& optimum_columns() {
     using row = optimum_row;
-    static const auto all = with_typed_energy<row>({
-        energy_column<row>(),
-        {"order", "N, last power of t of the lists", [](const row& r) { return r.order; }},
+    static const column_list<row> all{
+        taken("energy", "E, in units of m g l", &row::any, "energy"),
+        taken("order", "N, last power of t of the lists", &row::any, "order"),
         {"points", "points whose list gave a radius", [](const row& r) { return r.seen; }},
-        {"largest_radius_point", "fraction of T* about which the estimated radius is largest",
-         [](const row& r) { return r.widest != nullptr ? read_cell(r.widest->point.text) : cell(); }},
-        {"largest_radius", "estimated there, dimensionless time",
-         [](const row& r) { return r.widest != nullptr ? decimal_cell(r.widest->found.radius, r.digits) : cell(); }},
-        {"exact_largest_radius_point", "the same by the exact radii of these points; of all points it is 0, the top",
-         [](const row& r) { return read_cell(r.exactly_widest.text); }},
-        {"least_rate_point", "fraction of T* about which the estimated max(x, 1-x) T*/R is least",
-         [](const row& r) { return r.fastest != nullptr ? read_cell(r.fastest->point.text) : cell(); }},
-        {"least_rate", "estimated there",
-         [](const row& r) {
-             return r.fastest != nullptr
-                        ? decimal_cell(mpfr(r.fastest->cover.reach / *r.fastest->found.radius), r.digits)
-                        : cell();
-         }},
-        {"exact_least_rate_point", "the same by the exact radii of these points; of all points it is 1/2",
-         [](const row& r) { return read_cell(r.exactly_fastest.text); }},
-        gap_column<row>(),
-    });
+        taken("largest_radius_point", "fraction of T* about which the estimated radius is largest", &row::widest,
+              "point"),
+        taken("largest_radius", "estimated there, dimensionless time", &row::widest, "radius"),
+        taken("exact_largest_radius_point",
+              "the same by the exact radii of these points; of all points it is 0, the top", &row::exactly_widest,
+              "point"),
+        taken("least_rate_point", "fraction of T* about which the estimated max(x, 1-x) T*/R is least", &row::fastest,
+              "point"),
+        taken("least_rate", "estimated there", &row::fastest, "rate"),
+        taken("exact_least_rate_point", "the same by the exact radii of these points; of all points it is 1/2",
+              &row::exactly_fastest, "point"),
+        taken("gap", "2 - E", &row::any, "gap"),
+        taken("energy_typed", "E as typed", &row::any, "energy_typed"),
+        taken("gap_typed", "2 - E as typed", &row::any, "gap_typed"),
+    };
     return all;
 }
 
-// The points of largest radius and of least rate, estimated and exact, for one order.
-optimum_row optimum_of(const sweep_energy& at, int order, const std::vector<judged_point>& points, long digits) {
-    const auto by_radius = [](const auto& a, const auto& b) { return a.cover.radius < b.cover.radius; };
-    const auto by_rate = [](const auto& a, const auto& b) {
-        return a.cover.convergence_rate < b.cover.convergence_rate;
+// The points of largest radius and of least rate, estimated and exact, of one energy and order.
+optimum_row optimum_of(const std::vector<seen_point>& points) {
+    const auto best = [&](const auto& usable, const auto& better) {
+        const seen_point* found = nullptr;
+        for (const seen_point& each : points) {
+            if (usable(each) && (found == nullptr || better(each, *found))) {
+                found = &each;
+            }
+        }
+        return found != nullptr ? found->cells : nullptr;
     };
-    const exact& exactly_widest = std::max_element(points.begin(), points.end(), by_radius)->point;
-    const exact& exactly_fastest = std::min_element(points.begin(), points.end(), by_rate)->point;
-    std::vector<const judged_point*> seen;
-    seen.reserve(points.size());
-    for (const judged_point& p : points) {
-        if (p.found.radius) {
-            seen.push_back(&p);
-        }
-    }
-    if (seen.empty()) {
-        return {at, digits, order, 0, nullptr, nullptr, exactly_widest, exactly_fastest};
-    }
-    const auto best = [&](const auto& better) { return *std::min_element(seen.begin(), seen.end(), better); };
-    const auto* widest = best([](auto* a, auto* b) { return *a->found.radius > *b->found.radius; });
-    const auto* fastest =
-        best([](auto* a, auto* b) { return a->cover.reach * *b->found.radius < b->cover.reach * *a->found.radius; });
-    return {at, digits, order, seen.size(), widest, fastest, exactly_widest, exactly_fastest};
+    const auto any = [](const seen_point&) { return true; };
+    const auto answered = [](const seen_point& each) { return each.radius.has_value(); };
+    return {points.front().cells,
+            static_cast<std::size_t>(std::count_if(points.begin(), points.end(), answered)),
+            best(answered, [](const auto& a, const auto& b) { return *a.radius > *b.radius; }),
+            best(answered, [](const auto& a, const auto& b) { return *a.rate < *b.rate; }),
+            best(any, [](const auto& a, const auto& b) { return a.exact_radius > b.exact_radius; }),
+            best(any, [](const auto& a, const auto& b) { return a.exact_rate < b.exact_rate; })};
 }
 
-// Both tables of one energy.
-std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& points, const std::vector<int>& orders,
-                           const scalar_spec& scalar) {
-    const precision_scope scope(scalar.digits + digits_for_judging);
-    const motion m = motion::of_energy(at.value);
-    std::vector<std::vector<judged_point>> by_order(orders.size());
-    std::vector<map_row> map;
+// The second table from the first.
+void derive_optimum(std::vector<study_table>& tables) {
+    const precision_scope scope(tables[0].scalar.digits + digits_for_judging);
+    const auto& rows = tables[0].data.rows();
+    const std::array<std::size_t, 4> of_energy{place_of("energy"), place_of("gap"), place_of("energy_typed"),
+                                               place_of("gap_typed")};
+    const std::size_t order = place_of("order");
     std::vector<optimum_row> optimum;
-    for (const exact& point : points) {
-        const auto judged = judged_about(m, point, orders, scalar);
-        for (std::size_t i = 0; i < orders.size(); ++i) {
-            map.push_back(row_of(at, orders[i], judged[i], scalar.digits));
-            by_order[i].push_back(judged[i]);
+    for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
+        const auto same_energy = [&](const table_row_cells& row) {
+            return std::all_of(of_energy.begin(), of_energy.end(),
+                               [&](std::size_t place) { return row[place] == rows[first][place]; });
+        };
+        std::map<long, std::vector<seen_point>> by_order;
+        for (last = first; last < rows.size() && same_energy(rows[last]); ++last) {
+            by_order[std::stol(rows[last][order].text())].push_back(seen_in(rows[last]));
+        }
+        for (const auto& [number, points] : by_order) {
+            optimum.push_back(optimum_of(points));
         }
     }
-    for (std::size_t i = 0; i < orders.size(); ++i) {
-        optimum.push_back(optimum_of(at, orders[i], by_order[i], scalar.digits));
-    }
-    return {make_table(columns(), map), make_table(optimum_columns(), optimum)};
+    tables[1].data = make_table(optimum_columns(), optimum);
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+// The rows of one point at one energy.
+table rows_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
+                 const scalar_spec& scalar) {
+    const precision_scope scope(scalar.digits + digits_for_judging);
+    std::vector<map_row> map;
+    const auto judged = judged_about(motion::of_energy(at.value), point, orders, scalar);
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        map.push_back(row_of(at, orders[i], judged[i], scalar.digits));
+    }
+    return make_table(columns(), map);
+}
+
+// A cell for each order, those about one point from one list.
+cell_group group_of(const shared_sweep& sweep, std::size_t i, const std::vector<int>& orders,
+                    const scalar_spec& scalar) {
+    const sweep_energy& at = sweep->energies[i / sweep->points.size()];
+    const exact& point = sweep->points[i % sweep->points.size()];
+    cell_group group;
+    for (const int order : orders) {
+        group.cells.push_back(
+            with_input(with_input(inputs_of(at), "point", point.text), "order", std::to_string(order)));
+    }
+    group.compute = [sweep, &at, &point, orders, scalar](const std::vector<std::size_t>& which) {
+        std::vector<int> chosen;
+        for (const std::size_t each : which) {
+            chosen.push_back(orders[each]);
+        }
+        return equal_parts({rows_about(at, point, chosen, scalar)}, which.size());
+    };
+    return group;
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
     const std::vector<int> orders = sorted_orders(request, least_order, "is too short a list for a radius test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    progress shown("radius_map, energies", sweep.energies.size(), request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size(), request.jobs, shown, [&](std::size_t i) {
-        return rows_at(sweep.energies[i], sweep.points, orders, scalar);
-    }));
-    return {{"", scalar, tables[0]}, {"optimum", scalar, tables[1]}};
+    study_plan plan;
+    plan.tables = {head_of("", scalar, columns()), head_of("optimum", scalar, optimum_columns())};
+    plan.axes = {"energy", "gap", "point", "order"};
+    plan.groups = sweep->energies.size() * sweep->points.size();
+    plan.group = [sweep, orders, scalar](std::size_t i) { return group_of(sweep, i, orders, scalar); };
+    plan.derive = derive_optimum;
+    return plan;
 }
 
 }  // namespace
@@ -220,7 +284,7 @@ const study& radius_map() {
         .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
         .seconds = 7,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

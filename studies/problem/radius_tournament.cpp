@@ -1,6 +1,7 @@
 // Which radius test can be trusted, on series whose radius is known?
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -8,8 +9,8 @@
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
 #include "libration/pendulum/error/known_arc_series.hpp"
-#include "run/parallel.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -23,6 +24,7 @@ namespace {
 
 constexpr long guard_digits = 30;
 constexpr long digits_of_errors = 6;
+constexpr long digits_of_scores = digits_of_errors + guard_digits;
 
 // The problems in one precision.
 using problem_list = std::vector<known_series<mpfr>>;
@@ -162,17 +164,55 @@ std::vector<judged_answer> answers_of(const known_series<mpfr>& problem, const s
     return answers;
 }
 
+// What an answer counts in the tables that follow from all answers.
+struct scored_answer {
+    std::string half, scalar, method;
+    int order;
+    bool has_radius, answered, covered;
+    mpfr reached;
+    std::optional<mpfr> ratio;
+};
+
+// The same as a row of its own table, with more digits than are printed.
+const column_list<judged_answer>& score_columns() {
+    using row = judged_answer;
+    static const column_list<row> all{
+        {"half", "", [](const row& r) { return r.half; }},
+        {"scalar", "", [](const row& r) { return r.scalar; }},
+        {"method", "", [](const row& r) { return r.method; }},
+        {"order", "", [](const row& r) { return r.order; }},
+        {"has_radius", "", [](const row& r) { return static_cast<int>(r.has_radius()); }},
+        {"answered", "", [](const row& r) { return static_cast<int>(r.answered()); }},
+        {"covered", "", [](const row& r) { return static_cast<int>(r.covered); }},
+        {"reached", "", [](const row& r) { return decimal_cell(r.reached, digits_of_scores); }},
+        {"ratio", "", [](const row& r) { return decimal_cell(r.ratio, digits_of_scores); }}};
+    return all;
+}
+
+scored_answer score_in(const table_row_cells& row) {
+    const auto number = [&](std::size_t place) { return from_exact<mpfr>(read_exact(row[place].text())); };
+    return {row[0].text(),
+            row[1].text(),
+            row[2].text(),
+            std::stoi(row[3].text()),
+            row[4].text() == "1",
+            row[5].text() == "1",
+            row[6].text() == "1",
+            number(7),
+            row[8].is_empty() ? std::nullopt : std::optional(number(8))};
+}
+
 // What a group of answers comes to.
 class score {
 public:
-    void add(const judged_answer& answer) {
-        if (!answer.has_radius()) {
-            false_answers_ += answer.answered() ? 1 : 0;
+    void add(const scored_answer& answer) {
+        if (!answer.has_radius) {
+            false_answers_ += answer.answered ? 1 : 0;
             return;
         }
         ++problems_;
         digits_.push_back(answer.reached);
-        if (answer.answered()) {
+        if (answer.answered) {
             ++answers_;
             covered_ += answer.covered ? 1 : 0;
         }
@@ -237,7 +277,7 @@ const column_list<ranking_row>& ranking_columns() {
     return all;
 }
 
-table ranking(const std::vector<judged_answer>& answers) {
+table ranking(const std::vector<scored_answer>& answers) {
     std::map<std::pair<std::string, int>, std::map<std::string, score>> groups;
     for (const auto& each : answers) {
         groups[{each.scalar, each.order}][each.method].add(each);
@@ -283,7 +323,7 @@ const column_list<coverage_row>& coverage_columns() {
     return all;
 }
 
-table coverage(const std::vector<judged_answer>& answers) {
+table coverage(const std::vector<scored_answer>& answers) {
     std::map<std::tuple<std::string, std::string, std::string>, score> groups;
     for (const auto& each : answers) {
         groups[{each.half, each.scalar, each.method}].add(each);
@@ -309,28 +349,68 @@ std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, c
     return all;
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
-    const std::vector<int> orders = sorted_orders(request, 0, "");
-    const std::vector<scalar_spec> scalars =
-        request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
-    const auto problems = problems_in(scalars, sweep);
-    const std::size_t steps = problems.front().size() * scalars.size();
-    progress shown("radius_tournament, problems", steps, request.shown);
-    const auto found = parallel_map(steps, request.jobs, shown, [&](std::size_t i) {
+// Ranking and coverage from the scores of all answers.
+void derive_rankings(std::vector<study_table>& tables) {
+    const precision_scope scope(digits_of_scores);
+    std::vector<scored_answer> answers;
+    answers.reserve(tables[1].data.rows().size());
+    for (const table_row_cells& row : tables[1].data.rows()) {
+        answers.push_back(score_in(row));
+    }
+    tables[2].data = ranking(answers);
+    tables[3].data = coverage(answers);
+}
+
+// What a plan's groups share.
+struct tournament {
+    std::vector<scalar_spec> scalars;
+    std::vector<problem_list> problems;  // by scalar
+    std::vector<int> orders;
+
+    std::size_t groups() const { return problems.front().size() * scalars.size(); }
+    cell_group group(std::size_t i) const {
         const std::size_t in = i % scalars.size();
         const std::size_t which = i / scalars.size();
-        const precision_scope scope(scalars[in].digits + guard_digits);
-        return answers_of(problems[in][which], which % 2 == 0 ? "calibration" : "judged", orders, scalars[in]);
-    });
-    const precision_scope scope(digits_of_errors + guard_digits);
-    std::vector<judged_answer> answers;
-    for (const auto& each : found) {
-        answers.insert(answers.end(), each.begin(), each.end());
+        const auto& problem = problems[in][which];
+        const scalar_spec& scalar = scalars[in];
+        const std::string half = which % 2 == 0 ? "calibration" : "judged";
+        cell_group group;
+        for (const int order : orders) {
+            group.cells.push_back({{"problem", problem.name},
+                                   {"half", half},
+                                   {"scalar", scalar.name()},
+                                   {"order", std::to_string(order)}});
+        }
+        group.compute = [this, &problem, &scalar, half](const std::vector<std::size_t>& chosen) {
+            const precision_scope scope(scalar.digits + guard_digits);
+            std::vector<int> own;
+            for (const std::size_t each : chosen) {
+                own.push_back(orders[each]);
+            }
+            const auto answers = answers_of(problem, half, own, scalar);
+            return equal_parts({make_table(columns(), answers), make_table(score_columns(), answers)}, own.size());
+        };
+        return group;
     }
-    return {{"", scalars.back(), make_table(columns(), answers)},
-            {"ranking", scalars.back(), ranking(answers)},
-            {"coverage", scalars.back(), coverage(answers)}};
+};
+
+study_plan plan(const study_request& request) {
+    const pendulum_sweep sweep(request.values);
+    const auto all = std::make_shared<tournament>();
+    all->orders = sorted_orders(request, 0, "");
+    all->scalars =
+        request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
+    all->problems = problems_in(all->scalars, sweep);
+    const scalar_spec& last = all->scalars.back();
+    study_plan plan;
+    plan.tables = {head_of("", last, columns()), head_of("scores", last, score_columns()),
+                   head_of("ranking", last, ranking_columns()), head_of("coverage", last, coverage_columns())};
+    plan.tables[1].written = false;
+    plan.axes = {"energy", "gap", "point", "order"};
+    plan.groups = all->groups();
+    plan.group = [all](std::size_t i) { return all->group(i); };
+    plan.derive = derive_rankings;
+    return plan;
 }
 
 }  // namespace
@@ -366,7 +446,7 @@ const study& radius_tournament() {
                   {"--scalar", "double", ""}},
         .seconds = 16,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

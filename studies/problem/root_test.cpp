@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "radius_cells.hpp"
-#include "run/parallel.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -78,19 +78,14 @@ table roots_of_list(const sweep_energy& at, const exact& point, int order, long 
     return make_table(columns(), all);
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
     const std::vector<int> orders = sorted_orders(request, least_order, "is too short a list for a root test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    const std::size_t points = sweep.points.size();
-    progress shown("root_test, lists", sweep.energies.size() * points, request.shown);
-    const auto tables = stacked(parallel_map(sweep.energies.size() * points, request.jobs, shown, [&](std::size_t i) {
-        const sweep_energy& at = sweep.energies[i / points];
-        const exact& point = sweep.points[i % points];
-        return std::vector<table>{roots_of_list(at, point, orders.back(), scalar.digits),
-                                  answers_about(at, point, orders, scalar, by_size)};
-    }));
-    return {{"", scalar, tables[0]}, {"estimates", scalar, tables[1]}};
+    return plan_by_point({head_of("", scalar, columns()), head_of("estimates", scalar, answer_columns())},
+                         sweep_of(request), [orders, scalar](const sweep_energy& at, const exact& point) {
+                             return std::vector<table>{roots_of_list(at, point, orders.back(), scalar.digits),
+                                                       answers_about(at, point, orders, scalar, by_size)};
+                         });
 }
 
 }  // namespace
@@ -122,7 +117,7 @@ const study& root_test() {
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no finite radius", "T* is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

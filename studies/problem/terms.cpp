@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "libration/pendulum/error/least_order.hpp"
-#include "run/parallel.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_plan.hpp"
 
 namespace libration::studies {
 
@@ -87,13 +87,11 @@ std::vector<int> falling_digits(std::vector<int> digits) {
     return digits;
 }
 
-std::vector<study_table> run(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
+study_plan plan(const study_request& request) {
     const std::vector<int> falling = falling_digits(request.digits());
-    progress shown("terms, energies", sweep.energies.size(), request.shown);
-    return {{"", read_scalar("mpfr:" + std::to_string(falling.front())),
-             stacked(parallel_map(sweep.energies.size(), request.jobs, shown,
-                                  [&](std::size_t i) { return rows_at(sweep.energies[i], falling); }))}};
+    return plan_by_energy({head_of("", read_scalar("mpfr:" + std::to_string(falling.front())), columns())},
+                          sweep_of(request),
+                          [falling](const sweep_energy& at) { return std::vector<table>{rows_at(at, falling)}; });
 }
 
 }  // namespace
@@ -122,7 +120,7 @@ const study& terms() {
         .seconds = 3.5,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
-        .run = run};
+        .plan = plan};
     return result;
 }
 

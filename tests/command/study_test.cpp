@@ -29,6 +29,7 @@ TEST_CASE("a study with --out writes its table, its description and its figures"
     const words files{"out",
                       "out/error_norm",
                       "out/error_norm/error_norm.csv",
+                      "out/error_norm/error_norm.journal",
                       "out/error_norm/error_norm.json",
                       "out/error_norm/error_norm.pdf",
                       "out/error_norm/error_norm.png",
@@ -145,8 +146,8 @@ words files_of(const temporary_folder& folder) {
     return names;
 }
 
-const words files_of_one_table{"error_norm.csv", "error_norm.json", "error_norm.pdf",
-                               "error_norm.png", "error_norm.svg",  "error_norm.tex"};
+const words files_of_one_table{"error_norm.csv", "error_norm.journal", "error_norm.json", "error_norm.pdf",
+                               "error_norm.png", "error_norm.svg",     "error_norm.tex"};
 
 // A gnuplot of ours, found before the real one: /bin/sh runs these words after it or in its place.
 class gnuplot_in_place {
@@ -199,7 +200,7 @@ TEST_CASE("the JSON of a study names every file with the SHA-256 that sha256sum 
     REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
     const auto own = folder.path() / "out" / "error_norm";
     const auto json = nlohmann::json::parse(text_of_file(own / "error_norm.json"));
-    words named{"error_norm.json"};
+    words named{"error_norm.journal", "error_norm.json"};
     std::ofstream sums(own / "sums");
     for (const auto& [name, sum] : json.at("files").items()) {
         named.push_back(name);
@@ -248,7 +249,7 @@ TEST_CASE("a drawing that is cut short is told, and no figure of another run sta
     CHECK(done.exit_code == 1);
     CHECK(done.err.find("error_norm.svg was cut short while it was drawn: is the disk full?") != std::string::npos);
     CHECK(done.err.find("wrote") == std::string::npos);
-    CHECK(files_of(folder) == words{"error_norm.csv", "error_norm.json", "error_norm.tex"});
+    CHECK(files_of(folder) == words{"error_norm.csv", "error_norm.journal", "error_norm.json", "error_norm.tex"});
 }
 
 TEST_CASE("a study that is ended while it draws leaves no folder of its own, and the earlier run as it was",

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sweep/cell_engine.hpp"
 #include "sweep/study_order.hpp"
 
 namespace studies_all_studies_test {
@@ -17,12 +18,12 @@ using namespace libration;
 namespace {
 
 // The study's own quick parameters.
-study_request few_parameters(const study& what, int jobs) {
+study_order few_parameters(const study& what, int jobs) {
     study_words words;
     for (const study_parameter& parameter : what.quick) {
         words[parameter.option] = parameter.usual;
     }
-    return order_of(what, words, jobs).request;
+    return order_of(what, words, jobs);
 }
 
 // The first columns of each study by DESIGN section 4; those of other studies are free.
@@ -86,7 +87,7 @@ TEST_CASE("each study describes its parameters, and their usual words are unders
 TEST_CASE("each study makes rectangular tables under the columns that it promised", "[studies]") {
     for (const study* each : all_studies()) {
         INFO(each->name);
-        const auto tables = each->run(few_parameters(*each, 2));
+        const auto tables = tables_of(few_parameters(*each, 2));
         REQUIRE_FALSE(tables.empty());
         std::set<std::string> suffixes;
         for (const study_table& part : tables) {
@@ -112,8 +113,8 @@ TEST_CASE("each study makes rectangular tables under the columns that it promise
 
 TEST_CASE("the bytes of a study do not depend on the number of jobs", "[studies]") {
     for (const study* each : all_studies()) {
-        const auto one = each->run(few_parameters(*each, 1));
-        const auto two = each->run(few_parameters(*each, 2));
+        const auto one = tables_of(few_parameters(*each, 1));
+        const auto two = tables_of(few_parameters(*each, 2));
         REQUIRE(one.size() == two.size());
         for (std::size_t i = 0; i < one.size(); ++i) {
             INFO(each->name << " " << one[i].suffix);
@@ -122,6 +123,46 @@ TEST_CASE("the bytes of a study do not depend on the number of jobs", "[studies]
                 CHECK(to_csv(one[i].data) == to_csv(two[i].data));
             }
         }
+    }
+}
+
+TEST_CASE("the rows of a cell do not depend on what is computed with it", "[studies][journal]") {
+    for (const study* each : all_studies()) {
+        if (each->alone) {
+            continue;  // its rows are times
+        }
+        const study_order order = few_parameters(*each, 1);
+        const study_cells of(order);
+        for (std::size_t i = 0; i < of.plan().groups; ++i) {
+            const std::size_t size = of.plan().group(i).cells.size();
+            group_work all{i, {}};
+            for (std::size_t which = 0; which < size; ++which) {
+                all.cells.push_back(which);
+            }
+            const auto together = of.compute(all);
+            for (std::size_t which = 0; size > 1 && which < size; ++which) {
+                INFO(each->name << ": " << together[which].inputs);
+                CHECK_FALSE(together[which].failed);
+                CHECK(of.compute({i, {which}}).front().content == together[which].content);
+            }
+        }
+    }
+}
+
+TEST_CASE("no two cells of a study have the same key", "[studies][journal]") {
+    for (const study* each : all_studies()) {
+        const study_order order = order_of(*each, {}, 1);
+        const study_cells of(order);
+        std::set<cell_key> keys;
+        std::size_t cells = 0;
+        for (std::size_t i = 0; i < of.plan().groups; ++i) {
+            for (const cell_inputs& inputs : of.plan().group(i).cells) {
+                keys.insert(of.key(inputs));
+                ++cells;
+            }
+        }
+        INFO(each->name);
+        CHECK(keys.size() == cells);
     }
 }
 

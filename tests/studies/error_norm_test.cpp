@@ -42,7 +42,7 @@ study_request asked(const words& energies, const words& gaps, const std::vector<
 using tables_by_suffix = std::map<std::string, std::vector<table_row>>;
 tables_by_suffix run(const study_request& request) {
     tables_by_suffix tables;
-    for (const study_table& part : error_norm().run(request)) {
+    for (const study_table& part : tables_of({&error_norm(), request, "", ""})) {
         tables[part.suffix] = csv_rows(to_csv(part.data));
     }
     return tables;
@@ -325,7 +325,7 @@ TEST_CASE("one scalar asked for is one table without a suffix", "[studies][error
     for (const std::string scalar : {"double", "mpfr:20"}) {
         study_request request = asked({"1"}, {}, {5});
         request.scalar = read_scalar(scalar);
-        const auto tables = error_norm().run(request);
+        const auto tables = tables_of({&error_norm(), request, "", ""});
         REQUIRE(tables.size() == 1);
         CHECK(tables.front().suffix.empty());
         CHECK(tables.front().data.rows().size() == 2);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "claims/claim.hpp"
+#include "sweep/cell_engine.hpp"
 #include "sweep/study_order.hpp"
 
 namespace studies_published_results_test {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "sweep/cell_engine.hpp"
 #include "sweep/study_order.hpp"
 
 namespace libration::tests {

@@ -65,10 +65,10 @@ TEST_CASE("in double the closed solution at E = 2 keeps its rounding", "[studies
 }
 
 TEST_CASE("the surface refuses rest, and multiples of an infinite period", "[studies][surface]") {
-    const auto request = [](const study_words& words) { return order_of(surface(), words, 1).request; };
-    CHECK_THROWS_AS(surface().run(request({{"--energies", "1,0"}})), libration::error);
-    CHECK_THROWS_AS(surface().run(request({{"--energies", "1,2"}, {"--times", "0:T:3"}})), input_error);
-    CHECK_NOTHROW(surface().run(request({{"--energies", "1"}, {"--times", "0:T:3"}, {"--orders", "3"}})));
+    const auto tables = [](const study_words& words) { return tables_of(order_of(surface(), words, 1)); };
+    CHECK_THROWS_AS(tables({{"--energies", "1,0"}}), libration::error);
+    CHECK_THROWS_AS(tables({{"--energies", "1,2"}, {"--times", "0:T:3"}}), input_error);
+    CHECK_NOTHROW(tables({{"--energies", "1"}, {"--times", "0:T:3"}, {"--orders", "3"}}));
 }
 
 }  // namespace studies_surface_test

@@ -1,6 +1,8 @@
 // From words to the parameters of a study.
 #include "sweep/study_order.hpp"
 
+#include "sweep/cell_engine.hpp"
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -37,7 +39,7 @@ const study& with_all() {
                               .quick = {},
                               .seconds = 1,
                               .excluded = no_answer_at_limits("it rests", "the period is infinite"),
-                              .run = {}};
+                              .plan = {}};
     return result;
 }
 
@@ -51,7 +53,7 @@ const study& with_none() {
                               .quick = {},
                               .seconds = 1,
                               .excluded = {},
-                              .run = {}};
+                              .plan = {}};
     return result;
 }
 
@@ -100,7 +102,7 @@ TEST_CASE("the command of a study names what was said, in one order", "[sweep][s
 TEST_CASE("every list takes ranges, and those of whole numbers come out whole", "[sweep][study]") {
     const auto request = [](const study_words& words) { return order_of(with_all(), words, 1).request; };
     CHECK(request({{"--orders", "5:100:20"}}).orders().size() == 20);
-    CHECK(request({{"--orders", "5:40:8,7"}}).orders() == std::vector<int>{5, 10, 15, 20, 25, 30, 35, 40, 7});
+    CHECK(request({{"--orders", "5:40:8,7"}}).orders() == std::vector<int>{5, 7, 10, 15, 20, 25, 30, 35, 40});
     CHECK(request({{"--digits", "10:30:3"}}).digits() == std::vector<int>{10, 20, 30});
     CHECK(pendulum_sweep(request({{"--periods", "1:1e6:4log"}}).values).periods ==
           std::vector<integer>{1, 100, 10'000, 1'000'000});
@@ -136,16 +138,18 @@ TEST_CASE("the options of studies are the axes of their problems and their own",
 
 TEST_CASE("a column of what was typed that says nothing new is left out", "[sweep][study]") {
     study what = with_none();
-    what.run = [](const study_request&) {
-        return std::vector<study_table>{{"", read_scalar("double"),
-                                         table({{"a", ""}, {"a_typed", ""}, {"b", ""}, {"b_typed", ""}},
-                                               {{"1", "1", "0.5", "1/2"}, {"2", "", "2", "2"}})}};
+    const auto in_one_cell = [](const table& data) {
+        return [data](const study_request&) {
+            return plan_of_cells(
+                {{"", read_scalar("double"), table(data.columns())}}, {}, 1, [](std::size_t) { return cell_inputs(); },
+                [data](std::size_t) { return std::vector<table>{data}; });
+        };
     };
+    what.plan = in_one_cell(table({{"a", ""}, {"a_typed", ""}, {"b", ""}, {"b_typed", ""}},
+                                  {{"1", "1", "0.5", "1/2"}, {"2", "", "2", "2"}}));
     CHECK(to_csv(tables_of(order_of(what, {}, 1)).front().data) == "a,b,b_typed\n1,0.5,1/2\n2,2,2\n");
-    what.run = [](const study_request&) {  // decimals are exact in whatever was derived from them
-        return std::vector<study_table>{
-            {"", read_scalar("double"), table({{"a", ""}, {"b_typed", ""}, {"c_typed", ""}}, {{1, "1e-3", "1/3"}})}};
-    };
+    // Decimals are exact in whatever was derived from them.
+    what.plan = in_one_cell(table({{"a", ""}, {"b_typed", ""}, {"c_typed", ""}}, {{1, "1e-3", "1/3"}}));
     CHECK(to_csv(tables_of(order_of(what, {}, 1)).front().data) == "a,c_typed\n1,1/3\n");
 }
 

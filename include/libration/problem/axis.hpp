@@ -35,7 +35,7 @@ struct axis {
     exact coordinate_of(const exact& value) const;
 };
 
-/// Values by the name of their axis, in the order in which they were typed; words stand in the text of their value.
+/// Values by the name of their axis; words stand in the text of their value.
 class axis_values {
 public:
     void set(const std::string& name, std::vector<exact> values) { all_[name] = std::move(values); }
@@ -44,6 +44,8 @@ public:
     /// Those of an axis of whole numbers.
     std::vector<integer> whole(const std::string& name) const;
     std::vector<int> counts(const std::string& name) const;
+    /// By name.
+    const std::map<std::string, std::vector<exact>>& all() const { return all_; }
 
 private:
     std::map<std::string, std::vector<exact>> all_;

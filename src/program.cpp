@@ -1,0 +1,143 @@
+#include "program.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "libration/scalar/ball/quotient.hpp"
+#include "libration/scalar/error.hpp"
+#include "option/near_word.hpp"
+#include "option/subcommand.hpp"
+#include "run/provenance.hpp"
+#include "text/input_error.hpp"
+#include "text/quotation.hpp"
+
+namespace {
+
+constexpr int failed = 1;
+constexpr int bad_input = 2;
+
+// One line, whatever the message quotes, and no control characters.
+int complain(const std::string& message, int code) {
+    fmt::print(stderr, "libration: {}\n", libration::shortened(message));
+    return code;
+}
+
+// CLI11 quotes words of any length.
+std::string with_short_words(std::string message, int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const auto at = word.size() > libration::longest_quotation ? message.find(word) : std::string::npos;
+        if (at != std::string::npos) {
+            message.replace(at, word.size(), libration::without_controls(word, libration::longest_quotation));
+        }
+    }
+    return message;
+}
+
+// The first word that nothing in the program expects: after a subcommand it is an option that it does not have.
+std::string unexpected_word(const CLI::App& program) {
+    const auto words = program.remaining(true);
+    if (!program.get_subcommands().empty()) {
+        for (const auto& word : words) {
+            if (word.starts_with("-")) {
+                return word;
+            }
+        }
+    }
+    return words.empty() ? "" : words.front();
+}
+
+// The names of the subcommands, and of the options of one.
+std::vector<std::string> names_in(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* each : app.get_subcommands([](const CLI::App* /*all*/) { return true; })) {
+        names.push_back(each->get_name());
+    }
+    for (const CLI::Option* each : app.get_options()) {
+        for (const std::string& name : each->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+// CLI11's own complaint as one line with a remedy, and the name that was perhaps meant.
+int complain_of_usage(const CLI::App& program, const std::string& problem) {
+    const std::string unexpected = unexpected_word(program);
+    const auto chosen = program.get_subcommands();
+    const std::string near = libration::suggestion(unexpected.substr(0, unexpected.find('=')),
+                                                   names_in(chosen.empty() ? program : *chosen.front()));
+    const std::string line =
+        unexpected.empty() ? problem : libration::quotation(unexpected) + " is not understood" + near;
+    const std::string help =
+        chosen.empty() ? "libration --help" : "libration " + chosen.front()->get_name() + " --help";
+    return complain(fmt::format("{}: see {}", line, help), bad_input);
+}
+
+// What is beyond the range of a scalar, with the advice that the subcommand takes.
+int complain_of_range(const CLI::App& command, const libration::error& problem) {
+    const bool chooses = command.get_option_no_throw("--scalar") != nullptr;
+    return complain(fmt::format("{}{}", libration::message_of(problem), chooses ? ": use --scalar mpfr:DIGITS" : ""),
+                    bad_input);
+}
+
+// Runs a subcommand; what it throws becomes a line and an exit code.
+int run(const libration::subcommand& command) {
+    try {
+        return command.run();
+    } catch (const libration::input_error& problem) {
+        return complain(problem.what(), bad_input);
+    } catch (const libration::error& problem) {
+        switch (problem.kind()) {
+            case libration::error_kind::undecided: return complain(libration::message_of(problem), failed);
+            case libration::error_kind::range: return complain_of_range(*command.options, problem);
+            default: return complain(libration::message_of(problem), bad_input);
+        }
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory: ask for fewer digits, powers or times", failed);
+    } catch (const std::exception& problem) {
+        return complain(problem.what(), failed);
+    }
+}
+
+// Help and version, which CLI11 writes to stdout.
+int say_help(const CLI::App& program, const CLI::ParseError& problem) {
+    const int code = program.exit(problem);
+    std::cout.flush();
+    return std::cout ? code : complain("stdout cannot be written", failed);
+}
+
+}  // namespace
+
+int libration::run_program(int argc, char** argv) {
+    const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
+    CLI::App program("Exact power-series solutions of the nonlinear pendulum, in any arithmetic.", "libration");
+    program.set_version_flag("--version", libration::version_text());
+    program.require_subcommand(1);
+    program.set_help_all_flag("--help-all", "the options of all subcommands");
+    const std::vector<libration::subcommand> commands{
+        libration::period_command(program),     libration::coefficients_command(program),
+        libration::trajectory_command(program), libration::radius_command(program),
+        libration::series_command(program),     libration::reference_command(program),
+        libration::elliptic_command(program),   libration::table_command(program),
+        libration::study_command(program),      libration::studies_command(program),
+        libration::journal_command(program),    libration::figure_command(program),
+        libration::claims_command(program),     libration::reproduce_command(program),
+        libration::verify_command(program),     libration::cite_command(program)};
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        return problem.get_exit_code() == 0 ? say_help(program, problem)
+                                            : complain_of_usage(program, with_short_words(problem.what(), argc, argv));
+    }
+    const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                     [](const libration::subcommand& each) { return each.options->parsed(); });
+    return chosen != commands.end() ? run(*chosen) : failed;
+}

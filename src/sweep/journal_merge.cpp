@@ -1,0 +1,158 @@
+#include "sweep/journal_merge.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "option/options.hpp"
+#include "run/progress.hpp"
+#include "sweep/study_files.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> journals_in(const std::string& folder) {
+    const fs::path own =
+        fs::path(folder) / (fs::absolute(fs::path(folder) / ".").parent_path().filename().string() + ".journal");
+    if (fs::is_regular_file(own)) {
+        return {own};
+    }
+    std::set<fs::path> found;
+    std::error_code problem;
+    for (const auto& entry : fs::directory_iterator(folder, problem)) {
+        const fs::path inside = entry.path() / (entry.path().filename().string() + ".journal");
+        if (fs::is_regular_file(inside)) {
+            found.insert(inside);
+        }
+    }
+    if (found.empty()) {
+        throw input_error("DIR", folder, "holds no journal NAME/NAME.journal", "name the --out of a study");
+    }
+    return {found.begin(), found.end()};
+}
+
+study_order order_from(const std::string& command, int jobs) {
+    constexpr std::string_view opening = "libration study ";
+    if (!command.starts_with(opening)) {
+        throw std::runtime_error("the command '" + command + "' of a journal cannot be read");
+    }
+    const std::string rest = command.substr(opening.size());
+    const std::size_t end_of_name = std::min(rest.find(" --"), rest.size());
+    study_words words;
+    for (std::size_t begin = end_of_name; begin < rest.size();) {
+        const std::size_t end = std::min(rest.find(" --", begin + 1), rest.size());
+        const std::string item = rest.substr(begin + 1, end - begin - 1);
+        const std::size_t between = item.find_first_of(" =");
+        words[item.substr(0, between)] = between == std::string::npos ? "" : item.substr(between + 1);
+        begin = end;
+    }
+    return order_of(study_named("the study of a journal", rest.substr(0, end_of_name)), words, jobs);
+}
+
+namespace {
+
+// Adds all records of one journal. Cells that both have must be the same; of two attempts at one the finished counts.
+void add_all(const journal& from, journal& to) {
+    constexpr std::size_t together = 1000;
+    std::vector<journal_record> fresh;
+    const auto keep = [&] {
+        to.add(fresh);
+        fresh.clear();
+    };
+    from.for_each([&](const journal_record& each) {
+        const auto there = to.find(each.key);
+        if (there && !there->failed && !each.failed && there->content != each.content) {
+            throw input_error("DIR", from.path().string(),
+                              "has for " + each.inputs + " other rows than a journal before it",
+                              "find out by 'libration journal DIR --check 100%' which is wrong");
+        }
+        if (!there || (there->failed && !each.failed)) {
+            fresh.push_back(each);
+        }
+        if (fresh.size() == together) {
+            keep();
+        }
+    });
+    keep();
+}
+
+// The one command of these journals.
+std::string common_command(const std::vector<fs::path>& paths) {
+    std::set<std::string> commands;
+    for (const fs::path& path : paths) {
+        for (const std::string& each : journal(path, journal::access::read).commands()) {
+            commands.insert(each);
+        }
+    }
+    if (commands.size() != 1) {
+        throw input_error("DIR", paths.front().parent_path().string(),
+                          commands.empty()
+                              ? "has no command in its journal"
+                              : fmt::format("and the others are of several commands ({})", fmt::join(commands, "; ")),
+                          "merge the shards of one command");
+    }
+    return *commands.begin();
+}
+
+failures_found merge_study(const std::vector<fs::path>& paths, const std::string& out, int jobs) {
+    const std::string command = common_command(paths);
+    const study_order order = order_from(command, jobs);
+    const study_cells of(order);
+    output_folder into("--out", (fs::path(out) / order.what->name).string());
+    journal all = open_study_journal(of, command, out, earlier_cells::taken);
+    for (const fs::path& path : paths) {
+        if (!fs::equivalent(path, all.path())) {
+            const journal shard(path, journal::access::read);
+            require_own_stamp(shard, of.stamp(), "DIR");
+            add_all(shard, all);
+        }
+    }
+    into.keep();
+    journal_store store(all);
+    const cells_found found = missing_cells(of, store, {});
+    std::size_t failed = 0;
+    for (const group_work& work : found.missing) {
+        const cell_group group = of.plan().group(work.group);
+        for (const std::size_t which : work.cells) {
+            failed += store.find(of.key(group.cells[which])) ? 1 : 0;
+        }
+    }
+    if (found.to_compute > failed) {
+        throw std::runtime_error(
+            fmt::format("{} of {} cells of {} are in none of the journals; what computes them is: "
+                        "{} --out {}",
+                        found.to_compute - failed, found.cells, order.what->name, command, out));
+    }
+    auto failures = make_tables(order, of, store, out);
+    say_line(fmt::format("wrote {}", into.path()));
+    return failures;
+}
+
+}  // namespace
+
+failures_found merge_journals(const std::vector<std::string>& folders, const std::string& out, int jobs) {
+    std::map<std::string, std::vector<fs::path>> by_study;
+    for (const std::string& folder : folders) {
+        for (const fs::path& path : journals_in(folder)) {
+            by_study[path.stem().string()].push_back(path);
+        }
+    }
+    failures_found failures;
+    try {
+        for (const auto& [study, paths] : by_study) {
+            const failures_found own = merge_study(paths, out, jobs);
+            failures.count += own.count;
+            failures.first.insert(failures.first.end(), own.first.begin(), own.first.end());
+        }
+    } catch (const journal_error& problem) {
+        refuse_journal(problem, "DIR");
+    }
+    return failures;
+}
+
+}  // namespace libration

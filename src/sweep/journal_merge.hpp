@@ -1,0 +1,24 @@
+// Journals of shards as one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweep/cell_engine.hpp"
+
+namespace libration {
+
+/// The journals in DIR: DIR/NAME/NAME.journal for every NAME, or DIR/NAME.journal where DIR is the folder NAME itself.
+/// Throws input_error where there is none.
+std::vector<std::filesystem::path> journals_in(const std::string& folder);
+
+/// The order of a command that a journal keeps (study_order::command).
+study_order order_from(const std::string& command, int jobs);
+
+/// Writes the cells of the journals in these folders into DIR/NAME/NAME.journal, one for each study, and the tables and
+/// figures of the command that they are shards of, as the whole run would. Throws input_error for cells of another
+/// version or of several commands and for cells that differ; std::runtime_error where cells are missing: the merged
+/// journal is kept then.
+failures_found merge_journals(const std::vector<std::string>& folders, const std::string& out, int jobs);
+
+}  // namespace libration
