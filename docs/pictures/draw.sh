@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of the tutorial again, from numbers of the program: docs/pictures/draw.sh
+# Draws the pictures of the documents again, from numbers of the program: docs/pictures/draw.sh [PICTURE...]
 # The program is ./run of this tree, or what LIBRATION names.
 set -euo pipefail
 
@@ -24,6 +24,12 @@ done
 level swing --energy 1.71 --times 0:T:201
 "$program" reference --energy 1.71 --time 0 --digits 12 --format csv --out "$work/constants.csv"
 
-for picture in phase_portrait words; do
+if [[ " $* " == *' one_writer '* || $# == 0 ]]; then
+    "$here/../../run" bench journal --model "$work/one_writer.csv" >&2
+fi
+
+pictures=("$@")
+(($#)) || pictures=(phase_portrait words one_writer)
+for picture in "${pictures[@]}"; do
     gnuplot -e "work = '$work'; scripts = '$here/../../studies'; target = '$here/$picture.svg'" "$here/$picture.gp"
 done
