@@ -17,6 +17,7 @@ part() { # NAME COMMAND...
 
 by_integers() { "$build/libration-attack" --print 10000 | "$python" "$tests/attack/by_integers.py"; }
 
+part 'studies that are killed' "$tests/journal/kill" "$build" 300
 part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
 part 'conditions that no test decides both ways' "$python" "$tests/coverage/coverage.py" "$build" --jobs "$(nproc)"
 part 'a million random values' "$build/libration-attack" 1000000

@@ -62,8 +62,8 @@ std::vector<part> parts_of(const reproduce_set& set, const std::string& out, int
         parts.push_back({each->name, each->seconds, each->alone, [each, out, jobs](const progress_context& shown) {
                              study_order order = order_of(*each, {}, jobs);
                              order.request.shown = shown;
-                             const auto failures =
-                                 make_study(order, out, {.earlier = earlier_cells::taken_or_replaced});
+                             const auto failures = make_study(
+                                 order, out, {.earlier = earlier_cells::taken_or_replaced, .part_of_more = true});
                              if (failures.count > 0) {
                                  throw std::runtime_error(message_of(failures));
                              }

@@ -205,8 +205,11 @@ void show_tables(const study& what, const nlohmann::ordered_json& description, c
 
 namespace {
 
-// The command that goes on where this one ends.
+// The command that goes on where this one ends; empty for a part of a larger work.
 std::string command_again(const study_order& order, const std::string& folder, const study_run& how) {
+    if (how.part_of_more) {
+        return "";
+    }
     std::string words = order.command + " --out " + folder;
     if (how.shard) {
         words += fmt::format(" --shard {}/{}", how.shard->index + 1, how.shard->count);
@@ -225,13 +228,17 @@ void say_what_is_there(const cells_found& found, const journal& cells) {
 void complete_journal(const study_cells& of, journal& cells, journal_store& store, const study_shard& shard,
                       const std::string& again) {
     const cells_found found = missing_cells(of, store, shard);
-    say_what_is_there(found, cells);
+    if (!again.empty()) {
+        say_what_is_there(found, cells);
+    }
     const at_ending_signal keep([&] {
         try {
             store.flush();
             cells.settle();
-            say_line(fmt::format("{} cells are kept in {}; what goes on is: {}", cells.counts().done,
-                                 cells.path().string(), again));
+            if (!again.empty()) {
+                say_line(fmt::format("{} cells are kept in {}; what goes on is: {}", cells.counts().done,
+                                     cells.path().string(), again));
+            }
         } catch (const std::exception& problem) {
             say_line(problem.what());
         }

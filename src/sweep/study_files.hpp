@@ -18,6 +18,8 @@ struct study_run {
     earlier_cells earlier = earlier_cells::taken;
     /// Its cells alone are computed, into the journal, and no tables are made; std::nullopt: all of them.
     std::optional<study_shard> shard = std::nullopt;
+    /// It is a part of a larger work, which says itself what is kept and what goes on.
+    bool part_of_more = false;
 };
 
 /// Runs the study and leaves in DIR/NAME the files of this run: NAME[_SUFFIX].csv, the same as .tex, the figures, and

@@ -292,6 +292,7 @@ TEST_CASE("bad options of journals and shards are refused", "[command][journal]"
                                    {"journal", "nowhere", "--check", "1%", "--drop"},
                                    {"journal", "merge", "nowhere"},
                                    {"journal", "merge", "nowhere", "--out", "out"},
+                                   small + words{"--out", "/proc/out"},
                                    small + words{"--shard", "1/3"},
                                    small + words{"--shard", "0/3", "--out", "out"},
                                    small + words{"--shard", "4/3", "--out", "out"},

@@ -91,4 +91,25 @@ TEST_CASE("on a terminal progress says how far it is and takes its line away", "
     ::close(terminal);
 }
 
+TEST_CASE("what may take days is shown with its rate and with what is slow", "[sweep][progress]") {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+    REQUIRE(terminal >= 0);
+    REQUIRE(::grantpt(terminal) == 0);
+    REQUIRE(::unlockpt(terminal) == 0);
+    const int other_end = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
+    {
+        const redirected_stderr elsewhere(other_end);
+        progress shown("cells", 8, {}, [] { return "12 s so far: energy=1.9998"; });
+        shown.step(6);
+        ::usleep(1'300'000);  // the line is renewed every second
+    }
+    const std::string text = text_on(terminal);
+    INFO(text);
+    CHECK(text.find("cells: 6 of 8, ") != std::string::npos);
+    CHECK((text.find(" a second, about ") != std::string::npos || text.find(" a minute, about ") != std::string::npos));
+    CHECK(text.find("; 12 s so far: energy=1.9998") != std::string::npos);
+    ::close(other_end);
+    ::close(terminal);
+}
+
 }  // namespace sweep_progress_test
