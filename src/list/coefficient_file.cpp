@@ -74,7 +74,7 @@ bool is_name(const std::string& cell) {
            cell != "i";
 }
 
-bool is_complex_cell(const std::string& cell) { return cell.size() > 0 && cell.back() == 'i' && cell != "pi"; }
+bool is_complex_cell(const std::string& cell) { return cell.ends_with('i') && cell != "pi"; }
 
 // "1/2-3i" as "1/2" and "-3"; "i" is 0 and 1; a real number has the imaginary part 0.
 std::pair<std::string, std::string> complex_parts_of(const std::string& cell) {

@@ -95,7 +95,7 @@ jacobi_values<ball> triple_at(const exact& u, const real_parameter& p) {
         return {value(jacobi_function::sn), value(jacobi_function::cn), value(jacobi_function::dn)};
     }
     const ball stretch = p.stretch();
-    const auto at = jacobi(ball(from_exact<ball>(u) * stretch), p.reduced());
+    auto at = jacobi(ball(from_exact<ball>(u) * stretch), p.reduced());
     switch (where) {
         case range::negative: return {at.sn / at.dn / stretch, at.cn / at.dn, 1 / at.dn};
         case range::above: return {at.sn / stretch, at.dn, at.cn};
