@@ -249,7 +249,7 @@ void failures_found::add(const journal_record& failed) {
 gathered_tables gather(const study_cells& of, const cell_store& store, std::size_t most_rows) {
     gathered_tables result;
     result.tables = of.plan().tables;
-    std::size_t rows = 0;
+    std::size_t longest = 0;
     for_each_record(of, store, [&](const journal_record& record) {
         if (record.failed) {
             result.failures.add(record);
@@ -258,13 +258,13 @@ gathered_tables gather(const study_cells& of, const cell_store& store, std::size
         ++result.finished;
         cell_rows own = rows_from(record.content);
         for (std::size_t place = 0; place < own.size(); ++place) {
-            rows += own[place].size();
             result.tables.at(place).rows += own[place].size();
+            longest = std::max(longest, result.tables.at(place).rows);
             for (table_row_cells& row : own[place]) {
                 result.tables.at(place).data.add_row(std::move(row));
             }
         }
-        if (rows > most_rows && !of.plan().derive) {
+        if (longest > most_rows && !of.plan().derive) {
             result.too_long = true;
             for (study_table& each : result.tables) {
                 if (!each.data.rows().empty()) {

@@ -153,13 +153,13 @@ struct gathered_tables {
     std::vector<study_table> tables;
     failures_found failures;
     std::size_t finished = 0;
-    /// The tables are longer than memory is to hold: their data have no rows, each_row gives them.
+    /// One of the tables is longer than memory is to hold: their data have no rows, each_row gives them.
     bool too_long = false;
     /// Calls see(place of the table, row) in the order of the tables.
     std::function<void(const std::function<void(std::size_t, const table_row_cells&)>& see)> each_row;
 };
 
-/// Rows that all tables of a study may have together to be held in memory, typeset and drawn.
+/// Rows that a table may have to be held in memory, typeset and drawn.
 inline constexpr std::size_t most_rows_in_memory = 100'000;
 
 gathered_tables gather(const study_cells& of, const cell_store& store, std::size_t most_rows = most_rows_in_memory);

@@ -303,6 +303,11 @@ study_plan plan(const study_request& request) {
     plan.group = [of_energies = plan.group, energies = plan.groups, marches, place = scalars.size()](std::size_t i) {
         return i < energies ? of_energies(i) : group_of_march(marches[i - energies], place);
     };
+    // Seconds, roughly: the march of a million steps is the longest of all.
+    plan.cost = [energies = plan.groups, orders = request.orders().size(), marches](std::size_t i) {
+        return i < energies ? 0.01 * static_cast<double>(orders)
+                            : 2e-7 * static_cast<double>(marches[i - energies].steps);
+    };
     plan.groups += marches.size();
     return plan;
 }
