@@ -1,4 +1,5 @@
-// libration coefficients: the Taylor coefficients a_n of theta about a point of a motion.
+// libration coefficients: the Taylor coefficients a_n of theta about a point of a motion, or of the unknowns of any
+// differential equation.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -6,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "equation/problem_options.hpp"
+#include "equation/problem_series.hpp"
 #include "libration/scalar/exponent_range.hpp"
 #include "motion/motion_options.hpp"
 #include "motion/motion_series.hpp"
@@ -22,6 +25,7 @@ namespace {
 
 struct coefficients_options {
     motion_options motion;
+    problem_options problem;
     arithmetic_options arithmetic;
     output_options output;
     std::string order;
@@ -44,7 +48,8 @@ long read_power(const std::string& text) {
 }
 
 // --from and --order: which powers are printed.
-void read_powers(const coefficients_options& options, series_request& request) {
+template <class Request>
+void read_powers(const coefficients_options& options, Request& request) {
     const auto power = [](const char* option, const std::string& value) {
         return reading(option, value, "write a power of the series, 0 or more", [&] { return read_power(value); });
     };
@@ -77,9 +82,27 @@ table table_of(long first, const std::vector<printed_number>& coefficients, bool
     return data;
 }
 
+// In place of a motion, any problem.
+table coefficients_of_problem(const coefficients_options& options) {
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    problem_series_request request{options.problem.choose(), 0, 0, options.at};
+    read_powers(options, request);
+    return naming_option("--problem", [&] {
+        return options.arithmetic.scalar() == "rational" ? problem_fractions(request)
+                                                         : problem_coefficients(request, options.arithmetic.choose());
+    });
+}
+
 int run_coefficients(const coefficients_options& options) {
     const whole_exponent_range exponents;  // of a_n ~ R^-n
     options.output.check();
+    if (options.problem.given()) {
+        options.output.write(coefficients_of_problem(options));
+        return 0;
+    }
+    options.problem.require_problem();
     const arithmetic numbers = options.arithmetic.choose();
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
     read_powers(options, request);
@@ -93,14 +116,17 @@ int run_coefficients(const coefficients_options& options) {
 
 subcommand coefficients_command(CLI::App& program) {
     const auto options = std::make_shared<coefficients_options>();
-    CLI::App* command = program.add_subcommand("coefficients", "the Taylor coefficients of theta about a point");
+    CLI::App* command =
+        program.add_subcommand("coefficients", "the Taylor coefficients of theta, or of any problem, about a point");
     options->motion.add_to(*command);
+    options->problem.add_to(*command);
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N")->type_name("N")->required();
     command->add_option("--from", options->from, "first power to print, 0 without it: any costs the same")
         ->type_name("N");
-    command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
+    command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1); of a problem a time, 1+2i too")
+        ->type_name("POINT");
     return {command, [options] { return run_coefficients(*options); }};
 }
 

@@ -33,6 +33,8 @@ class arithmetic_options {
 public:
     void add_to(CLI::App& command, arithmetics offered = arithmetics::rounding);
     arithmetic choose() const;
+    /// What was given for --scalar.
+    const std::optional<std::string>& scalar() const { return scalar_; }
 
 private:
     std::optional<std::string> digits_, scalar_;

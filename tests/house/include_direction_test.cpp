@@ -63,8 +63,9 @@ std::map<std::string, rooms> order_of_rooms() {
         problem = ode + proofs + rooms{"problem"}, library = pendulum + problem + rooms{"problem/known"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
-        journal = option + rooms{"src/journal"}, sweep = journal + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
-        command = list_command + rooms{"src/motion"};
+        journal = option + rooms{"src/journal"}, sweep = journal + rooms{"src/sweep"}, study = sweep + library,
+        list_command = study + rooms{"src/list"}, equation = list_command + rooms{"src/equation"},
+        command = equation + rooms{"src/motion"};
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
@@ -107,7 +108,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/sweep", journal},
         {"src/claims", study},
         {"src/list", study},
-        {"src/motion", list_command},
+        {"src/equation", list_command},
+        {"src/motion", equation},
         {"src/table", command},
         {"src/verify", command + rooms{"src/table"}},
         {"src/report", command + rooms{"src/claims", "src/table"}},

@@ -96,46 +96,46 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
     const std::vector<std::pair<std::string, std::string>> wrong{
         {"y'' = y; y(0) = 1", "problem 'y'' has no start: add y'(0) = number"},
         {"y' = y; y(0) = 1; y(1) = 2",
-         "problem 'y' at line 1, column 19 starts at another point than y: all starts are at "
-         "one point, conditions elsewhere belong to `find`"},
+         "problem 'y' at line 1, column 19 starts at another point than y: give all starts at one point"},
         {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two starts: give it one"},
         {"y' = y; y(0) = 1; y'(0) = 1",
-         "problem 'y'' at line 1, column 19 has no start of its own: the equations give it"},
-        {"y' = y; z(0) = 1", "problem 'z(0) = 1' at line 1, column 9 is a start of no unknown: no equation has z'"},
+         "problem 'y'' at line 1, column 19 has no start of its own, for the equations give it: leave it out"},
+        {"y' = y; z(0) = 1",
+         "problem 'z(0) = 1' at line 1, column 9 is a start of no unknown: add an equation with z'"},
         {"y' = y; y(0) = a; a = b; b = 2*a",
          "problem 'a' at line 1, column 19 needs itself: a -> b -> a: give one of them a number"},
         {"sin(y'') = y; y(0) = 0; y'(0) = 0",
-         "problem 'y''' at line 1, column 1 is the highest derivative and stands in a function: implicit equations are "
-         "refused, solve for it or differentiate the equation"},
+         "problem 'y''' at line 1, column 1 is the highest derivative and stands in a function: make the equation "
+         "explicit, by solving for it or by differentiating"},
         {"y'^2 = y; y(0) = 1",
-         "problem 'y'' at line 1, column 1 is the highest derivative and stands in a power: implicit equations are "
-         "refused, solve for it or differentiate the equation"},
+         "problem 'y'' at line 1, column 1 is the highest derivative and stands in a power: make the equation "
+         "explicit, by solving for it or by differentiating"},
         {"y'*y' = y; y(0) = 1",
          "problem 'y'' at line 1, column 1 is the highest derivative and stands in a product with another highest "
-         "derivative: implicit equations are refused, solve for it or differentiate the equation"},
+         "derivative: make the equation explicit, by solving for it or by differentiating"},
         {"x' + y' = 1; x' + y' = t; x(0) = 0; y(0) = 0",
-         "problem 'equation 2' at line 1, column 14 has no highest derivative of its own: differentiate it, or replace "
-         "it "
-         "by one that has"},
-        {"x' = y'; x(0) = 0; y(0) = 0", "problem has 1 equations for 2 unknowns (x, y): it needs as many"},
+         "problem 'equation 2' at line 1, column 14 has no highest derivative of its own: use its derivative in its "
+         "place"},
+        {"x' = y'; x(0) = 0; y(0) = 0", "problem has 1 equations for 2 unknowns (x, y): give as many of both"},
         {"y' = log(y); y(0) = 0",
-         "problem 'y'' has no value at the start: its right side takes the logarithm of a number "
-         "that is not positive"},
-        {"y' = sqrt(y); y(0) = 0", "problem 'y'' has no value at the start: its right side takes the root of 0"},
+         "problem 'y'' has no value at the start, for its right side takes the logarithm of a number that is not "
+         "positive: choose another start"},
+        {"y' = sqrt(y); y(0) = 0",
+         "problem 'y'' has no value at the start, for its right side takes the root of 0: choose another start"},
         {"y' = y^(1/3); y(0) = 0",
-         "problem 'y'' has no value at the start: its right side takes a power of 0 that is not "
-         "whole"},
+         "problem 'y'' has no value at the start, for its right side takes a power of 0 that is not whole: choose "
+         "another start"},
         {"y' = asin(y); y(0) = 1",
-         "problem 'y'' has no value at the start: its right side takes acos or asin of 1 or -1, "
-         "where they have no series"},
+         "problem 'y'' has no value at the start, for its right side takes acos or asin of 1 or -1, where they have no "
+         "series: choose another start"},
         {"R*R'' + 1 = 0; R(0) = 0; R'(0) = 1",
-         "problem 'R''' has no value at the start: its right side divides by zero"},
+         "problem 'R''' has no value at the start, for its right side divides by zero: choose another start"},
         {"t^2*y' = y - t; y(0) = 0",
-         "problem 'y'' is irregular singular at the start: a factor of the highest derivative "
-         "vanishes there too fast for a power series"},
+         "problem 'y'' is irregular singular at the start, where a factor of the highest derivative vanishes too fast "
+         "for a power series: choose another start"},
         {"t^3*y'' = y; y(0) = 0; y'(0) = 0",
-         "problem 'y''' is irregular singular at the start: a factor of the highest "
-         "derivative vanishes there too fast for a power series"},
+         "problem 'y''' is irregular singular at the start, where a factor of the highest derivative vanishes too fast "
+         "for a power series: choose another start"},
     };
     for (const auto& [text, told] : wrong) {
         INFO(text);

@@ -69,12 +69,8 @@ TEST_CASE("text and operators make the same expressions", "[ode][parse]") {
 
 TEST_CASE("a problem's statements are read in any order and on any lines", "[ode][parse]") {
     const auto system = parse(
-        "# Blasius\n"
-        "f''(1/2) = k  # the wall\n"
-        "f''' + f*f''/2 = 0; f(1/2) = 0; f'(1/2) = 30deg\n"
-        "k = 3*m; m = 1/3 + 2pi\n"
-        "invariant f*f' - (m)\n"
-        "exact f = k*t^2\r\n");
+        "# Blasius\nf''(1/2) = k  # the wall\nf''' + f*f''/2 = 0; f(1/2) = 0; f'(1/2) = 30deg\nk = 3*m; m = 1/3 + "
+        "2pi\ninvariant f*f' - (m)\nexact f = k*t^2\r\n");
     CHECK(system.equations.size() == 1);
     CHECK(system.equations[0].at.line == 3);
     CHECK(system.starts.size() == 3);
@@ -100,14 +96,16 @@ TEST_CASE("parameters and starts are changed one at a time", "[ode][parse]") {
     const explicit_system solved(changed(changed(system, "k = 1/3"), "f'(0) = 2*k"));
     CHECK(solved.starts()[0][1].fraction() == rational(2, 3));
     CHECK(same_form(solved.right()[0], expression(rational(-1, 3)) * unknown("f")));
-    CHECK_THROWS_WITH(changed(system, "m = 1"), "problem 'm' at line 1, column 1 is no parameter of this problem");
-    CHECK_THROWS_WITH(changed(system, "f''(0) = 1"), "problem 'f''' at line 1, column 1 has no start in this problem");
+    CHECK_THROWS_WITH(changed(system, "m = 1"),
+                      "problem 'm' at line 1, column 1 is no parameter of this problem: choose one of its own");
+    CHECK_THROWS_WITH(changed(system, "f''(0) = 1"),
+                      "problem 'f''' at line 1, column 1 has no start in this problem: choose one of its own");
     CHECK_THROWS_WITH(changed(system, "f'' = f"),
                       "problem 'f'' = f' at line 1, column 1 is no parameter and no start: write k = 1 or f(0) = 1");
     CHECK(parse_constant("3pi/4").constant().plain()->coefficient == rational(3, 4));
-    CHECK_THROWS_WITH(parse_constant("y"),
-                      "problem 'y' at line 1, column 1 has no value: write y = number for a parameter, y' = ... for an "
-                      "unknown");
+    CHECK_THROWS_WITH(
+        parse_constant("y"),
+        "problem 'y' at line 1, column 1 has no value: write y = number for a parameter, y' = ... for an unknown");
 }
 
 TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
@@ -118,50 +116,51 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' = y(t); y(0) = 1", "problem 'y(t)' at line 1, column 6 has an argument: write y"},
         {"y'(t) = y; y(0) = 1", "problem 'y'(t)' at line 1, column 1 has an argument: write y'"},
         {"y' = y, y(0) = 1",
-         "problem ',' at line 1, column 7 is no part of a problem: decimals have a point, statements end with ;"},
+         "problem ',' at line 1, column 7 is no part of a problem: write a point in decimals and ; between statements"},
         {"y' = k*y\ny(0) = 1\nk = 1/2pi",
          "problem 'k = 1/2pi' at line 3, column 6 is ambiguous: write parentheses, as 1/(2*pi) or (1/2)*pi"},
         {"y' = k*y; y(0) = 1; k = 1/2T",
-         "problem 'T' at line 1, column 28 is the period of a pendulum: a problem has none"},
+         "problem 'T' at line 1, column 28 is the period of a pendulum, of which a problem has none: write a number"},
         {"y' = 2pi*y; y(0) = 1", "problem '2pi' at line 1, column 6 multiplies without *: write 2*pi"},
         {"pi = 3; y' = y", "problem 'pi' at line 1, column 1 is a reserved name: choose another"},
         {"t = 3; y' = y",
          "problem 't' at line 1, column 1 is the independent variable: choose another name, or `variable x`"},
         {"n' = 1; n(0) = 0", "problem 'n' at line 1, column 1 is the name of a column of tables: choose another"},
-        {"sin' = 1", "problem 'sin'' at line 1, column 1 is the derivative of a function: primes belong to unknowns"},
+        {"sin' = 1",
+         "problem 'sin'' at line 1, column 1 is the derivative of a function: write primes behind unknowns alone"},
         {"y' = sin y; y(0) = 0", "problem 'sin' at line 1, column 6 is a function without ( behind it: write sin(...)"},
         {"y' = Sin(y); y(0) = 0",
-         "problem 'Sin' at line 1, column 6 is no function: there are exp log sqrt sin cos tan asin acos atan sinh "
-         "cosh "
-         "tanh; a product has *"},
+         "problem 'Sin' at line 1, column 6 is no function: write * for a product, or one of exp log sqrt sin cos tan "
+         "asin acos atan sinh cosh tanh"},
         {"y' = k; y(0) = 0",
          "problem 'k' at line 1, column 6 has no value: write k = number for a parameter, k' = ... for an unknown"},
-        {"variable x; y' = t; y(0) = 0", "problem 't' at line 1, column 18 has no value: the variable is x"},
+        {"variable x; y' = t; y(0) = 0", "problem 't' at line 1, column 18 has no value: use the variable, x"},
         {"y' = y^t; y(0) = 1",
          "problem 'y' = y^t' at line 1, column 6 has an exponent that is not constant: write exp(y*log(x)) for x^y"},
-        {"y' = (y + 1; y(0) = 1", "problem '(' at line 1, column 6 is not closed: a ) is missing"},
-        {"y' = y + 1); y(0) = 1", "problem ')' at line 1, column 11 closes nothing: a ( is missing"},
-        {"y' = y +; y(0) = 1", "problem 'y' = y +' at line 1, column 8 ends where a number or a name is missing"},
-        {"y' = y*/2; y(0) = 1", "problem '/' at line 1, column 8 stands where a number or a name is missing"},
+        {"y' = (y + 1; y(0) = 1", "problem '(' at line 1, column 6 is not closed: add a )"},
+        {"y' = y + 1); y(0) = 1", "problem ')' at line 1, column 11 closes nothing: add a ("},
+        {"y' = y +; y(0) = 1",
+         "problem 'y' = y +' at line 1, column 8 ends where a number or a name is missing: write one"},
+        {"y' = y*/2; y(0) = 1",
+         "problem '/' at line 1, column 8 stands where a number or a name is missing: write one"},
         {"y' == y; y(0) = 1", "problem 'y' == y' at line 1, column 1 has more than one =: write a statement each"},
-        {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is no equation: it has no ="},
-        {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of ="},
-        {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero"},
+        {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is no equation: write one with ="},
+        {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of =: write both sides"},
+        {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero: choose another number"},
         {"y' = log(-1)*y; y(0) = 1",
-         "problem 'y' = log(-1)*y' at line 1, column 6 takes the logarithm of a number that is not positive"},
+         "problem 'y' = log(-1)*y' at line 1, column 6 takes the logarithm of a number that is not positive: choose "
+         "another number"},
         {"y' = y; y(0) = y'",
-         "problem 'y(0) = y'' at line 1, column 16 has a value that is not constant: give a number or "
-         "parameters"},
+         "problem 'y(0) = y'' at line 1, column 16 has a value that is not constant: give a number or parameters"},
         {"y' = y; k = 1; k = 2; y(0) = 1", "problem 'k = 2' at line 1, column 16 gives k a second value: give it one"},
         {"y' = $; y(0) = 1",
-         "problem '$' at line 1, column 6 is no part of a problem: it has names, numbers, + - * / ^ ( ) = and ;"},
+         "problem '$' at line 1, column 6 is no part of a problem: write names, numbers, + - * / ^ ( ) = and ;"},
         {"y' = y; y(0) = 1 '",
-         "problem ''' at line 1, column 18 stands behind no name: primes follow their unknown "
-         "directly, as f''"},
+         "problem ''' at line 1, column 18 stands behind no name: write primes directly behind an unknown, as f''"},
         {"# nothing", "problem has no equation: write one, as y' = y"},
         {"y' = 1e1000000; y(0) = 1",
-         "problem '1e1000000; y(0) = 1' at line 1, column 6 is beyond the range 1e-100000 .. "
-         "1e100000"},
+         "problem '1e1000000; y(0) = 1' at line 1, column 6 is beyond the range 1e-100000 .. 1e100000: choose another "
+         "number"},
     };
     for (const auto& [text, told] : wrong) {
         INFO(text);
@@ -174,7 +173,7 @@ TEST_CASE("deep and long texts are refused before they cost anything", "[ode][pa
     CHECK(refusal_of("y' = " + many + "y" + std::string(200, ')')).find("is nested more than 100 deep") !=
           std::string::npos);
     CHECK(refusal_of("y' = " + std::string(300, '-') + "y").find("is nested more than 100 deep") != std::string::npos);
-    CHECK(refusal_of(std::string(100'001, ' ')) == "problem is longer than 100000 characters");
+    CHECK(refusal_of(std::string(100'001, ' ')) == "problem is longer than 100000 characters: write less");
 }
 
 }  // namespace ode_parse_test

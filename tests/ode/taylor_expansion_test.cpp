@@ -194,14 +194,15 @@ TEST_CASE("singular starts that have no series are told so", "[ode][taylor_expan
         const explicit_system system(parse(text));
         CHECK_THROWS_WITH(tape::about_start(system), told);
     };
-    refused(
-        "t*y'' + 2*y' + t*y^3 = 0; y(0) = 1; y'(0) = 1",
-        "problem 'y' has no power series with this start: the equation contradicts y'(t0), or a logarithm is in it");
+    refused("t*y'' + 2*y' + t*y^3 = 0; y(0) = 1; y'(0) = 1",
+            "problem 'y' has no power series with this start, for the equation contradicts y'(t0), or a logarithm is "
+            "in it: choose another start");
     refused("y' = 1/t; y(0) = 1",
-            "problem 'y' has no power series with this start: the equation contradicts y(t0), or a logarithm is in it");
+            "problem 'y' has no power series with this start, for the equation contradicts y(t0), or a logarithm is in "
+            "it: choose another start");
     refused("t*y' = y; y(0) = 0",
-            "problem 'y' has no unique series at the start: the equation leaves the coefficient of "
-            "power 1 free, or has none");
+            "problem 'y' has no unique series at the start, for the equation leaves the coefficient of power 1 free, "
+            "or has none: choose another start");
     refused("t*y'' + sqrt(2)*y' + t*y = 0; y(0) = 1; y'(0) = 0",
             "problem 'y' has an indicial equation whose numbers are no fractions: give parameters as fractions");
     CHECK_THROWS_WITH(

@@ -88,7 +88,7 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
         singular_ = singular_form(unknowns_, right_, point_, values);
         if (!singular_) {
             refuse(primed(unknowns_[i].name, unknowns_[i].order), {},
-                   "has no value at the start: its right side " + *reason);
+                   "has no value at the start, for its right side " + *reason + ": choose another start");
         }
         break;
     }
@@ -105,7 +105,7 @@ void explicit_system::read_unknowns(const equation_system& given) {
     for (const std::string& name : given.unknowns()) {
         const int order = orders.at(name);
         if (order == 0) {
-            refuse(name, {}, "occurs without a derivative: an equation for " + name + "' is missing");
+            refuse(name, {}, "occurs without a derivative: add an equation for " + name + "'");
         }
         unknowns_.push_back({name, order});
     }
@@ -119,7 +119,7 @@ void explicit_system::read_unknowns(const equation_system& given) {
         }
         refuse("", {},
                "has " + std::to_string(given.equations.size()) + " equations for " + std::to_string(unknowns_.size()) +
-                   " unknowns (" + names + "): it needs as many");
+                   " unknowns (" + names + "): give as many of both");
     }
 }
 
@@ -135,18 +135,18 @@ void explicit_system::read_starts(const equation_system& given) {
         if (first != nullptr && !same_number(at, point_)) {
             refuse(name, each.at,
                    "starts at another point than " + primed(first->of.name(), first->of.derivative()) +
-                       ": all starts are at one point, conditions elsewhere belong to `find`");
+                       ": give all starts at one point");
         }
         first = first == nullptr ? &each : first;
         point_ = at;
         const auto which = std::ranges::find(unknowns_, each.of.name(), &unknown_function::name);
         if (which == unknowns_.end()) {
-            refuse(name, each.at, "is a start of no unknown");
+            refuse(name, each.at, "is a start of no unknown: leave it out");
         }
         auto& of_unknown = found[static_cast<std::size_t>(which - unknowns_.begin())];
         const auto order = static_cast<std::size_t>(each.of.derivative());
         if (order >= of_unknown.size()) {
-            refuse(name, each.at, "has no start of its own: the equations give it");
+            refuse(name, each.at, "has no start of its own, for the equations give it: leave it out");
         }
         if (of_unknown[order]) {
             refuse(name, each.at, "has two starts: give it one");

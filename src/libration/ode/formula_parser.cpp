@@ -43,7 +43,7 @@ private:
 
     [[noreturn]] void refuse_end() const {
         const token& end = words_[std::min(last_, words_.size()) - 1];
-        refuse(text_of(words_, 0, words_.size()), end.at, "ends where a number or a name is missing");
+        refuse(text_of(words_, 0, words_.size()), end.at, "ends where a number or a name is missing: write one");
     }
 
     // What cannot follow an operand.
@@ -57,15 +57,15 @@ private:
             refuse(both, before.at, "multiplies without *: write " + left + "*" + right);
         }
         if (word.symbol == ')') {
-            refuse(")", word.at, "closes nothing: a ( is missing");
+            refuse(")", word.at, "closes nothing: add a (");
         }
-        refuse(std::string(word.text), word.at, "is not expected here");
+        refuse(std::string(word.text), word.at, "is not expected here: write + - * / or ^ between numbers and names");
     }
 
     void enter() {
         if (++depth_ > deepest_formula) {
             refuse(text_of(words_, 0, words_.size()), words_[std::min(next_, last_ - 1)].at,
-                   "is nested more than " + std::to_string(deepest_formula) + " deep");
+                   "is nested more than " + std::to_string(deepest_formula) + " deep: use fewer parentheses");
         }
     }
 
@@ -81,7 +81,8 @@ private:
             const std::string subject = problem.subject() == "number" ? "" : problem.subject() + " ";
             throw error(problem.kind(), "problem", text_of(words_, 0, words_.size()),
                         "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " " +
-                            (subject.empty() ? "" : "has an " + subject + "that ") + problem.reason());
+                            (subject.empty() ? "" : "has an " + subject + "that ") + problem.reason() +
+                            (problem.subject() == "number" ? ": choose another number" : ""));
         }
     }
 
@@ -140,7 +141,7 @@ private:
 
     // pi or deg directly behind a number, in values.
     std::optional<expression> unit_behind() {
-        if (role_ != formula_role::value || next_ >= last_ || words_[next_].kind != token_kind::name ||
+        if (role_ == formula_role::equation || next_ >= last_ || words_[next_].kind != token_kind::name ||
             !words_[next_].touches) {
             return std::nullopt;
         }
@@ -149,8 +150,12 @@ private:
             ++next_;
             return expression(number(1, name == "pi" ? unit::pi : unit::degree));
         }
+        if (name == "i" && role_ == formula_role::point) {
+            ++next_;
+            return parameter("i");
+        }
         if (name == "T" && !names_.parameters.contains(name)) {
-            refuse("T", words_[next_].at, "is the period of a pendulum: a problem has none");
+            refuse("T", words_[next_].at, "is the period of a pendulum, of which a problem has none: write a number");
         }
         return std::nullopt;
     }
@@ -169,7 +174,7 @@ private:
             return in_parentheses(word.at);
         }
         if (word.kind != token_kind::name) {
-            refuse(std::string(1, word.symbol), word.at, "stands where a number or a name is missing");
+            refuse(std::string(1, word.symbol), word.at, "stands where a number or a name is missing: write one");
         }
         ++next_;
         if (is_function_name(word.text)) {
@@ -184,7 +189,7 @@ private:
     expression function(const token& word) {
         if (word.primes > 0) {
             refuse(text_of(words_, next_ - 1, next_), word.at,
-                   "is the derivative of a function: primes belong to unknowns");
+                   "is the derivative of a function: write primes behind unknowns alone");
         }
         if (!take('(')) {
             refuse(std::string(word.text), word.at,
@@ -205,8 +210,9 @@ private:
             refuse(name + "(", word.at,
                    "is no part of an equation: a start is a statement, " + name + "(0) = 1, and a product has *");
         }
-        refuse(name, word.at,
-               "is no function: there are exp log sqrt sin cos tan asin acos atan sinh cosh tanh; a product has *");
+        refuse(
+            name, word.at,
+            "is no function: write * for a product, or one of exp log sqrt sin cos tan asin acos atan sinh cosh tanh");
     }
 
     expression named(const token& word) const {
@@ -227,24 +233,24 @@ private:
             return parameter(name);
         }
         if (name == "i") {
-            refuse(name, word.at, "has no value: imaginary numbers belong to points, as --at 1+2i");
+            refuse(name, word.at, "has no value: use imaginary numbers in points alone");
         }
         if (name == "inf") {
-            refuse(name, word.at, "is no number");
+            refuse(name, word.at, "is no number: write one");
         }
         refuse(name, word.at,
                name == "t"
-                   ? "has no value: the variable is " + names_.variable
+                   ? "has no value: use the variable, " + names_.variable
                    : "has no value: write " + name + " = number for a parameter, " + name + "' = ... for an unknown");
     }
 
     expression in_parentheses(const place& opened) {
         if (next_ >= last_) {
-            refuse("(", opened, "is not closed: a ) is missing");
+            refuse("(", opened, "is not closed: add a )");
         }
         expression value = sum();
         if (next_ >= last_) {
-            refuse("(", opened, "is not closed: a ) is missing");
+            refuse("(", opened, "is not closed: add a )");
         }
         if (!take(')')) {
             refuse_next();

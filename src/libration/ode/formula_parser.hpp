@@ -25,8 +25,8 @@ void require_free_name(const token& name, const std::string& variable);
 /// The same for an unknown, which names a column of tables: n, time, digits and rigour are those of others.
 void require_free_column(const token& name, const std::string& variable);
 
-/// Equations multiply with * alone; values also read 3pi/4 and 150deg.
-enum class formula_role { equation, value };
+/// Equations multiply with * alone; values also read 3pi/4 and 150deg, points 2i, where i is a parameter.
+enum class formula_role { equation, value, point };
 
 /// The formula in the words first .. last - 1, at least one. Throws error with the place and the remedy.
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,

@@ -114,7 +114,7 @@ private:
         const expression& t = targets_[which];
         refuse(primed(t.name(), t.derivative()), of_.at,
                "is the highest derivative and stands in " + where +
-                   ": implicit equations are refused, solve for it or differentiate the equation");
+                   ": make the equation explicit, by solving for it or by differentiating");
     }
 
     const std::vector<expression>& targets_;
@@ -211,15 +211,16 @@ private:
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             if (!used_[i] && rows_[i].is_free()) {
                 refuse("equation " + std::to_string(i + 1), equations_[i].at,
-                       "has no highest derivative of its own: differentiate it, or replace it by one that has");
+                       "has no highest derivative of its own: use its derivative in its place");
             }
         }
         for (std::size_t i = 0; i < targets_.size(); ++i) {
             if (!row_of_[i]) {
-                refuse(primed(targets_[i].name(), targets_[i].derivative()), {}, "does not come out of the equations");
+                refuse(primed(targets_[i].name(), targets_[i].derivative()), {},
+                       "does not come out of the equations: add one that determines it");
             }
         }
-        refuse("", {}, "has equations that depend on each other");
+        refuse("", {}, "has equations that depend on each other: give independent ones");
     }
 
     std::vector<linear_form> rows_;

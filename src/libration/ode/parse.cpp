@@ -19,14 +19,14 @@ std::size_t equals_of(const statement& words) {
     const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
     const auto found = std::ranges::find_if(words, is_equals);
     if (found == words.end()) {
-        refuse(whole(words), words.front().at, "is no equation: it has no =");
+        refuse(whole(words), words.front().at, "is no equation: write one with =");
     }
     if (std::ranges::count_if(words, is_equals) > 1) {
         refuse(whole(words), words.front().at, "has more than one =: write a statement each");
     }
     const auto place = static_cast<std::size_t>(found - words.begin());
     if (place == 0 || place + 1 == words.size()) {
-        refuse(whole(words), found->at, "has nothing on one side of =");
+        refuse(whole(words), found->at, "has nothing on one side of =: write both sides");
     }
     return place;
 }
@@ -126,7 +126,7 @@ private:
                     refuse(whole(words), words[0].at, "names no variable: write variable x");
                 }
                 if (found) {
-                    refuse(whole(words), words[0].at, "is a second independent variable: there is one");
+                    refuse(whole(words), words[0].at, "is a second independent variable: leave one out");
                 }
                 require_free_name(words[1], "");
                 names_.variable = words[1].text;
@@ -169,7 +169,8 @@ private:
         const token& name = words[0];
         const std::string of = primed(std::string(name.text), name.primes);
         if (!names_.unknowns.contains(name.text)) {
-            refuse(whole(words), name.at, "is a start of no unknown: no equation has " + std::string(name.text) + "'");
+            refuse(whole(words), name.at,
+                   "is a start of no unknown: add an equation with " + std::string(name.text) + "'");
         }
         if (equals == 4 && words[2].text == names_.variable) {
             refuse(of + "(" + names_.variable + ")", name.at, "has an argument: write " + of);
@@ -194,7 +195,7 @@ private:
         }
         expression value = formula(words, 3, words.size());
         if (value.has_unknowns()) {
-            refuse(whole(words), words[0].at, "has an unknown on its right: a closed form has none");
+            refuse(whole(words), words[0].at, "has an unknown on its right: write it in the variable and parameters");
         }
         result_.exact.push_back({std::string(words[1].text), std::move(value), words[0].at});
     }
@@ -219,7 +220,7 @@ equation_system changed(equation_system system, std::string_view text) {
     }
     for (const definition& each : more.parameters) {
         if (system.parameter_of(each.name) == nullptr) {
-            refuse(each.name, each.at, "is no parameter of this problem");
+            refuse(each.name, each.at, "is no parameter of this problem: choose one of its own");
         }
         system.set(each.name, each.value);
     }
@@ -227,20 +228,39 @@ equation_system changed(equation_system system, std::string_view text) {
         const auto found =
             std::ranges::find_if(system.starts, [&](const start& s) { return same_form(s.of, each.of); });
         if (found == system.starts.end()) {
-            refuse(primed(each.of.name(), each.of.derivative()), each.at, "has no start in this problem");
+            refuse(primed(each.of.name(), each.of.derivative()), each.at,
+                   "has no start in this problem: choose one of its own");
         }
         *found = each;
     }
     return system;
 }
 
-expression parse_constant(std::string_view text) {
+namespace {
+
+expression constant_in(std::string_view text, const known_names& names, formula_role role) {
     const auto all = statements_of(text);
     if (all.size() != 1) {
-        refuse(std::string(text), {}, "is no number");
+        refuse(std::string(text), {}, "is no number: write one");
     }
-    const known_names none{.variable = "", .unknowns = {}, .parameters = {}};
-    return read_formula(all[0], 0, all[0].size(), none, formula_role::value);
+    return read_formula(all[0], 0, all[0].size(), names, role);
+}
+
+}  // namespace
+
+expression parse_constant(std::string_view text) {
+    return constant_in(text, {.variable = "", .unknowns = {}, .parameters = {}}, formula_role::value);
+}
+
+complex_constant parse_complex_constant(std::string_view text) {
+    const known_names names{.variable = "", .unknowns = {}, .parameters = {"i"}};
+    const expression value = constant_in(text, names, formula_role::point);
+    const expression imaginary = partial(value, parameter("i"));
+    if (imaginary.kind() != node_kind::constant) {
+        refuse(std::string(text), {}, "has i in a power, a denominator or a function: write a+bi");
+    }
+    const expression real = replaced(value, [](const expression&) { return std::optional(expression()); });
+    return {real.constant(), imaginary.constant()};
 }
 
 }  // namespace libration::ode

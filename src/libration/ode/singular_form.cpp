@@ -101,7 +101,7 @@ private:
         }
         if (inner.exponent < 0) {
             throw error(error_kind::argument, "problem", "",
-                        "has a function of what may be infinite at the start: an irregular singular start");
+                        "has a function of what may be infinite at the start: choose another start");
         }
         return {0, apply(e.function(), joined(inner))};
     }
@@ -176,11 +176,11 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
         const expression scaled = power == 0 ? forms[i].rest : distance_power(power) * forms[i].rest;
         if (power < 0 || lag_of(scaled, result.root) > 0) {
             refuse(highest, {},
-                   "is irregular singular at the start: a factor of the highest derivative vanishes there "
-                   "too fast for a power series");
+                   "is irregular singular at the start, where a factor of the highest derivative vanishes too fast for "
+                   "a power series: choose another start");
         }
         if (const auto reason = values.refusal_of(scaled)) {
-            refuse(highest, {}, "has no value at the start: its right side " + *reason);
+            refuse(highest, {}, "has no value at the start, for its right side " + *reason + ": choose another start");
         }
         result.right.push_back({scaled, weights_of(in_distance[i], unknowns[i].order, unknowns, factors, values)});
     }

@@ -95,7 +95,7 @@ private:
         try {
             const auto number = take_number(tail);
             if (!number) {
-                refuse(".", at_, "is no number");
+                refuse(".", at_, "is no number: write digits");
             }
             made.kind = token_kind::numeral;
             made.value = number->value();
@@ -103,7 +103,7 @@ private:
             if (problem.subject() != "number") {
                 throw;
             }
-            refuse(std::string(rest_.substr(0, 20)), at_, problem.reason());
+            refuse(std::string(rest_.substr(0, 20)), at_, problem.reason() + ": choose another number");
         }
         return rest_.size() - tail.size();
     }
@@ -120,13 +120,13 @@ private:
         }
         const std::string shown = c > ' ' && c < '\x7f' ? std::string(1, c) : std::string("\\") + "?";
         switch (c) {
-            case ',': refuse(shown, at_, "is no part of a problem: decimals have a point, statements end with ;");
-            case '\'': refuse(shown, at_, "stands behind no name: primes follow their unknown directly, as f''");
+            case ',': refuse(shown, at_, "is no part of a problem: write a point in decimals and ; between statements");
+            case '\'': refuse(shown, at_, "stands behind no name: write primes directly behind an unknown, as f''");
             case '[':
             case '{': refuse(shown, at_, "is no parenthesis here: write (");
             case '<':
             case '>': refuse(shown, at_, "is no equation: write =");
-            default: refuse(shown, at_, "is no part of a problem: it has names, numbers, + - * / ^ ( ) = and ;");
+            default: refuse(shown, at_, "is no part of a problem: write names, numbers, + - * / ^ ( ) = and ;");
         }
     }
 
@@ -141,7 +141,7 @@ private:
 
 std::vector<statement> statements_of(std::string_view text) {
     if (text.size() > longest_problem) {
-        refuse("", {}, "is longer than " + std::to_string(longest_problem) + " characters");
+        refuse("", {}, "is longer than " + std::to_string(longest_problem) + " characters: write less");
     }
     return reader(text).read();
 }

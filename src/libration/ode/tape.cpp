@@ -41,7 +41,7 @@ void require_determined(const explicit_system& of) {
             if (coupled) {
                 refuse(primed(unknown.name, unknown.order), {},
                        "is coupled to " + of.unknowns()[k].name +
-                           " by its singular start: eliminate one of them, which gives an equation of higher order");
+                           " by its singular start: use one equation of higher order, without one of them");
             }
         }
         for (int n = 1; n <= last_resonance; ++n) {
@@ -51,8 +51,8 @@ void require_determined(const explicit_system& of) {
                                               ? std::to_string(n)
                                               : "(" + std::to_string(n) + "/" + std::to_string(start.root) + ")";
                 refuse(unknown.name, {},
-                       "has no unique series at the start: the equation leaves the coefficient of power " + power +
-                           " free, or has none");
+                       "has no unique series at the start, for the equation leaves the coefficient of power " + power +
+                           " free, or has none: choose another start");
             }
         }
     }

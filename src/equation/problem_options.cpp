@@ -1,0 +1,75 @@
+#include "equation/problem_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "libration/ode/parse.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "option/near_word.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+std::string text_of_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file || std::filesystem::is_directory(path)) {
+        throw input_error("--problem", path, "cannot be read",
+                          "give a file, a name of `libration problems` or a text with =");
+    }
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string text_of_catalogue(const std::string& name) {
+    std::vector<std::string> names;
+    for (const catalogue_entry& each : catalogue()) {
+        names.emplace_back(each.name);
+    }
+    if (std::ranges::find(names, name) == names.end()) {
+        throw input_error("--problem", name, "is not in the catalogue" + suggestion(name, names),
+                          "give a name of `libration problems`, a file with a / or .ode, or a text with =");
+    }
+    return std::string(problem_text(name));
+}
+
+}  // namespace
+
+void problem_options::add_to(CLI::App& command) {
+    command.add_option("--problem", problem_, "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
+        ->type_name("P");
+    command.add_option("--set", changes_, "another parameter or start of the problem: k=1/3, \"f'(0)=1\"")
+        ->type_name("X=VALUE");
+}
+
+// Text if it has =, a file if it has / or ends in .ode, else a name.
+std::string problem_options::text() const {
+    if (problem_->find('=') != std::string::npos) {
+        return *problem_;
+    }
+    const bool file = problem_->find('/') != std::string::npos || problem_->ends_with(".ode");
+    return file ? text_of_file(*problem_) : text_of_catalogue(*problem_);
+}
+
+void problem_options::require_problem() const {
+    if (!problem_ && !changes_.empty()) {
+        throw input_error("--set", changes_.front(), "changes a problem and there is none", "give --problem too");
+    }
+}
+
+ode::explicit_system problem_options::choose() const {
+    require_problem();
+    const std::string written = text();
+    auto system = naming_option("--problem", [&] { return ode::parse(written); });
+    for (const std::string& each : changes_) {
+        system = naming_option("--set", [&] { return ode::changed(system, each); });
+    }
+    return naming_option(changes_.empty() ? "--problem" : "--problem with --set",
+                         [&] { return ode::explicit_system(system); });
+}
+
+}  // namespace libration

@@ -1,0 +1,47 @@
+// The options by which a command takes any differential equation in place of a motion.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "libration/scalar/error.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+/// read(), its complaint of a problem with the option in front. What no precision decides passes, and what is said of
+/// anything else.
+template <class Read>
+auto naming_option(const std::string& option, const Read& read) {
+    try {
+        return read();
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::argument || problem.subject() != "problem") {
+            throw;
+        }
+        const std::string value = problem.value().empty() ? "" : " '" + problem.value() + "'";
+        throw input_error(option + value + " " + problem.reason());
+    }
+}
+
+/// --problem NAME | FILE.ode | 'TEXT; WITH; SEMICOLONS' and --set k=1/3, --set "f'(0)=1", any number of them.
+class problem_options {
+public:
+    void add_to(CLI::App& command);
+    bool given() const { return problem_.has_value(); }
+    /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
+    ode::explicit_system choose() const;
+    /// Refuses --set without --problem.
+    void require_problem() const;
+
+private:
+    std::string text() const;
+
+    std::optional<std::string> problem_;
+    std::vector<std::string> changes_;
+};
+
+}  // namespace libration

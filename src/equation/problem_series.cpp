@@ -1,0 +1,242 @@
+#include "equation/problem_series.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/path.hpp"
+#include "libration/ode/step.hpp"
+#include "libration/scalar/error.hpp"
+#include "run/digits.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+using ode::explicit_system;
+using ode::number;
+using ode::tape;
+
+constexpr long longest_exact_series = 400;
+
+bool is_no_number(const number& x) {
+    const auto plain = x.plain();
+    return plain && plain->coefficient == 0;
+}
+
+// The coefficients of all unknowns, one degree after the other.
+template <class R, class Add>
+void each_coefficient(const problem_series_request& request, const ode::taylor_expansion<R>& of, const Add& add) {
+    for (long n = request.first; n <= request.order; ++n) {
+        for (int i = 0; i < static_cast<int>(request.system.unknowns().size()); ++i) {
+            add(of.coefficients(i)[n], i, n);
+        }
+    }
+}
+
+template <class T>
+void require_in_range(const T& value, const explicit_system& system, int unknown, long n) {
+    if constexpr (rounding_scalar<T>) {
+        if (mpfr_number_p(handle(mpfr(widen(value)))) == 0) {
+            throw error(
+                error_kind::range,
+                fmt::format("coefficient {} of {}", n, system.unknowns()[static_cast<std::size_t>(unknown)].name), "",
+                "is beyond the range of this scalar");
+        }
+    }
+}
+
+template <class T>
+std::vector<wide_t<T>> flat_values(const problem_series_request& request, const ode::taylor_expansion<T>& of) {
+    std::vector<wide_t<T>> values;
+    each_coefficient(request, of, [&](const T& value, int unknown, long n) {
+        require_in_range(value, request.system, unknown, n);
+        values.push_back(widen(value));
+    });
+    return values;
+}
+
+template <class T>
+std::vector<wide_t<T>> flat_values(const problem_series_request& request,
+                                   const ode::taylor_expansion<complex_number<T>>& of) {
+    std::vector<wide_t<T>> values;
+    each_coefficient(request, of, [&](const complex_number<T>& value, int unknown, long n) {
+        for (const T& part : {value.re, value.im}) {
+            require_in_range(part, request.system, unknown, n);
+            values.push_back(widen(part));
+        }
+    });
+    return values;
+}
+
+template <class T>
+std::vector<wide_t<T>> about_start(const problem_series_request& request, const tape& made) {
+    ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order));
+    expansion.about_start();
+    return flat_values(request, expansion);
+}
+
+template <class T>
+std::vector<wide_t<T>> about_time(const problem_series_request& request, const number& time) {
+    const T t = ode::constant_value<T>::of(time);
+    ode::taylor_march<T> march(request.system);
+    const auto state = march.advance_to(t);
+    const tape made = tape::about_points(request.system);
+    ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order));
+    expansion.about(t, state);
+    return flat_values(request, expansion);
+}
+
+template <class T>
+std::vector<wide_t<T>> about_point(const problem_series_request& request, const ode::complex_constant& point) {
+    const complex_number<T> z{ode::constant_value<T>::of(point.re), ode::constant_value<T>::of(point.im)};
+    const ode::complex_path<T> path(request.system);
+    const auto state = path.state_at(z);
+    const tape made = tape::about_points(request.system);
+    ode::taylor_expansion<complex_number<T>> expansion(made, static_cast<int>(request.order));
+    expansion.about(z, state);
+    return flat_values(request, expansion);
+}
+
+// Which coefficients about the start are exactly 0: by fractions where they serve, else by the symmetry alone.
+std::vector<bool> zeros_about_start(const problem_series_request& request, const tape& made) {
+    std::vector<bool> zeros;
+    try {
+        if (request.order <= longest_exact_series) {
+            ode::taylor_expansion<rational> exact(made, static_cast<int>(request.order));
+            exact.about_start();
+            each_coefficient(request, exact, [&](const rational& c, int, long) { zeros.push_back(c == 0); });
+            return zeros;
+        }
+    } catch (const error&) {
+        zeros.clear();  // it has other numbers than fractions
+    }
+    for (long n = request.first; n <= request.order; ++n) {
+        for (int i = 0; i < static_cast<int>(request.system.unknowns().size()); ++i) {
+            const int residue = made.residue_of(i);
+            zeros.push_back(residue < 0 || n % made.stride() != residue);
+        }
+    }
+    return zeros;
+}
+
+// The names of the columns: unknowns, their parts about a complex point.
+std::vector<std::string> names_of(const explicit_system& system, bool parts) {
+    std::vector<std::string> names;
+    for (const auto& each : system.unknowns()) {
+        if (parts) {
+            names.push_back(each.name + "_re");
+            names.push_back(each.name + "_im");
+        } else {
+            names.push_back(each.name);
+        }
+    }
+    return names;
+}
+
+// The exponent of coefficient n of powers of s^(1/root).
+std::string power_of(long n, int root) {
+    const rational power(n, root);
+    return power.str();
+}
+
+table table_of(const problem_series_request& request, const std::vector<std::string>& names,
+               const std::vector<printed_number>& values, bool proved, int root) {
+    std::vector<column> columns{{"n", ""}};
+    for (const std::string& each : names) {
+        columns.push_back({each, ""});
+    }
+    for (const std::string& each : names) {
+        if (proved) {
+            columns.push_back({each + "_uncertainty", ""});
+        }
+    }
+    if (root > 1) {
+        columns.push_back({"power", ""});
+    }
+    table data(std::move(columns));
+    for (std::size_t at = 0; at < values.size(); at += names.size()) {
+        const long n = request.first + static_cast<long>(at / names.size());
+        table_row_cells row{n};
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            row.push_back(number_cell(values[at + i].text));
+        }
+        for (std::size_t i = 0; proved && i < names.size(); ++i) {
+            row.push_back(number_cell(values[at + i].uncertainty));
+        }
+        if (root > 1) {
+            row.emplace_back(power_of(n, root));
+        }
+        data.add_row(std::move(row));
+    }
+    return data;
+}
+
+ode::complex_constant point_of(const std::string& at) {
+    try {
+        return ode::parse_complex_constant(at);
+    } catch (const error& problem) {
+        throw input_error("--at", at, problem.reason(), "write a time as 1/2, or a complex one as 1+2i");
+    }
+}
+
+// Where the way there ends before it, the option says so.
+template <class Print>
+auto reached(const std::string& at, const Print& print) {
+    try {
+        return print();
+    } catch (const error& problem) {
+        if (problem.subject() != "time" && problem.subject() != "point") {
+            throw;
+        }
+        throw input_error("--at", at, problem.reason(), "choose a point nearer to the start, or a complex way around");
+    }
+}
+
+}  // namespace
+
+table problem_coefficients(const problem_series_request& request, const arithmetic& numbers) {
+    const bool proved = numbers.scalar.kind == scalar_kind::proved;
+    const auto point = request.at ? std::optional(point_of(*request.at)) : std::nullopt;
+    const bool at_start = !point || (is_no_number(point->im) && is_no_number(point->re - request.system.point()));
+    if (at_start) {
+        const tape made = tape::about_start(request.system);
+        const auto values = printed(
+            numbers.scalar, numbers.digits, [&]<class T>() { return about_start<T>(request, made); },
+            [&] { return zeros_about_start(request, made); });
+        return table_of(request, names_of(request.system, false), values, proved, made.root());
+    }
+    if (proved) {
+        throw input_error("--scalar", numbers.scalar.name(),
+                          "proves no way from the start to --at '" + *request.at + "'",
+                          "use mpfr:" + std::to_string(numbers.scalar.digits));
+    }
+    const bool real = is_no_number(point->im);
+    const auto values = reached(*request.at, [&] {
+        const auto rounded = rounded_values(numbers.scalar, [&]<class T>() {
+            return real ? about_time<T>(request, point->re) : about_point<T>(request, *point);
+        });
+        return printed(rounded, numbers.digits);
+    });
+    return table_of(request, names_of(request.system, !real), values, false, 1);
+}
+
+table problem_fractions(const problem_series_request& request) {
+    if (request.at) {
+        throw input_error("--at", *request.at, "is no point for fractions, which a solution has at its start alone",
+                          "leave it out");
+    }
+    const tape made = tape::about_start(request.system);
+    ode::taylor_expansion<rational> exact(made, static_cast<int>(request.order));
+    exact.about_start();
+    const auto names = names_of(request.system, false);
+    std::vector<printed_number> values;
+    each_coefficient(request, exact, [&](const rational& c, int, long) { values.push_back({c.str(), ""}); });
+    return table_of(request, names, values, false, made.root());
+}
+
+}  // namespace libration

@@ -1,0 +1,30 @@
+// The Taylor coefficients of any differential equation as a table.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "libration/ode/explicit_system.hpp"
+#include "option/options.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+/// Which coefficients of which problem.
+struct problem_series_request {
+    ode::explicit_system system;
+    long first = 0;
+    long order = 0;
+    /// A time, 1/2 or 1+2i; the start where it is not given.
+    std::optional<std::string> at;
+};
+
+/// n,<unknown>...; with balls <unknown>_uncertainty... behind, about a complex point <unknown>_re,<unknown>_im..., and
+/// for a start in powers of t^(1/q), n of which are counted, power. Throws input_error for a point where there is no
+/// way to, and for balls elsewhere than at the start.
+table problem_coefficients(const problem_series_request& request, const arithmetic& numbers);
+
+/// The same in exact fractions. Throws input_error for a problem that has others.
+table problem_fractions(const problem_series_request& request);
+
+}  // namespace libration

@@ -1,0 +1,103 @@
+// Any equation on the command line: coefficients --problem and the catalogue.
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <string>
+
+#include "command/printed.hpp"
+#include "command/refusal.hpp"
+
+namespace command_problem_test {
+
+using namespace libration::tests;
+
+namespace {
+
+const std::string blasius = "f''' + f*f''/2 = 0; f(0)=0; f'(0)=0; f''(0)=1";
+
+words coefficients(const std::string& problem, const words& more = {}) {
+    return words{"coefficients", "--problem", problem} + more;
+}
+
+}  // namespace
+
+TEST_CASE("coefficients of a typed problem are printed in every arithmetic", "[command][problem]") {
+    const auto rounded = rows_of(coefficients(blasius, {"--order", "11", "--digits", "20"}));
+    REQUIRE(rounded.size() == 12);
+    CHECK(rounded[0].at("f") == "0");
+    CHECK(rounded[2].at("f") == "0.50000000000000000000");
+    CHECK(rounded[5].at("f") == "-0.0041666666666666666667");
+    const auto fractions = rows_of(coefficients(blasius, {"--order", "11", "--scalar", "rational"}));
+    CHECK(fractions[5].at("f") == "-1/240");
+    CHECK(fractions[8].at("f") == "11/161280");
+    const auto proved = rows_of(coefficients(blasius, {"--order", "120", "--scalar", "ball:50", "--from", "119"}));
+    REQUIRE(proved.size() == 2);
+    CHECK(proved[0].at("n") == "119");
+    CHECK(significant_digits(proved[0].at("f")) == 50);
+    CHECK(proved[0].at("f_uncertainty") != "0");
+    CHECK(proved[1].at("f") == "0");
+    CHECK(proved[1].at("f_uncertainty") == "0");
+    CHECK(rows_of(coefficients("y' = y; y(0) = 1", {"--order", "3", "--scalar", "double"}))[3].at("y") ==
+          "0.16666666666666666");
+}
+
+TEST_CASE("problems come from the catalogue and from files, and are changed by --set", "[command][problem]") {
+    CHECK(rows_of(coefficients("lane_emden", {"--set", "n=5", "--order", "4", "--scalar", "rational"}))[4].at("y") ==
+          "1/24");
+    CHECK(rows_of(coefficients("blasius", {"--set", "f''(0)=2", "--order", "2", "--digits", "5"}))[2].at("f") ==
+          "1.0000");
+    const auto atom = rows_of(coefficients("thomas_fermi", {"--order", "3", "--digits", "10"}));
+    CHECK(atom[3].at("y") == "1.333333333");
+    CHECK(atom[3].at("power") == "3/2");
+    CHECK(atom[2].at("power") == "1");
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "mine.ode") << "# mine\nx' = y\ny' = -x\nx(0) = 0; y(0) = 1\n";
+    const auto done = run_libration(
+        coefficients("mine.ode", {"--order", "3", "--scalar", "rational", "--format", "csv"}), folder.path());
+    CHECK(done.out == "n,x,y\n0,0,1\n1,1,0\n2,0,-1/2\n3,-1/6,0\n");
+}
+
+TEST_CASE("coefficients about other points are those of the continued solution", "[command][problem]") {
+    const std::string tangent = "y' = 1 + y^2; y(0) = 0";
+    const auto there = rows_of(coefficients(tangent, {"--order", "1", "--at", "pi/4", "--digits", "30"}));
+    CHECK(there[0].at("y") == "1.00000000000000000000000000000");
+    CHECK(there[1].at("y") == "2.00000000000000000000000000000");
+    // tan(i) = i tanh(1).
+    const auto turned = rows_of(coefficients(tangent, {"--order", "1", "--at", "1/10+i", "--digits", "20"}));
+    CHECK(turned[0].at("y_im").starts_with("0.76"));
+    const auto shown =
+        rows_of({"coefficients", "--theta0", "5/2", "--omega0", "-3/10", "--order", "20", "--digits", "30"});
+    const auto by_tape =
+        rows_of(coefficients("x' = y; y' = -sin(x); x(0)=5/2; y(0)=-3/10", {"--order", "20", "--digits", "30"}));
+    for (std::size_t n = 0; n < shown.size(); ++n) {
+        CHECK(by_tape[n].at("x") == shown[n].at("coefficient"));
+    }
+}
+
+TEST_CASE("the catalogue is listed, and a problem shown", "[command][problem]") {
+    CHECK(lines_of(output_of({"problems", "--format", "csv"})).size() == 59);
+    CHECK(output_of({"problems", "blasius"}).find("f''' + f*f''/2 = 0\n") != std::string::npos);
+    check_refused({"problems", "blasus"}, {"'blasus'", "blasius"});
+}
+
+TEST_CASE("wrong problems are refused with the place and the remedy", "[command][problem][bad input]") {
+    const words order{"--order", "5"};
+    check_refused(coefficients("y' = 2x; y(0)=1", order), {"--problem", "'2x'", "column 6", "2*x"});
+    check_refused(coefficients("y' = y, y(0)=1", order), {"--problem", "','"});
+    check_refused(coefficients("y'' = y; y(0)=1", order), {"--problem", "y'(0)"});
+    check_refused(coefficients("y' = log(y); y(0)=0", order), {"--problem", "logarithm"});
+    check_refused(coefficients("sin(y') = y; y(0)=0", order), {"--problem", "function"});
+    check_refused(coefficients("t^2*y' = y - t; y(0)=0", order), {"--problem", "irregular"});
+    check_refused(coefficients("y' = 1/t; y(0)=0", order), {"logarithm"});
+    check_refused(coefficients("blasus", order), {"--problem", "'blasus'", "blasius"});
+    check_refused(coefficients("none/such.ode", order), {"--problem", "'none/such.ode'"});
+    check_refused(coefficients("blasius", words{"--set", "m=1"} + order), {"--set", "'m'"});
+    check_refused(coefficients("blasius", words{"--set", "k=1/0"} + order), {"--set", "zero"});
+    check_refused(coefficients("blasius", words{"--energy", "1"} + order), {"--energy", "--problem"});
+    check_refused(coefficients("blasius", words{"--at", "f(1)"} + order), {"--at", "'f(1)'"});
+    check_refused(coefficients("blasius", words{"--at", "1", "--scalar", "ball:20"} + order), {"--scalar", "ball:20"});
+    check_refused(coefficients("riccati", words{"--at", "2"} + order), {"--at", "'2'"});
+    check_refused(coefficients("pendulum", words{"--scalar", "rational"} + order), {"fraction"});
+    check_refused({"coefficients", "--set", "k=1", "--order", "3"}, {"--set", "--problem"});
+}
+
+}  // namespace command_problem_test
