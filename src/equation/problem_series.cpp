@@ -17,13 +17,9 @@ namespace libration {
 
 namespace {
 
-using ode::explicit_system;
-using ode::number;
-using ode::tape;
-
 constexpr long longest_exact_series = 400;
 
-bool is_no_number(const number& x) {
+bool is_plain_zero(const ode::number& x) {
     const auto plain = x.plain();
     return plain && plain->coefficient == 0;
 }
@@ -39,7 +35,7 @@ void each_coefficient(const problem_series_request& request, const ode::taylor_e
 }
 
 template <class T>
-void require_in_range(const T& value, const explicit_system& system, int unknown, long n) {
+void require_in_range(const T& value, const ode::explicit_system& system, int unknown, long n) {
     if constexpr (rounding_scalar<T>) {
         if (mpfr_number_p(handle(mpfr(widen(value)))) == 0) {
             throw error(
@@ -74,18 +70,18 @@ std::vector<wide_t<T>> flat_values(const problem_series_request& request,
 }
 
 template <class T>
-std::vector<wide_t<T>> about_start(const problem_series_request& request, const tape& made) {
+std::vector<wide_t<T>> about_start(const problem_series_request& request, const ode::tape& made) {
     ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order));
     expansion.about_start();
     return flat_values(request, expansion);
 }
 
 template <class T>
-std::vector<wide_t<T>> about_time(const problem_series_request& request, const number& time) {
+std::vector<wide_t<T>> about_time(const problem_series_request& request, const ode::number& time) {
     const T t = ode::constant_value<T>::of(time);
     ode::taylor_march<T> march(request.system);
     const auto state = march.advance_to(t);
-    const tape made = tape::about_points(request.system);
+    const ode::tape made = ode::tape::about_points(request.system);
     ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order));
     expansion.about(t, state);
     return flat_values(request, expansion);
@@ -96,14 +92,14 @@ std::vector<wide_t<T>> about_point(const problem_series_request& request, const 
     const complex_number<T> z{ode::constant_value<T>::of(point.re), ode::constant_value<T>::of(point.im)};
     const ode::complex_path<T> path(request.system);
     const auto state = path.state_at(z);
-    const tape made = tape::about_points(request.system);
+    const ode::tape made = ode::tape::about_points(request.system);
     ode::taylor_expansion<complex_number<T>> expansion(made, static_cast<int>(request.order));
     expansion.about(z, state);
     return flat_values(request, expansion);
 }
 
 // Which coefficients about the start are exactly 0: by fractions where they serve, else by the symmetry alone.
-std::vector<bool> zeros_about_start(const problem_series_request& request, const tape& made) {
+std::vector<bool> zeros_about_start(const problem_series_request& request, const ode::tape& made) {
     std::vector<bool> zeros;
     try {
         if (request.order <= longest_exact_series) {
@@ -125,7 +121,7 @@ std::vector<bool> zeros_about_start(const problem_series_request& request, const
 }
 
 // The names of the columns: unknowns, their parts about a complex point.
-std::vector<std::string> names_of(const explicit_system& system, bool parts) {
+std::vector<std::string> names_of_columns(const ode::explicit_system& system, bool parts) {
     std::vector<std::string> names;
     for (const auto& each : system.unknowns()) {
         if (parts) {
@@ -139,13 +135,13 @@ std::vector<std::string> names_of(const explicit_system& system, bool parts) {
 }
 
 // The exponent of coefficient n of powers of s^(1/root).
-std::string power_of(long n, int root) {
+std::string exponent_text(long n, int root) {
     const rational power(n, root);
     return power.str();
 }
 
-table table_of(const problem_series_request& request, const std::vector<std::string>& names,
-               const std::vector<printed_number>& values, bool proved, int root) {
+table series_table(const problem_series_request& request, const std::vector<std::string>& names,
+                   const std::vector<printed_number>& values, bool proved, int root) {
     std::vector<column> columns{{"n", ""}};
     for (const std::string& each : names) {
         columns.push_back({each, ""});
@@ -169,14 +165,14 @@ table table_of(const problem_series_request& request, const std::vector<std::str
             row.push_back(number_cell(values[at + i].uncertainty));
         }
         if (root > 1) {
-            row.emplace_back(power_of(n, root));
+            row.emplace_back(exponent_text(n, root));
         }
         data.add_row(std::move(row));
     }
     return data;
 }
 
-ode::complex_constant point_of(const std::string& at) {
+ode::complex_constant typed_point(const std::string& at) {
     try {
         return ode::parse_complex_constant(at);
     } catch (const error& problem) {
@@ -186,7 +182,7 @@ ode::complex_constant point_of(const std::string& at) {
 
 // Where the way there ends before it, the option says so.
 template <class Print>
-auto reached(const std::string& at, const Print& print) {
+auto on_the_way_to(const std::string& at, const Print& print) {
     try {
         return print();
     } catch (const error& problem) {
@@ -201,28 +197,28 @@ auto reached(const std::string& at, const Print& print) {
 
 table problem_coefficients(const problem_series_request& request, const arithmetic& numbers) {
     const bool proved = numbers.scalar.kind == scalar_kind::proved;
-    const auto point = request.at ? std::optional(point_of(*request.at)) : std::nullopt;
-    const bool at_start = !point || (is_no_number(point->im) && is_no_number(point->re - request.system.point()));
+    const auto point = request.at ? std::optional(typed_point(*request.at)) : std::nullopt;
+    const bool at_start = !point || (is_plain_zero(point->im) && is_plain_zero(point->re - request.system.point()));
     if (at_start) {
-        const tape made = tape::about_start(request.system);
+        const ode::tape made = ode::tape::about_start(request.system);
         const auto values = printed(
             numbers.scalar, numbers.digits, [&]<class T>() { return about_start<T>(request, made); },
             [&] { return zeros_about_start(request, made); });
-        return table_of(request, names_of(request.system, false), values, proved, made.root());
+        return series_table(request, names_of_columns(request.system, false), values, proved, made.root());
     }
     if (proved) {
         throw input_error("--scalar", numbers.scalar.name(),
                           "proves no way from the start to --at '" + *request.at + "'",
                           "use mpfr:" + std::to_string(numbers.scalar.digits));
     }
-    const bool real = is_no_number(point->im);
-    const auto values = reached(*request.at, [&] {
+    const bool real = is_plain_zero(point->im);
+    const auto values = on_the_way_to(*request.at, [&] {
         const auto rounded = rounded_values(numbers.scalar, [&]<class T>() {
             return real ? about_time<T>(request, point->re) : about_point<T>(request, *point);
         });
         return printed(rounded, numbers.digits);
     });
-    return table_of(request, names_of(request.system, !real), values, false, 1);
+    return series_table(request, names_of_columns(request.system, !real), values, false, 1);
 }
 
 table problem_fractions(const problem_series_request& request) {
@@ -230,13 +226,13 @@ table problem_fractions(const problem_series_request& request) {
         throw input_error("--at", *request.at, "is no point for fractions, which a solution has at its start alone",
                           "leave it out");
     }
-    const tape made = tape::about_start(request.system);
+    const ode::tape made = ode::tape::about_start(request.system);
     ode::taylor_expansion<rational> exact(made, static_cast<int>(request.order));
     exact.about_start();
-    const auto names = names_of(request.system, false);
+    const auto names = names_of_columns(request.system, false);
     std::vector<printed_number> values;
     each_coefficient(request, exact, [&](const rational& c, int, long) { values.push_back({c.str(), ""}); });
-    return table_of(request, names, values, false, made.root());
+    return series_table(request, names, values, false, made.root());
 }
 
 }  // namespace libration

@@ -34,7 +34,7 @@ std::string joined_by_blanks(const std::vector<std::string>& words) {
     return line;
 }
 
-table_row_cells row_of(const catalogue_entry& entry) {
+table_row_cells catalogue_row(const catalogue_entry& entry) {
     const auto system = ode::parse(entry.text);
     std::vector<std::string> parameters;
     for (const auto& each : system.parameters) {
@@ -50,7 +50,7 @@ int list_problems(const problems_options& options) {
     for (const catalogue_entry& each : catalogue()) {
         names.emplace_back(each.name);
         if (!options.name || each.name == *options.name) {
-            list.add_row(row_of(each));
+            list.add_row(catalogue_row(each));
         }
     }
     if (list.rows().empty()) {
