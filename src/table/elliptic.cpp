@@ -33,7 +33,7 @@ int run_elliptic(const elliptic_options& options) {
         columns.push_back({"n", ""});
     }
     if (request.is_complex()) {
-        columns.push_back({"imaginary", ""});
+        columns.insert(columns.end(), {{"imaginary", ""}, {"condition", ""}});
     }
     table data(std::move(columns));
     for (const elliptic_point& at : request.points) {
@@ -52,6 +52,8 @@ int run_elliptic(const elliptic_options& options) {
         }
         if (request.is_complex()) {
             row.push_back(number_cell(value[1]));
+            row.push_back(
+                number_cell(at.imaginary ? complex_condition_text(*function, at) : condition_text(*function, at)));
         }
         data.add_row(std::move(row));
     }

@@ -28,6 +28,20 @@ int infinite_at(const named_function& function, const elliptic_point& at) {
         [&](const precision_run& /*run*/) { return std::optional(value_at(function, at).infinite); });
 }
 
+long digits_lost_complex(const elliptic_point& at) { return digits_lost(at) + digits_before_point_of(*at.imaginary); }
+
+// Of a complex argument; nothing at a pole.
+std::optional<complex_parts> complex_value(const named_function& function, const elliptic_point& at) {
+    const precision_scope wider(working_digits() + digits_lost_complex(at));
+    return complex_quotient(function.name, *at.argument, *at.imaginary, at.parameter.value());
+}
+
+bool is_complex_pole(const named_function& function, const elliptic_point& at) {
+    return with_growing_precision(
+        {0, 20, most_guard_digits}, std::string(function.name),
+        [&](const precision_run& /*run*/) { return std::optional(!complex_value(function, at)); });
+}
+
 }  // namespace
 
 true_value value_at(const named_function& function, const elliptic_point& at) {
@@ -51,17 +65,11 @@ std::string function_text(const named_function& function, const elliptic_point& 
 }
 
 std::array<std::string, 2> complex_texts(const named_function& function, const elliptic_point& at, long digits) {
-    const auto parts = [&] {
-        const precision_scope wider(working_digits() + digits_lost(at) + digits_before_point_of(*at.imaginary));
-        return complex_quotient(function.name, *at.argument, *at.imaginary, at.parameter.value());
-    };
-    const bool pole = with_growing_precision({0, 20, most_guard_digits}, std::string(function.name),
-                                             [&](const precision_run& /*run*/) { return std::optional(!parts()); });
-    if (pole) {
+    if (is_complex_pole(function, at)) {
         return {"inf", "inf"};
     }
     const auto texts = proved_decimals(digits, [&] {
-        const complex_parts value = *parts();
+        const complex_parts value = *complex_value(function, at);
         return std::vector<ball>{value.real, value.imaginary};
     });
     return {texts[0].text, texts[1].text};
@@ -95,6 +103,27 @@ std::string condition_text(const named_function& function, const elliptic_point&
     const std::string at_text = at.argument ? at.argument->text : at.parameter.typed.text;
     return until_two_agree({0, first_condition_digits + digits_lost(at), most_agreement_digits},
                            fmt::format("the condition of {}({})", function.name, at_text), compute, std::equal_to<>());
+}
+
+std::string complex_condition_text(const named_function& function, const elliptic_point& at) {
+    if (is_complex_pole(function, at)) {
+        return "inf";
+    }
+    const auto value = [&](const std::vector<exact>& moved) {
+        elliptic_point there = at;
+        there.argument = moved[0];
+        there.imaginary = moved[1];
+        there.parameter.typed = moved[2];
+        return *complex_value(function, there);
+    };
+    const auto compute = [&](const precision_run& /*run*/) -> std::optional<std::string> {
+        const auto condition = complex_function_condition(value, {*at.argument, *at.imaginary, at.parameter.typed});
+        return condition ? to_decimal(*condition, 3) : "inf";
+    };
+    return until_two_agree(
+        {0, first_condition_digits + digits_lost_complex(at), most_agreement_digits},
+        fmt::format("the condition of {}({} + {} i)", function.name, at.argument->text, at.imaginary->text), compute,
+        std::equal_to<>());
 }
 
 }  // namespace libration

@@ -44,4 +44,7 @@ std::array<std::string, 2> complex_texts(const elliptic::named_function& functio
 /// infinite, or the function is.
 std::string condition_text(const elliptic::named_function& function, const elliptic_point& at);
 
+/// The same of a complex argument, whose real and imaginary part are two of the numbers that move.
+std::string complex_condition_text(const elliptic::named_function& function, const elliptic_point& at);
+
 }  // namespace libration

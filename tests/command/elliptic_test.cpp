@@ -337,4 +337,15 @@ TEST_CASE("what is no elliptic function, modulus or argument is refused", "[comm
     }
 }
 
+TEST_CASE("complex arguments have condition numbers", "[command][elliptic]") {
+    // At m = 0, which is exact, sn = sin and cn = cos: (|x| + |y|) |cos z/sin z| at 1 + 2i, by
+    // |cot z|^2 = (cos^2 x + sinh^2 y)/(sin^2 x + sinh^2 y) = 0.969980.
+    CHECK(elliptic_of({"sn", "--u", "1+2i", "--m", "0"})[0].at("condition") == "2.95");
+    CHECK(elliptic_of({"cn", "--u", "1+2i", "--m", "0"})[0].at("condition") == "3.05");
+    // Next to the real axis it is that of the real argument and |y f'/f|, a thousandth, more.
+    const auto rows = elliptic_of({"sn", "--u", "1,1+0.001i", "--m", "1/2"});
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("condition").substr(0, 3) == rows[1].at("condition").substr(0, 3));
+}
+
 }  // namespace command_elliptic_test

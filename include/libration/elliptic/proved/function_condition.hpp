@@ -43,4 +43,34 @@ std::optional<mpfr> function_condition(const Value& value, const std::vector<exa
     return midpoint_of(ball(ldexp(sum, step_bits) / abs(f)));
 }
 
+/// The same of a complex function, |f| its modulus: sum |x df/dx|/|f| over the inputs, of which the real and the
+/// imaginary part of the argument are two. value(inputs) is f as complex_parts.
+template <class Value>
+std::optional<mpfr> complex_function_condition(const Value& value, const std::vector<exact>& inputs) {
+    const long step_bits = digits<ball>() / 2;
+    const exact factor = exactly(rational(1 - power_of(2, -step_bits)));
+    const auto modulus = [](const ball& real, const ball& imaginary) {
+        const mpfr x = midpoint_of(real);
+        const mpfr y = midpoint_of(imaginary);
+        return mpfr(sqrt(mpfr(x * x + y * y)));
+    };
+    const auto f = value(inputs);
+    mpfr sum(0);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (!inputs[i].is_zero()) {
+            std::vector<exact> moved = inputs;
+            moved[i] = inputs[i] * factor;
+            const auto there = value(moved);
+            sum += modulus(ball(there.real - f.real), ball(there.imaginary - f.imaginary));
+        }
+    }
+    if (contains_zero(f.real) && contains_zero(f.imaginary)) {
+        if (is_exact(f.real) && is_exact(f.imaginary)) {
+            return sum == 0 ? std::optional(mpfr(0)) : std::nullopt;
+        }
+        throw precision_exhausted("the condition of a function next to a zero");
+    }
+    return mpfr(ldexp(sum, static_cast<int>(step_bits)) / modulus(f.real, f.imaginary));
+}
+
 }  // namespace libration::elliptic
