@@ -93,7 +93,8 @@ int run(const libration::subcommand& command) {
     try {
         return command.run();
     } catch (const libration::input_error& problem) {
-        return complain(problem.what(), bad_input);
+        const auto offered = libration::words_offered(problem.remedy());
+        return complain(problem.line_with(libration::suggestion(problem.value(), offered)), bad_input);
     } catch (const libration::error& problem) {
         switch (problem.kind()) {
             case libration::error_kind::undecided: return complain(libration::message_of(problem), failed);

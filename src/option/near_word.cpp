@@ -45,6 +45,28 @@ std::optional<std::string> near_word(std::string_view typed, const std::vector<s
     return nearest;
 }
 
+std::vector<std::string> words_offered(std::string_view remedy) {
+    constexpr std::string_view beginning = "write ";
+    if (!remedy.starts_with(beginning)) {
+        return {};
+    }
+    remedy.remove_prefix(beginning.size());
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto belongs = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
+    std::vector<std::string> words;
+    while (!remedy.empty()) {
+        const std::size_t comma = std::min(remedy.find(", "), remedy.size());
+        const std::size_t either = std::min(remedy.find(" or "), remedy.size());
+        const std::string_view item = remedy.substr(0, std::min(comma, either));
+        if (!item.empty() && is_letter(item.front()) && std::all_of(item.begin(), item.end(), belongs)) {
+            words.emplace_back(item);
+        }
+        const std::size_t behind = comma < either ? comma + 2 : either + 4;
+        remedy.remove_prefix(std::min(behind, remedy.size()));
+    }
+    return words;
+}
+
 std::string suggestion(std::string_view typed, const std::vector<std::string>& words) {
     const auto near = near_word(typed, words);
     return near ? " (did you mean " + *near + "?)" : "";

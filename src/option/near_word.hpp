@@ -16,6 +16,10 @@ std::size_t letters_apart(std::string_view a, std::string_view b);
 /// (two at least), or where nothing was typed.
 std::optional<std::string> near_word(std::string_view typed, const std::vector<std::string>& words);
 
+/// The words that a remedy offers, "write exact, series or rk4": those of letters, digits, - and _ that begin with a
+/// letter, and none of a remedy in other words.
+std::vector<std::string> words_offered(std::string_view remedy);
+
 /// " (did you mean period?)", or nothing.
 std::string suggestion(std::string_view typed, const std::vector<std::string>& words);
 

@@ -14,9 +14,26 @@ public:
     /// "--energy abc is not a number: write 1.71, 171/100 or 1e-3".
     input_error(const std::string& option, const std::string& value, const std::string& reason,
                 const std::string& remedy)
-        : std::runtime_error(option + " '" + value + "' " + reason + ": " + remedy) {}
+        : std::runtime_error(option + " '" + value + "' " + reason + ": " + remedy), value_(value), remedy_(remedy) {}
     /// For what no single option is wrong about.
     explicit input_error(const std::string& line) : std::runtime_error(line) {}
+
+    /// What was typed, and what to write in its place; empty where no single option is wrong.
+    const std::string& value() const { return value_; }
+    const std::string& remedy() const { return remedy_; }
+
+    /// The line with a hint before the remedy: "--method 'sereis' is no method (did you mean series?): write ...".
+    std::string line_with(const std::string& hint) const {
+        std::string line = what();
+        if (!remedy_.empty()) {
+            line.insert(line.size() - remedy_.size() - 2, hint);
+        }
+        return line;
+    }
+
+private:
+    std::string value_;
+    std::string remedy_;
 };
 
 /// read(value), the library's error turned into an input_error of the option, which is the name that the user knows the

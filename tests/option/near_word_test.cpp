@@ -29,4 +29,15 @@ TEST_CASE("the nearest word is found where one is near", "[option][near word]") 
     CHECK(suggestion("xyzzy", words).empty());
 }
 
+TEST_CASE("the words that a remedy offers are known from what cannot be one", "[option][near word]") {
+    using words = std::vector<std::string>;
+    CHECK(words_offered("write exact, series, resummed or rk4") == words{"exact", "series", "resummed", "rk4"});
+    CHECK(words_offered("write double, long-double, mpfr:DIGITS or ball:DIGITS (proved)") ==
+          words{"double", "long-double"});
+    CHECK(words_offered("write top, start or a time such as 1.1 or T/8") == words{"top", "start"});
+    CHECK(words_offered("write 1.71, 171/100 or 1e-3").empty());
+    CHECK(words_offered("see libration --help").empty());
+    CHECK(words_offered("").empty());
+}
+
 }  // namespace option_near_word_test
