@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "equation/problem_options.hpp"
+#include "equation/problem_series.hpp"
 #include "libration/convergence/list/coefficient_noise.hpp"
 #include "libration/convergence/list_report.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -27,6 +29,7 @@ namespace {
 
 struct radius_options {
     motion_options motion;
+    problem_options problem;
     arithmetic_options arithmetic;
     output_options output;
     std::optional<std::string> order;
@@ -76,6 +79,43 @@ std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const
             unknown.parts.push_back(judged_part(options, numbers, std::move(list.imaginary)));
         }
         lists.push_back(std::move(unknown));
+    }
+    return lists;
+}
+
+constexpr const char* usual_order_of_problems = "300";
+
+// The coefficients of every unknown, of which all digits are right.
+std::vector<lists_of_unknown> lists_of_problem(const radius_options& options, const arithmetic& numbers) {
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    const long order = order_of("--order", options.order.value_or(usual_order_of_problems));
+    const problem_series_request request{options.problem.choose(), 0, order, options.at};
+    const long digits = numbers.scalar.digits + radius_guard_digits;
+    const table data = naming_option("--problem", [&] {
+        return problem_coefficients(request, {{scalar_kind::arbitrary, digits}, digits});
+    });
+    if (data.columns().back().name == "power") {
+        throw input_error(
+            "--problem has a start in powers of a root of its variable: write what 'libration coefficients' "
+            "prints into a file and judge it by --coefficients");
+    }
+    const precision_scope scope(digits);
+    std::vector<lists_of_unknown> lists;
+    for (std::size_t place = 1; place < data.columns().size(); ++place) {
+        const std::string& name = data.columns()[place].name;
+        std::vector<mpfr> values;
+        for (const table_row_cells& row : data.rows()) {
+            values.push_back(from_exact<mpfr>(read_exact(row[place].text())));
+        }
+        judged_list list{power_series<mpfr>(std::move(values)), {}, "", std::nullopt};
+        if (name.ends_with("_im") && !lists.empty() && options.at) {
+            lists.back().parts.push_back(std::move(list));
+        } else {
+            lists.push_back({name.ends_with("_re") && options.at ? name.substr(0, name.size() - 3) : name, {}});
+            lists.back().parts.push_back(std::move(list));
+        }
     }
     return lists;
 }
@@ -197,9 +237,15 @@ int run_radius(const radius_options& options) {
     options.output.check();
     const arithmetic numbers = options.arithmetic.choose();
     std::vector<lists_of_unknown> unknowns;
-    if (options.file) {
+    if (options.problem.given()) {
+        if (options.file) {
+            throw input_error("--coefficients", *options.file, "come together with --problem", "give one of them");
+        }
+        unknowns = lists_of_problem(options, numbers);
+    } else if (options.file) {
         unknowns = lists_of_file(options, numbers);
     } else {
+        options.problem.require_problem();
         unknowns.push_back({"", {list_of_motion(options, numbers)}});
     }
     std::vector<radius_answers> all;
@@ -227,8 +273,11 @@ int run_radius(const radius_options& options) {
 subcommand radius_command(CLI::App& program) {
     const auto options = std::make_shared<radius_options>();
     CLI::App* command = program.add_subcommand(
-        "radius", "the radius of convergence from coefficients alone: of a motion's series, or of a list in a file");
+        "radius",
+        "the radius of convergence from coefficients alone: of a motion's series, of any problem, or of a list in a "
+        "file");
     options->motion.add_to(*command);
+    options->problem.add_to(*command);
     options->arithmetic.add_to(*command);
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N; of a file all that it has unless given")

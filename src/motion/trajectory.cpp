@@ -1,9 +1,12 @@
-// libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error.
+// libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error; or
+// the unknowns of any differential equation.
 #include <fmt/core.h>
 
 #include <cstdio>
 #include <memory>
 
+#include "equation/problem_options.hpp"
+#include "equation/problem_trajectory.hpp"
 #include "motion/motion_options.hpp"
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
@@ -22,9 +25,10 @@ constexpr const char* usual_step = "1e-5";
 
 struct trajectory_options {
     motion_options motion;
+    problem_options problem;
     arithmetic_options arithmetic;
     output_options output;
-    std::string method = "exact";
+    std::optional<std::string> method;
     std::optional<std::string> order;
     std::string times;
     std::optional<std::string> step;
@@ -54,10 +58,11 @@ bool is_partial_sum(trajectory_method method) {
 void require_fitting(const trajectory_options& options, trajectory_method method) {
     const bool sums = is_partial_sum(method);
     if (sums && !options.order) {
-        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power");
+        throw input_error("--method", *options.method, "is a partial sum", "add --order N, its last power");
     }
     const auto refuse = [&](const char* option, const std::string& value) {
-        throw input_error(option, value, "has no meaning for --method " + options.method, "leave it out");
+        throw input_error(option, value, "has no meaning for --method " + options.method.value_or("exact"),
+                          "leave it out");
     };
     if (!sums && options.order) {
         refuse("--order", *options.order);
@@ -68,7 +73,7 @@ void require_fitting(const trajectory_options& options, trajectory_method method
 }
 
 trajectory_request choose(const trajectory_options& options) {
-    const trajectory_method method = read_trajectory_method(options.method);
+    const trajectory_method method = read_trajectory_method(options.method.value_or("exact"));
     require_fitting(options, method);
     const exact step = positive_number_of("--step", options.step.value_or(usual_step));
     const arithmetic numbers = options.arithmetic.choose();
@@ -79,18 +84,44 @@ trajectory_request choose(const trajectory_options& options) {
     chosen_motion chosen = options.motion.choose_for(numbers.scalar);
     const regime r = chosen.of.regime();
     if (is_partial_sum(method) && at_critical_energy(r)) {
-        throw input_error("--method", options.method, "has no top to expand about at E = 2", "use exact or rk4");
+        throw input_error("--method", *options.method, "has no top to expand about at E = 2", "use exact or rk4");
     }
     if (method == trajectory_method::uniform && r == regime::stable_equilibrium) {
-        throw input_error("--method", options.method, "has infinitely many columns of singularities at E = 0",
+        throw input_error("--method", *options.method, "has infinitely many columns of singularities at E = 0",
                           "use exact, series or resummed");
     }
     const int order = options.order ? order_of("--order", *options.order) : 0;
     return {std::move(chosen), numbers, method, order, step, times_of(options.times, r), jobs_of(options.jobs)};
 }
 
+// In place of a motion, any problem.
+table trajectory_of_problem(const trajectory_options& options) {
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    const auto refuse = [](const char* option, const std::optional<std::string>& value) {
+        if (value) {
+            throw input_error(option, *value, "has no meaning for Taylor series in steps", "leave it out");
+        }
+    };
+    if (options.method && *options.method != "taylor") {
+        throw input_error("--method", *options.method, "is no method for a problem", "write taylor or leave it out");
+    }
+    refuse("--order", options.order);
+    refuse("--step", options.step);
+    const auto system = options.problem.choose();
+    const auto times = times_of_problem(options.times);
+    const arithmetic numbers = options.arithmetic.choose();
+    return naming_option("--problem", [&] { return problem_trajectory(system, times, numbers); });
+}
+
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
+    if (options.problem.given()) {
+        options.output.write(trajectory_of_problem(options));
+        return 0;
+    }
+    options.problem.require_problem();
     const trajectory_request request = choose(options);
     table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
     const long digits = request.numbers.digits;
@@ -117,12 +148,16 @@ int run_trajectory(const trajectory_options& options) {
 
 subcommand trajectory_command(CLI::App& program) {
     const auto options = std::make_shared<trajectory_options>();
-    CLI::App* command = program.add_subcommand("trajectory", "theta and omega at a list of times");
+    CLI::App* command =
+        program.add_subcommand("trajectory", "theta and omega, or the unknowns of any problem, at a list of times");
     options->motion.add_to(*command);
+    options->problem.add_to(*command);
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
-    command->add_option("--method", options->method, "exact; series, resummed or uniform, with --order; rk4")
-        ->capture_default_str();
+    command
+        ->add_option("--method", options->method,
+                     "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor")
+        ->type_name("METHOD");
     command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
     command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")

@@ -1,7 +1,9 @@
 // Any equation on the command line: coefficients --problem and the catalogue.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
@@ -73,6 +75,47 @@ TEST_CASE("coefficients about other points are those of the continued solution",
     }
 }
 
+TEST_CASE("a problem is marched to times, and the pendulum agrees with its own command", "[command][problem]") {
+    const words problem{"trajectory", "--problem", "x' = y; y' = -sin(x); x(0)=5/2; y(0)=-3/10"};
+    const auto rows = rows_of(problem + words{"--times", "10,-1,0", "--digits", "40"});
+    const auto own =
+        rows_of({"trajectory", "--theta0", "5/2", "--omega0", "-3/10", "--times", "10,-1,0", "--digits", "40"});
+    REQUIRE(rows.size() == 3);
+    REQUIRE(own.size() == 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CHECK(rows[i].at("time") == own[i].at("time"));
+        CHECK(rows[i].at("x") == own[i].at("theta"));
+        CHECK(rows[i].at("y") == own[i].at("omega"));
+        CHECK(rows[i].at("digits") == "40");
+        CHECK(rows[i].at("rigour") == "two-method");
+    }
+    const auto rough = rows_of(problem + words{"--times", "10", "--scalar", "double"});
+    CHECK(rough[0].at("rigour") == "heuristic");
+    CHECK(rough[0].at("x").substr(0, 10) == own[0].at("theta").substr(0, 10));
+    // Derivatives below the highest are columns: y = sin, y' = cos at pi/6.
+    const auto second =
+        rows_of({"trajectory", "--problem", "y'' = -y; y(0)=0; y'(0)=1", "--times", "pi/6", "--digits", "20"});
+    CHECK(second[0].at("y") == "0.50000000000000000000");
+    CHECK(second[0].at("y'") == "0.86602540378443864676");
+}
+
+TEST_CASE("the radius of a problem is that of its nearest singularity", "[command][problem]") {
+    const auto verdict = [](const words& problem) {
+        const auto row = rows_of(words{"radius", "--problem"} + problem).front();
+        return std::pair(std::stod(row.at("radius")), std::stod(row.at("uncertainty")));
+    };
+    // Painleve I: the first pole on z > 0 at 2.38416876956881664; tan: pi/2, and about 1+i the distance from there.
+    const auto painleve = verdict({"painleve_1", "--order", "200"});
+    CHECK(std::abs(painleve.first - 2.38416876956881664) <= painleve.second + 1e-15);
+    const auto tangent = verdict({"y' = 1 + y^2; y(0) = 0", "--order", "60"});
+    CHECK(std::abs(tangent.first - 1.5707963267948966) <= tangent.second + 1e-15);
+    const auto moved = verdict({"y' = 1 + y^2; y(0) = 0", "--order", "60", "--at", "1+i"});
+    CHECK(std::abs(moved.first - std::hypot(1.5707963267948966 - 1, 1)) <= moved.second + 1e-15);
+    // Blasius with the slope of a plate: 5.6900380545.
+    const auto blasius_radius = verdict({"blasius", "--set", "k=0.33205733621519629893718", "--order", "150"});
+    CHECK(std::abs(blasius_radius.first - 5.6900380545) <= blasius_radius.second + 1e-9);
+}
+
 TEST_CASE("the catalogue is listed, and a problem shown", "[command][problem]") {
     CHECK(lines_of(output_of({"problems", "--format", "csv"})).size() == 59);
     CHECK(output_of({"problems", "blasius"}).find("f''' + f*f''/2 = 0\n") != std::string::npos);
@@ -98,6 +141,20 @@ TEST_CASE("wrong problems are refused with the place and the remedy", "[command]
     check_refused(coefficients("riccati", words{"--at", "2"} + order), {"--at", "'2'"});
     check_refused(coefficients("pendulum", words{"--scalar", "rational"} + order), {"fraction"});
     check_refused({"coefficients", "--set", "k=1", "--order", "3"}, {"--set", "--problem"});
+}
+
+TEST_CASE("what a march and a radius cannot do is refused", "[command][problem][bad input]") {
+    const words march{"trajectory", "--problem", "y' = y^2; y(0) = 1", "--times"};
+    for (const words& each :
+         {march + words{"2"}, march + words{"T"}, march + words{"90deg"}, march + words{"x"},
+          march + words{"1/2", "--scalar", "ball:20"}, march + words{"1/2", "--method", "exact"},
+          march + words{"1/2", "--order", "5"}, march + words{"1/2", "--energy", "1"},
+          words{"trajectory", "--set", "k=1", "--energy", "1", "--times", "1"},
+          words{"radius", "--problem", "thomas_fermi"}, words{"radius", "--problem", "blasius", "--energy", "1"},
+          words{"radius", "--problem", "blasius", "--coefficients", "file"}}) {
+        const temporary_folder folder;
+        check_refused(each, {}, folder);
+    }
 }
 
 }  // namespace command_problem_test

@@ -100,7 +100,7 @@ struct scalar_traits<quad> : fixed_scalar_traits<quad> {
     /// Exactly, and in no less than the working precision.
     static mpfr widen(const quad& x) {
         if (!(boost::multiprecision::isfinite)(x)) {
-            return mpfr(static_cast<double>(x));
+            return {static_cast<double>(x)};
         }
         const precision_scope enough(
             std::max(working_digits(), decimal_digits(3 * std::numeric_limits<double>::digits)));
@@ -118,7 +118,7 @@ struct scalar_traits<quad> : fixed_scalar_traits<quad> {
     /// Rounded to nearest, below the normal range twice.
     static quad narrow(const mpfr& x) {
         if (mpfr_regular_p(handle(x)) == 0) {
-            return quad(mpfr_get_d(handle(x), MPFR_RNDN));
+            return {mpfr_get_d(handle(x), MPFR_RNDN)};
         }
         mpfr rest = x;
         mpfr_prec_round(handle(rest), digits(), MPFR_RNDN);

@@ -16,23 +16,23 @@ namespace libration {
 /// What coefficients of power series are at least: sums and products, and small integers as exact operands. Integers of
 /// C++ are no ring: theirs overflow.
 template <class R>
-concept ring = std::copyable<R> && !std::is_integral_v<R> && requires(R a, const R b, int n) {
+concept ring = std::copyable<R> && !std::is_integral_v<R> && requires(R a, const R b, const R c, int n) {
     R(n);
     a += b;
     a -= b;
     a *= b;
     R(-b);
-    R(b + b);
-    R(b - b);
-    R(b * b);
+    R(b + c);
+    R(b - c);
+    R(b * c);
     R(b * n);
 };
 
 /// A ring with quotients: fractions, complex numbers, every scalar.
 template <class R>
-concept field = ring<R> && requires(R a, const R b, int n) {
+concept field = ring<R> && requires(R a, const R b, const R c, int n) {
     a /= b;
-    R(b / b);
+    R(b / c);
     R(b / n);
 };
 

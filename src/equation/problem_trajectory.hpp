@@ -1,0 +1,22 @@
+// The solution of any differential equation at a list of times as a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "option/options.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+/// The words of --times of a problem: exact numbers without a unit. Throws input_error.
+std::vector<exact> times_of_problem(const std::string& words);
+
+/// time,<unknown and its lower derivatives>...,digits,rigour,time_typed: in mpfr each value right to one unit in its
+/// last digit by two marches that differ in order and in precision (two-method), in fixed scalars as one march computes
+/// it (heuristic). Throws input_error for balls, which prove no march, and for a time that is not reached.
+table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
+                         const arithmetic& numbers);
+
+}  // namespace libration
