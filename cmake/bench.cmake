@@ -22,4 +22,4 @@ if(TARGET libration-gsl-trajectory)
 endif()
 
 # The one that runs the engine of the studies.
-target_link_libraries(libration-bench-journal PRIVATE libration-sweep)
+target_link_libraries(libration-bench-journal PRIVATE libration-studies libration-sweep)
