@@ -121,6 +121,7 @@ measured_engine run_engine(const std::filesystem::path& folder, std::size_t cell
                                 }});
         };
         compute_missing(of, store, found);
+        executor() = compute_on_threads;
         result.early_megabytes = early;
         result.late_megabytes = resident_megabytes();
         into.settle();

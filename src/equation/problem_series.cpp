@@ -195,30 +195,74 @@ auto on_the_way_to(const std::string& at, const Print& print) {
 
 }  // namespace
 
-table problem_coefficients(const problem_series_request& request, const arithmetic& numbers) {
-    const bool proved = numbers.scalar.kind == scalar_kind::proved;
+namespace {
+
+// The coefficients of all unknowns, one degree after the other; about a complex point two parts each.
+struct rounded_coefficients {
+    std::vector<mpfr> values;
+    bool complex = false;
+    int root = 1;
+};
+
+bool is_at_start(const problem_series_request& request, const std::optional<ode::complex_constant>& point) {
+    return !point || (is_plain_zero(point->im) && is_plain_zero(point->re - request.system.point()));
+}
+
+rounded_coefficients coefficients_in(const scalar_spec& scalar, const problem_series_request& request) {
     const auto point = request.at ? std::optional(typed_point(*request.at)) : std::nullopt;
-    const bool at_start = !point || (is_plain_zero(point->im) && is_plain_zero(point->re - request.system.point()));
-    if (at_start) {
+    if (is_at_start(request, point)) {
         const ode::tape made = ode::tape::about_start(request.system);
-        const auto values = printed(
-            numbers.scalar, numbers.digits, [&]<class T>() { return about_start<T>(request, made); },
-            [&] { return zeros_about_start(request, made); });
-        return series_table(request, names_of_columns(request.system, false), values, proved, made.root());
+        return {rounded_values(
+                    scalar, [&]<class T>() { return about_start<T>(request, made); },
+                    [&] { return zeros_about_start(request, made); }),
+                false, made.root()};
     }
-    if (proved) {
+    const bool real = is_plain_zero(point->im);
+    auto values = on_the_way_to(*request.at, [&] {
+        return rounded_values(scalar, [&]<class T>() {
+            return real ? about_time<T>(request, point->re) : about_point<T>(request, *point);
+        });
+    });
+    return {std::move(values), !real, 1};
+}
+
+}  // namespace
+
+table problem_coefficients(const problem_series_request& request, const arithmetic& numbers) {
+    if (numbers.scalar.kind != scalar_kind::proved) {
+        const auto found = coefficients_in(numbers.scalar, request);
+        return series_table(request, names_of_columns(request.system, found.complex),
+                            printed(found.values, numbers.digits), false, found.root);
+    }
+    if (!is_at_start(request, request.at ? std::optional(typed_point(*request.at)) : std::nullopt)) {
         throw input_error("--scalar", numbers.scalar.name(),
                           "proves no way from the start to --at '" + *request.at + "'",
                           "use mpfr:" + std::to_string(numbers.scalar.digits));
     }
-    const bool real = is_plain_zero(point->im);
-    const auto values = on_the_way_to(*request.at, [&] {
-        const auto rounded = rounded_values(numbers.scalar, [&]<class T>() {
-            return real ? about_time<T>(request, point->re) : about_point<T>(request, *point);
-        });
-        return printed(rounded, numbers.digits);
-    });
-    return series_table(request, names_of_columns(request.system, !real), values, false, 1);
+    const ode::tape made = ode::tape::about_start(request.system);
+    const auto values = printed(
+        numbers.scalar, numbers.digits, [&]<class T>() { return about_start<T>(request, made); },
+        [&] { return zeros_about_start(request, made); });
+    return series_table(request, names_of_columns(request.system, false), values, true, made.root());
+}
+
+problem_lists lists_of_problem(const problem_series_request& request, long digits) {
+    const auto found = coefficients_in({scalar_kind::arbitrary, digits}, request);
+    const std::size_t unknowns = request.system.unknowns().size();
+    const std::size_t parts = found.complex ? 2 : 1;
+    problem_lists result{{}, found.root};
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        problem_list list{request.system.unknowns()[i].name, {}};
+        for (std::size_t part = 0; part < parts; ++part) {
+            std::vector<mpfr> values;
+            for (std::size_t at = i * parts + part; at < found.values.size(); at += unknowns * parts) {
+                values.push_back(found.values[at]);
+            }
+            list.parts.emplace_back(std::move(values));
+        }
+        result.unknowns.push_back(std::move(list));
+    }
+    return result;
 }
 
 table problem_fractions(const problem_series_request& request) {

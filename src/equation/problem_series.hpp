@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/series/power_series.hpp"
 #include "option/options.hpp"
 #include "text/table.hpp"
 
@@ -24,7 +26,22 @@ struct problem_series_request {
 /// way to, and for balls elsewhere than at the start.
 table problem_coefficients(const problem_series_request& request, const arithmetic& numbers);
 
-/// The same in exact fractions. Throws input_error for a problem that has others.
+/// The coefficients of an unknown; about a complex point its real and its imaginary parts.
+struct problem_list {
+    std::string name;
+    std::vector<series::power_series<mpfr>> parts;
+};
+
+/// Those of all unknowns, in powers of the root-th root of the distance from the point.
+struct problem_lists {
+    std::vector<problem_list> unknowns;
+    int root;
+};
+
+/// a_0 .. a_order of every unknown, to so many digits. Throws as problem_coefficients does.
+problem_lists lists_of_problem(const problem_series_request& request, long digits);
+
+/// The coefficients as a table of exact fractions. Throws input_error for a problem that has others.
 table problem_fractions(const problem_series_request& request);
 
 }  // namespace libration

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
-#include "libration/ode/constant_value.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/axis.hpp"
@@ -19,46 +17,15 @@ namespace {
 
 constexpr const char* problem_times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
-// One march forwards and one backwards, in the order of the times.
+// All values, one time after the other.
 template <class T>
-std::vector<mpfr> states_by_march(const ode::explicit_system& system, const std::vector<exact>& times) {
-    std::vector<T> at;
-    for (const exact& each : times) {
-        at.push_back(ode::constant_value<T>::of(as_expression(each)));
-    }
-    const T origin = ode::constant_value<T>::of(system.point());
-    std::vector<std::size_t> order(times.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const bool after_a = at[a] >= origin;
-        const bool after_b = at[b] >= origin;
-        return after_a != after_b ? after_a : after_a ? at[a] < at[b] : at[a] > at[b];
-    });
-    std::vector<std::vector<mpfr>> rows(times.size());
-    ode::taylor_march<T> march(system);
-    for (const std::size_t i : order) {
-        for (const auto& of_unknown : march.advance_to(at[i])) {
-            for (const T& value : of_unknown) {
-                rows[i].push_back(widen(value));
-            }
-        }
-    }
+std::vector<mpfr> flat_states(const std::vector<ode::solution_state<T>>& states) {
     std::vector<mpfr> all;
-    for (const auto& row : rows) {
-        all.insert(all.end(), row.begin(), row.end());
-    }
-    return all;
-}
-
-std::vector<mpfr> states_in_digits(const ode::explicit_system& system, const std::vector<exact>& times, long digits) {
-    std::vector<ode::number> at;
-    for (const exact& each : times) {
-        at.push_back(as_expression(each));
-    }
-    std::vector<mpfr> all;
-    for (const auto& state : ode::trajectory(system, at, digits)) {
+    for (const auto& state : states) {
         for (const auto& of_unknown : state) {
-            all.insert(all.end(), of_unknown.begin(), of_unknown.end());
+            for (const T& value : of_unknown) {
+                all.push_back(widen(value));
+            }
         }
     }
     return all;
@@ -66,10 +33,15 @@ std::vector<mpfr> states_in_digits(const ode::explicit_system& system, const std
 
 std::vector<mpfr> states_of(const ode::explicit_system& system, const std::vector<exact>& times,
                             const arithmetic& numbers) {
-    if (numbers.scalar.kind == scalar_kind::arbitrary) {
-        return states_in_digits(system, times, std::max(numbers.digits, numbers.scalar.digits));
+    std::vector<ode::number> at;
+    at.reserve(times.size());
+    for (const exact& each : times) {
+        at.push_back(as_expression(each));
     }
-    return one_run(numbers.scalar, [&]<class T>() { return states_by_march<T>(system, times); });
+    if (numbers.scalar.kind == scalar_kind::arbitrary) {
+        return flat_states(ode::trajectory(system, at, std::max(numbers.digits, numbers.scalar.digits)));
+    }
+    return one_run(numbers.scalar, [&]<class T>() { return flat_states(ode::march_through<T>(system, at)); });
 }
 
 table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times,

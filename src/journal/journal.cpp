@@ -25,7 +25,7 @@ namespace {
 
 constexpr int journal_mark = 0x4c69624a;  // "LibJ", SQLite's application_id
 constexpr int journal_format = 1;         // SQLite's user_version
-constexpr std::size_t bytes_of_sum = 8;
+constexpr std::ptrdiff_t bytes_of_sum = 8;
 // Of the file's range of bytes, far behind all content: whoever holds its lock writes. SQLite's own locks stand at 2^30.
 constexpr off_t place_of_writers_lock = off_t{1} << 60;
 
@@ -58,28 +58,36 @@ bool is_of_network(const fs::path& folder) {
     return std::find(magics.begin(), magics.end(), type) != magics.end();
 }
 
-std::string digest(std::string_view words, std::size_t bytes) {
-    const std::string digits = sha256(words);
-    std::string result;
-    for (std::size_t i = 0; i < bytes; ++i) {
-        result += static_cast<char>(std::stoi(digits.substr(2 * i, 2), nullptr, 16));
+// A descriptor of the file that holds the lock of its writer; -1 where it cannot be opened. Throws where another
+// process holds it.
+int locked_for_writing(const fs::path& path, int flags) {
+    const int descriptor = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0666);
+    struct flock range {};
+    range.l_type = F_WRLCK;
+    range.l_whence = SEEK_SET;
+    range.l_start = place_of_writers_lock;
+    range.l_len = 1;
+    if (descriptor >= 0 && ::fcntl(descriptor, F_OFD_SETLK, &range) != 0 && (errno == EAGAIN || errno == EACCES)) {
+        ::close(descriptor);
+        refuse_as(journal_error::fault::in_use, path, "is in use by another run");
     }
-    return result;
+    return descriptor;
 }
 
 // What a record must come back as.
 std::string sum_of(const journal_record& record) {
     std::string all(record.key.begin(), record.key.end());
     all += fmt::format("{} {} {}:", static_cast<int>(record.failed), record.attempts, record.inputs.size());
-    return digest(all + record.inputs + record.content, bytes_of_sum);
+    const auto digest = sha256_digest(all + record.inputs + record.content);
+    return {digest.begin(), digest.begin() + bytes_of_sum};
 }
 
 }  // namespace
 
 cell_key key_of(const std::string& words) {
-    const std::string bytes = digest(words, std::tuple_size_v<cell_key>);
+    const auto digest = sha256_digest(words);
     cell_key key{};
-    std::copy(bytes.begin(), bytes.end(), key.begin());
+    std::copy_n(digest.begin(), key.size(), key.begin());
     return key;
 }
 
@@ -170,18 +178,9 @@ struct journal::database {
     }
 
     void take_writers_lock() {
-        lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        lock = locked_for_writing(path, O_CREAT);
         if (lock < 0) {
             refuse_as(journal_error::fault::unwritable, path, fmt::format("cannot be written ({})", strerror(errno)));
-        }
-        struct flock range {};
-        range.l_type = F_WRLCK;
-        range.l_whence = SEEK_SET;
-        range.l_start = place_of_writers_lock;
-        range.l_len = 1;
-        if (::fcntl(lock, F_OFD_SETLK, &range) != 0 && (errno == EAGAIN || errno == EACCES)) {
-            close_lock();
-            refuse_as(journal_error::fault::in_use, path, "is in use by another run");
         }
     }
 
@@ -380,20 +379,8 @@ journal_counts journal::counts() const {
 }
 
 void drop_journal(const fs::path& path) {
-    if (fs::exists(path)) {
-        const int lock = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-        struct flock range {};
-        range.l_type = F_WRLCK;
-        range.l_whence = SEEK_SET;
-        range.l_start = place_of_writers_lock;
-        range.l_len = 1;
-        const bool held = lock >= 0 && ::fcntl(lock, F_OFD_SETLK, &range) != 0 && (errno == EAGAIN || errno == EACCES);
-        if (lock >= 0) {
-            ::close(lock);
-        }
-        if (held) {
-            refuse_as(journal_error::fault::in_use, path, "is in use by another run");
-        }
+    if (const int lock = locked_for_writing(path, 0); lock >= 0) {
+        ::close(lock);
     }
     std::error_code problem;
     for (const char* const beside : {"", "-wal", "-shm", "-journal"}) {

@@ -86,36 +86,26 @@ std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const
 constexpr const char* usual_order_of_problems = "300";
 
 // The coefficients of every unknown, of which all digits are right.
-std::vector<lists_of_unknown> lists_of_problem(const radius_options& options, const arithmetic& numbers) {
+std::vector<lists_of_unknown> judged_lists_of_problem(const radius_options& options, const arithmetic& numbers) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
     const long order = order_of("--order", options.order.value_or(usual_order_of_problems));
     const problem_series_request request{options.problem.choose(), 0, order, options.at};
     const long digits = numbers.scalar.digits + radius_guard_digits;
-    const table data = naming_option("--problem", [&] {
-        return problem_coefficients(request, {{scalar_kind::arbitrary, digits}, digits});
-    });
-    if (data.columns().back().name == "power") {
+    problem_lists found = naming_option("--problem", [&] { return lists_of_problem(request, digits); });
+    if (found.root > 1) {
         throw input_error(
             "--problem has a start in powers of a root of its variable: write what 'libration coefficients' "
             "prints into a file and judge it by --coefficients");
     }
-    const precision_scope scope(digits);
     std::vector<lists_of_unknown> lists;
-    for (std::size_t place = 1; place < data.columns().size(); ++place) {
-        const std::string& name = data.columns()[place].name;
-        std::vector<mpfr> values;
-        for (const table_row_cells& row : data.rows()) {
-            values.push_back(from_exact<mpfr>(read_exact(row[place].text())));
+    for (problem_list& each : found.unknowns) {
+        lists_of_unknown unknown{each.name, {}};
+        for (auto& part : each.parts) {
+            unknown.parts.push_back({std::move(part), {}, "", std::nullopt});
         }
-        judged_list list{power_series<mpfr>(std::move(values)), {}, "", std::nullopt};
-        if (name.ends_with("_im") && !lists.empty() && options.at) {
-            lists.back().parts.push_back(std::move(list));
-        } else {
-            lists.push_back({name.ends_with("_re") && options.at ? name.substr(0, name.size() - 3) : name, {}});
-            lists.back().parts.push_back(std::move(list));
-        }
+        lists.push_back(std::move(unknown));
     }
     return lists;
 }
@@ -241,7 +231,7 @@ int run_radius(const radius_options& options) {
         if (options.file) {
             throw input_error("--coefficients", *options.file, "come together with --problem", "give one of them");
         }
-        unknowns = lists_of_problem(options, numbers);
+        unknowns = judged_lists_of_problem(options, numbers);
     } else if (options.file) {
         unknowns = lists_of_file(options, numbers);
     } else {

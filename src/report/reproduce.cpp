@@ -22,6 +22,7 @@
 #include "run/shared_cores.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
+#include "sweep/study_run.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

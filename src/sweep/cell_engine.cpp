@@ -246,6 +246,19 @@ void failures_found::add(const journal_record& failed) {
     }
 }
 
+failures_found failures_among(const cells_found& found, const study_cells& of, const cell_store& store) {
+    failures_found failures;
+    for (const group_work& work : found.missing) {
+        const cell_group group = of.plan().group(work.group);
+        for (const std::size_t which : work.cells) {
+            if (const auto record = store.find(of.key(group.cells[which]))) {
+                failures.add(*record);
+            }
+        }
+    }
+    return failures;
+}
+
 gathered_tables gather(const study_cells& of, const cell_store& store, std::size_t most_rows) {
     gathered_tables result;
     result.tables = of.plan().tables;

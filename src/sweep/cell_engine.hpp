@@ -148,6 +148,9 @@ struct failures_found {
     void add(const journal_record& failed);
 };
 
+/// Those of the missing cells that failed; the others have not been tried.
+failures_found failures_among(const cells_found& found, const study_cells& of, const cell_store& store);
+
 /// The tables of an order from its finished cells.
 struct gathered_tables {
     std::vector<study_table> tables;

@@ -12,8 +12,9 @@
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/parallel.hpp"
+#include "run/sha256.hpp"
 #include "sweep/journal_merge.hpp"
-#include "sweep/study_files.hpp"
+#include "sweep/study_journal.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -28,14 +29,6 @@ struct journal_options {
     bool drop = false;
     output_options output;
 };
-
-std::string hexadecimal(const cell_key& key) {
-    std::string digits;
-    for (const auto byte : key) {
-        digits += fmt::format("{:02x}", byte);
-    }
-    return digits;
-}
 
 // A journal as the list shows it.
 struct listed_journal {

@@ -10,6 +10,7 @@
 #include "option/options.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_files.hpp"
+#include "sweep/study_journal.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -115,13 +116,7 @@ failures_found merge_study(const std::vector<fs::path>& paths, const std::string
     into.keep();
     journal_store store(all);
     const cells_found found = missing_cells(of, store, {});
-    std::size_t failed = 0;
-    for (const group_work& work : found.missing) {
-        const cell_group group = of.plan().group(work.group);
-        for (const std::size_t which : work.cells) {
-            failed += store.find(of.key(group.cells[which])) ? 1 : 0;
-        }
-    }
+    const std::size_t failed = failures_among(found, of, store).count;
     if (found.to_compute > failed) {
         throw std::runtime_error(
             fmt::format("{} of {} cells of {} are in none of the journals; what computes them is: "

@@ -14,6 +14,7 @@
 #include "run/progress.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
+#include "sweep/study_run.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -59,7 +60,7 @@ failures_found print_tables(const study_order& order) {
     std::string left_out;
     auto answers = answers_of(order);
     if (answers.tables.empty()) {
-        return {};
+        return {};  // a rank of MPI that computed for another
     }
     const table all = under_one_header(answers.tables, left_out);
     write_to_stdout(to_csv(order.columns ? with_named_columns(all, *order.columns) : all));

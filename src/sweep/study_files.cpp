@@ -137,6 +137,18 @@ std::unique_ptr<working_folder> folder_within(const std::string& own) {
 
 }  // namespace
 
+void require_columns(const std::vector<study_table>& tables, const std::optional<std::string>& names) {
+    std::vector<column> all;
+    for (const study_table& part : tables) {
+        if (part.written) {
+            all.insert(all.end(), part.data.columns().begin(), part.data.columns().end());
+        }
+    }
+    if (names) {
+        with_named_columns(table(all), *names);
+    }
+}
+
 void write_into(const std::string& path, const std::string& content) {
     try {
         write_whole_file(path, content);
@@ -155,17 +167,6 @@ void write_tables(const study_order& order, const std::vector<study_table>& tabl
         const table chosen = with_columns_of(part.data, order.columns);
         write_into((folder / (stem + ".tex")).string(),
                    to_latex(chosen, {latex_text(order.what->title + ". Made by " + order.command + "."), stem}));
-    }
-}
-
-// Refuses names of --columns that none of the tables has.
-void require_columns(const std::vector<study_table>& tables, const std::optional<std::string>& names) {
-    std::vector<column> all;
-    for (const study_table& part : tables) {
-        all.insert(all.end(), part.data.columns().begin(), part.data.columns().end());
-    }
-    if (names) {
-        with_named_columns(table(all), *names);
     }
 }
 
@@ -198,111 +199,6 @@ void show_tables(const study& what, const nlohmann::ordered_json& description, c
                               "run '" + description.value("command", "libration study " + what.name) + "' again");
         }
         fs::create_symlink(fs::path("..") / file, working / file);
-    }
-}
-
-}  // namespace
-
-namespace {
-
-// The command that goes on where this one ends; empty for a part of a larger work.
-std::string command_again(const study_order& order, const std::string& folder, const study_run& how) {
-    if (how.part_of_more) {
-        return "";
-    }
-    std::string words = order.command + " --out " + folder;
-    if (how.shard) {
-        words += fmt::format(" --shard {}/{}", how.shard->index + 1, how.shard->count);
-    }
-    return words;
-}
-
-void say_what_is_there(const cells_found& found, const journal& cells) {
-    if (found.to_compute < found.cells) {
-        say_line(fmt::format("{} of {} cells are in {}", found.cells - found.to_compute, found.cells,
-                             cells.path().string()));
-    }
-}
-
-// Computes what the journal does not hold. A signal that ends the process finds all finished cells kept.
-void complete_journal(const study_cells& of, journal& cells, journal_store& store, const study_shard& shard,
-                      const std::string& again) {
-    const cells_found found = missing_cells(of, store, shard);
-    if (!again.empty()) {
-        say_what_is_there(found, cells);
-    }
-    const at_ending_signal keep([&] {
-        try {
-            store.flush();
-            cells.settle();
-            if (!again.empty()) {
-                say_line(fmt::format("{} cells are kept in {}; what goes on is: {}", cells.counts().done,
-                                     cells.path().string(), again));
-            }
-        } catch (const std::exception& problem) {
-            say_line(problem.what());
-        }
-    });
-    compute_missing(of, store, found);
-    cells.settle();
-}
-
-// Throws where a shard has not one answer.
-failures_found failures_of_shard(const study_cells& of, const journal_store& store, const study_shard& shard) {
-    const cells_found left = missing_cells(of, store, shard);
-    if (left.cells > 0 && left.to_compute == left.cells) {
-        of.rethrow_first_failure();
-    }
-    failures_found failures;
-    for (const group_work& work : left.missing) {
-        const cell_group group = of.plan().group(work.group);
-        for (const std::size_t which : work.cells) {
-            if (const auto record = store.find(of.key(group.cells[which]))) {
-                failures.add(*record);
-            }
-        }
-    }
-    return failures;
-}
-
-failures_found run_with(const study_order& order, const study_cells& of, journal& cells, journal_store& store,
-                        const std::string& folder, const study_run& how) {
-    const study_shard shard = how.shard.value_or(study_shard{});
-    try {
-        complete_journal(of, cells, store, shard, command_again(order, folder, how));
-    } catch (const journal_error& problem) {
-        if (problem.kind() != journal_error::fault::unwritable) {
-            throw;
-        }
-        throw std::runtime_error(std::string(problem.what()) +
-                                 ": what is finished is kept, and with room on the disk the same command goes on");
-    }
-    if (!how.shard) {
-        return make_tables(order, of, store, folder);
-    }
-    auto failures = failures_of_shard(of, store, shard);
-    say_line(fmt::format("wrote {}, shard {} of {}: 'libration journal merge' makes the tables of all of them",
-                         cells.path().string(), shard.index + 1, shard.count));
-    return failures;
-}
-
-// A journal that was made for a run without one answer goes with it.
-failures_found run_into(const study_order& order, const study_cells& of, const std::string& folder,
-                        const study_run& how) {
-    const fs::path path = journal_path(folder, order.what->name);
-    const bool was_there = fs::exists(path);
-    std::optional<journal> cells(open_study_journal(of, order.command, folder, how.earlier));
-    std::optional<journal_store> store(std::in_place, *cells);
-    try {
-        return run_with(order, of, *cells, *store, folder, how);
-    } catch (...) {
-        store.reset();
-        const bool useless = !was_there && cells->counts().done == 0;
-        cells.reset();
-        if (useless) {
-            drop_journal(path);
-        }
-        throw;
     }
 }
 
@@ -364,26 +260,6 @@ failures_found make_tables(const study_order& order, const study_cells& of, cell
         std::rethrow_exception(undrawn);
     }
     return gathered.failures;
-}
-
-failures_found make_study(const study_order& order, const std::string& folder, const study_run& how) {
-    if (folder.empty()) {
-        throw input_error("--out", folder, "is no folder", "name one");
-    }
-    const study_cells of(order);
-    require_columns(of.plan().tables, order.columns);
-    if (cell_server()) {
-        cell_server()(of);
-        return {};
-    }
-    output_folder into("--out", (fs::path(folder) / order.what->name).string());
-    try {
-        auto failures = run_into(order, of, folder, how);
-        into.keep();
-        return failures;
-    } catch (const journal_error& problem) {
-        refuse_journal(problem, "--out");
-    }
 }
 
 void draw_study(const study& what, const std::string& folder) {

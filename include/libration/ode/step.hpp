@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -156,6 +158,31 @@ private:
     long steps_ = 1;
     solution_state<T> state_;
 };
+
+/// The states at times in any order: one march forwards through those from the start on, one backwards. Throws as
+/// advance_to does.
+template <rounding_scalar T>
+std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times) {
+    std::vector<T> at;
+    at.reserve(times.size());
+    for (const number& each : times) {
+        at.push_back(constant_value<T>::of(each));
+    }
+    const T origin = constant_value<T>::of(system.point());
+    std::vector<std::size_t> order(times.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const bool after_a = at[a] >= origin;
+        const bool after_b = at[b] >= origin;
+        return after_a != after_b ? after_a : after_a ? at[a] < at[b] : at[a] > at[b];
+    });
+    std::vector<solution_state<T>> states(times.size());
+    taylor_march<T> march(system);
+    for (const std::size_t i : order) {
+        states[i] = march.advance_to(at[i]);
+    }
+    return states;
+}
 
 #ifdef LIBRATION_COMPILED
 extern template class taylor_march<double>;

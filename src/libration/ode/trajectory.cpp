@@ -1,8 +1,6 @@
 #include "libration/ode/trajectory.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
 
 #include "libration/digits/agreed_values.hpp"
 #include "libration/ode/step.hpp"
@@ -11,30 +9,13 @@ namespace libration::ode {
 
 namespace {
 
-// One march forwards through the times from the start on, one backwards, all values in the order of the times.
+// All values in the order of the times.
 std::vector<mpfr> marched_values(const explicit_system& system, const std::vector<number>& times) {
-    std::vector<mpfr> at;
-    for (const number& each : times) {
-        at.push_back(constant_value<mpfr>::of(each));
-    }
-    const mpfr origin = constant_value<mpfr>::of(system.point());
-    std::vector<std::size_t> order(times.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-        const bool after_a = at[a] >= origin;
-        const bool after_b = at[b] >= origin;
-        return after_a != after_b ? after_a : after_a ? at[a] < at[b] : at[a] > at[b];
-    });
-    std::vector<std::vector<mpfr>> rows(times.size());
-    taylor_march<mpfr> march(system);
-    for (const std::size_t i : order) {
-        for (const auto& of_unknown : march.advance_to(at[i])) {
-            rows[i].insert(rows[i].end(), of_unknown.begin(), of_unknown.end());
-        }
-    }
     std::vector<mpfr> all;
-    for (const auto& row : rows) {
-        all.insert(all.end(), row.begin(), row.end());
+    for (const auto& state : march_through<mpfr>(system, times)) {
+        for (const auto& of_unknown : state) {
+            all.insert(all.end(), of_unknown.begin(), of_unknown.end());
+        }
     }
     return all;
 }
