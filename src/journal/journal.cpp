@@ -26,7 +26,8 @@ namespace {
 constexpr int journal_mark = 0x4c69624a;  // "LibJ", SQLite's application_id
 constexpr int journal_format = 1;         // SQLite's user_version
 constexpr std::ptrdiff_t bytes_of_sum = 8;
-// Of the file's range of bytes, far behind all content: whoever holds its lock writes. SQLite's own locks stand at 2^30.
+// Of the file's range of bytes, far behind all content: whoever holds its lock writes. SQLite's own locks stand at
+// 2^30.
 constexpr off_t place_of_writers_lock = off_t{1} << 60;
 
 [[noreturn]] void refuse_as(journal_error::fault kind, const fs::path& path, const std::string& reason) {

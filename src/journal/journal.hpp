@@ -62,13 +62,15 @@ private:
     std::string path_, reason_;
 };
 
-/// One file of cells. Every record carries a checksum: what comes back is what went in, or journal_error. Calls may come
+/// One file of cells. Every record carries a checksum: what comes back is what went in, or journal_error. Calls may
+/// come
 /// from several threads; one process at a time writes, others may read meanwhile.
 class journal {
 public:
     enum class access { read, write };
 
-    /// Opens the file; for writing it is made where it is missing. Write-ahead log, or a rollback journal where the file
+    /// Opens the file; for writing it is made where it is missing. Write-ahead log, or a rollback journal where
+    /// the file
     /// system is of a network; synchronous NORMAL. Throws journal_error.
     journal(std::filesystem::path path, access how);
     journal(const journal&) = delete;

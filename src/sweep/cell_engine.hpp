@@ -167,7 +167,8 @@ inline constexpr std::size_t most_rows_in_memory = 100'000;
 
 gathered_tables gather(const study_cells& of, const cell_store& store, std::size_t most_rows = most_rows_in_memory);
 
-/// The tables of an order that is computed in memory, without columns that repeat others. Throws what the first cell that
+/// The tables of an order that is computed in memory, without columns that repeat others. Throws what the first
+/// cell that
 /// failed threw.
 std::vector<study_table> tables_of(const study_order& order);
 

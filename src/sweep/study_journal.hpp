@@ -19,7 +19,8 @@ enum class earlier_cells {
 /// DIR/NAME/NAME.journal.
 std::filesystem::path journal_path(const std::string& folder, const std::string& study);
 
-/// The journal of these cells, open for writing, with the command that asks for them. Throws input_error of --out: for a
+/// The journal of these cells, open for writing, with the command that asks for them. Throws input_error of --out:
+/// for a
 /// file that another run writes, that is damaged, that cannot be written or that holds cells of another version.
 journal open_study_journal(const study_cells& of, const std::string& command, const std::string& folder,
                            earlier_cells earlier);

@@ -21,7 +21,8 @@ struct study_run {
 /// Runs the study and leaves in DIR/NAME the files of this run: NAME[_SUFFIX].csv, the same as .tex, the figures, and
 /// NAME.json, which names every file with its SHA-256; and NAME.journal, which keeps every finished cell, so that only
 /// those are computed that it does not hold. The files are made beside and moved there when they are whole; tables
-/// and figures of an earlier run go. Cells that failed are left out of the tables, named in the JSON and returned; where
+/// and figures of an earlier run go. Cells that failed are left out of the tables, named in the JSON and returned;
+/// where
 /// all failed, what the first of them threw is thrown. Throws input_error when DIR cannot be written: then DIR/NAME is
 /// as it was. Throws what draw_figures throws: then the tables are there without figures.
 failures_found make_study(const study_order& order, const std::string& folder, const study_run& how = {});
