@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/pendulum/pendulum.hpp"
@@ -76,6 +77,28 @@ void pendulum_by_hand(benchmark::State& state, series::parity of_theta) {
     }
 }
 
+// At 1000 digits, term by term and by fast products of whole sequences.
+template <field R>
+void long_series(benchmark::State& state, const std::string& text, const series::block_product<R>* fast) {
+    const precision_scope scope(1000);
+    const ode::explicit_system system(ode::parse(text));
+    const ode::tape tape = ode::tape::about_start(system);
+    ode::taylor_expansion<R> expansion(tape, static_cast<int>(state.range(0)), fast);
+    for (auto _ : state) {
+        expansion.about_start();
+        benchmark::DoNotOptimize(expansion.coefficients(0));
+    }
+}
+
+void terms_in_balls(benchmark::State& state, const std::string& text) { long_series<ball>(state, text, nullptr); }
+void blocks_in_balls(benchmark::State& state, const std::string& text) {
+    long_series<ball>(state, text, ode::fast_product<ball>());
+}
+void terms_in_mpfr(benchmark::State& state, const std::string& text) { long_series<mpfr>(state, text, nullptr); }
+void blocks_in_mpfr(benchmark::State& state, const std::string& text) {
+    long_series<mpfr>(state, text, ode::fast_product<mpfr>());
+}
+
 void tape_in_mpfr(benchmark::State& state, const std::string& text, int to) { by_tape<mpfr>(state, text, to); }
 void tape_in_balls(benchmark::State& state, const std::string& text, int to) { by_tape<ball>(state, text, to); }
 void tape_in_double(benchmark::State& state, const std::string& text, int to) { by_tape<double>(state, text, to); }
@@ -91,6 +114,14 @@ BENCHMARK_CAPTURE(pendulum_by_hand, even, series::parity::even);
 BENCHMARK_CAPTURE(tape_in_balls, lorenz_1000_balls, lorenz_text, 1000);
 BENCHMARK_CAPTURE(tape_in_mpfr, lorenz_1000, lorenz_text, 1000);
 BENCHMARK_CAPTURE(tape_in_double, lorenz_30_double, lorenz_text, 30);
+BENCHMARK_CAPTURE(terms_in_balls, lorenz_1000_digits, lorenz_text)->Arg(1000)->Arg(4000);
+BENCHMARK_CAPTURE(blocks_in_balls, lorenz_1000_digits, lorenz_text)->Arg(1000)->Arg(4000);
+BENCHMARK_CAPTURE(terms_in_balls, blasius_1000_digits, moved_text)->Arg(4000);
+BENCHMARK_CAPTURE(blocks_in_balls, blasius_1000_digits, moved_text)->Arg(4000);
+BENCHMARK_CAPTURE(terms_in_balls, blasius_from_the_wall_1000_digits, blasius_text)->Arg(4000);
+BENCHMARK_CAPTURE(blocks_in_balls, blasius_from_the_wall_1000_digits, blasius_text)->Arg(4000);
+BENCHMARK_CAPTURE(terms_in_mpfr, lorenz_1000_digits, lorenz_text)->Arg(1000)->Arg(4000);
+BENCHMARK_CAPTURE(blocks_in_mpfr, lorenz_1000_digits, lorenz_text)->Arg(1000)->Arg(4000);
 
 }  // namespace
 

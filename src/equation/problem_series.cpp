@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/path.hpp"
@@ -71,7 +72,7 @@ std::vector<wide_t<T>> flat_values(const problem_series_request& request,
 
 template <class T>
 std::vector<wide_t<T>> about_start(const problem_series_request& request, const ode::tape& made) {
-    ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order));
+    ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order), ode::fast_product<T>());
     expansion.about_start();
     return flat_values(request, expansion);
 }
@@ -79,10 +80,10 @@ std::vector<wide_t<T>> about_start(const problem_series_request& request, const 
 template <class T>
 std::vector<wide_t<T>> about_time(const problem_series_request& request, const ode::number& time) {
     const T t = ode::constant_value<T>::of(time);
-    ode::taylor_march<T> march(request.system);
+    ode::taylor_march<T> march(request.system, ode::fast_product<T>());
     const auto state = march.advance_to(t);
     const ode::tape made = ode::tape::about_points(request.system);
-    ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order));
+    ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order), ode::fast_product<T>());
     expansion.about(t, state);
     return flat_values(request, expansion);
 }

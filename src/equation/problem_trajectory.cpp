@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/axis.hpp"
@@ -39,7 +40,8 @@ std::vector<mpfr> states_of(const ode::explicit_system& system, const std::vecto
         at.push_back(as_expression(each));
     }
     if (numbers.scalar.kind == scalar_kind::arbitrary) {
-        return flat_states(ode::trajectory(system, at, std::max(numbers.digits, numbers.scalar.digits)));
+        return flat_states(
+            ode::trajectory(system, at, std::max(numbers.digits, numbers.scalar.digits), ode::fast_product<mpfr>()));
     }
     return one_run(numbers.scalar, [&]<class T>() { return flat_states(ode::march_through<T>(system, at)); });
 }

@@ -40,12 +40,12 @@ class taylor_march {
 public:
     static constexpr long most_steps = 10'000'000;
 
-    /// Throws error where the start has no series (tape::about_start).
-    explicit taylor_march(const explicit_system& system)
+    /// Throws error where the start has no series (tape::about_start). A fast product serves at many digits.
+    explicit taylor_march(const explicit_system& system, const series::block_product<T>* fast = nullptr)
         : start_(tape::about_start(system)),
           points_(tape::about_points(system)),
-          first_(start_, taylor_order(digits<T>())),
-          other_(points_, taylor_order(digits<T>())),
+          first_(start_, taylor_order(digits<T>()), fast),
+          other_(points_, taylor_order(digits<T>()), fast),
           origin_(constant_value<T>::of(system.point())) {
         first_.about_start();
         restart();
@@ -162,7 +162,8 @@ private:
 /// The states at times in any order: one march forwards through those from the start on, one backwards. Throws as
 /// advance_to does.
 template <rounding_scalar T>
-std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times) {
+std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times,
+                                             const series::block_product<T>* fast = nullptr) {
     std::vector<T> at;
     at.reserve(times.size());
     for (const number& each : times) {
@@ -177,7 +178,7 @@ std::vector<solution_state<T>> march_through(const explicit_system& system, cons
         return after_a != after_b ? after_a : after_a ? at[a] < at[b] : at[a] > at[b];
     });
     std::vector<solution_state<T>> states(times.size());
-    taylor_march<T> march(system);
+    taylor_march<T> march(system, fast);
     for (const std::size_t i : order) {
         states[i] = march.advance_to(at[i]);
     }

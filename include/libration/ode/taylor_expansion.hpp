@@ -10,6 +10,7 @@
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/tape.hpp"
 #include "libration/series/arithmetic.hpp"
+#include "libration/series/blocked_sums.hpp"
 #include "libration/series/kernel.hpp"
 
 namespace libration::ode {
@@ -21,13 +22,14 @@ using solution_state = std::vector<std::vector<R>>;
 /// The series about one point: coefficient n of each step of the tape from those below, by the kernels of series/, and
 /// y^(j)_{n+1} = y^(j+1)_n/(n + 1). Over fractions exact, on balls an enclosure of each coefficient, else rounded as
 /// the kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a symmetry of
-/// the start (tape::about_start) divides that by its square. The arrays are made once and serve any number of points.
+/// the start (tape::about_start) divides that by its square. With a fast product of whole sequences (blocked_sums.hpp;
+/// ode/ball/fast_product.hpp) about O(N) for each such step. The arrays are made once and serve any number of points.
 template <field R>
 class taylor_expansion {
 public:
     /// Up to the power N >= 0 of each unknown. Throws error for N < 0, and for constants that R does not hold. The tape
-    /// has to outlive this.
-    taylor_expansion(const tape& of, int order);
+    /// and the product have to outlive this.
+    taylor_expansion(const tape& of, int order, const series::block_product<R>* fast = nullptr);
 
     /// About the start of the system. A tape made by tape::about_start, or by tape::about_points where that is the
     /// same. Throws error where R has a function or a value of the start not.
@@ -83,11 +85,13 @@ private:
     std::vector<std::vector<std::vector<R>>> weights_;
     std::vector<std::vector<int>> states_;  // steps of the derivatives of each unknown
     std::vector<R> arrays_;
+    series::blocked_sums<R> sums_;
     R point_ = R(0);
 };
 
 template <field R>
-taylor_expansion<R>::taylor_expansion(const tape& of, int order) : tape_(&of), order_(order) {
+taylor_expansion<R>::taylor_expansion(const tape& of, int order, const series::block_product<R>* fast)
+    : tape_(&of), order_(order), sums_(fast, order) {
     if (order < 0) {
         throw error(error_kind::argument, "order", std::to_string(order), "of a series is negative");
     }
@@ -127,6 +131,7 @@ void taylor_expansion<R>::clear() {
 template <field R>
 void taylor_expansion<R>::about_start() {
     clear();
+    sums_.restart();
     stride_ = tape_->stride();
     exact_ = true;
     point_ = constant_value<R>::of(tape_->point());
@@ -147,6 +152,7 @@ void taylor_expansion<R>::about(const R& point, const solution_state<R>& state) 
     if (stride_ != 1) {
         clear();
     }
+    sums_.restart();
     stride_ = 1;
     exact_ = false;
     point_ = point;
@@ -374,28 +380,30 @@ void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
     const progression of_slope = s.right < 0 ? of_a : degrees_of(s.right);
     const progression even(stride_, 0);
     switch (s.kind) {
-        case operation::product: product_kernel(a, b, result, n, of_a); return;
-        case operation::square: square_kernel(a, result, n, of_a); return;
-        case operation::quotient: quotient_kernel(a, b, result, n, even); return;
+        case operation::product: product_kernel(a, b, result, n, of_a, sums_); return;
+        case operation::square: square_kernel(a, result, n, of_a, sums_); return;
+        case operation::quotient: quotient_kernel(a, b, result, n, even, sums_); return;
         case operation::slope: slope_kernel(a, result, n); return;
-        case operation::square_root: square_root_kernel(a, array(index + 1)[0], result, n, even); return;
+        case operation::square_root: square_root_kernel(a, array(index + 1)[0], result, n, even, sums_); return;
         case operation::power: {
             const R& r = constants_[static_cast<std::size_t>(s.constant)];
-            power_kernel(a, b, r, array(index + 1), result, n, even);
+            power_kernel(a, b, r, array(index + 1), result, n, even, sums_);
             return;
         }
-        case operation::exponential: exponential_kernel(b, result, n, of_slope); return;
-        case operation::logarithm: logarithm_kernel(a, array(index + 1), result, n, of_slope); return;
-        case operation::sine_cosine: sine_cosine_kernel(b, result, array(index + 1), n, of_slope); return;
-        case operation::tangent: tangent_kernel(b, array(index + 1), result, n, of_a); return;
+        case operation::exponential: exponential_kernel(b, result, n, of_slope, sums_); return;
+        case operation::logarithm: logarithm_kernel(a, array(index + 1), result, n, of_slope, sums_); return;
+        case operation::sine_cosine: sine_cosine_kernel(b, result, array(index + 1), n, of_slope, sums_); return;
+        case operation::tangent: tangent_kernel(b, array(index + 1), result, n, of_a, sums_); return;
         case operation::arctangent:
-            arctangent_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a);
+            arctangent_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a, sums_);
             return;
-        case operation::arcsine: arcsine_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a); return;
+        case operation::arcsine:
+            arcsine_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a, sums_);
+            return;
         case operation::hyperbolic_sine_cosine:
-            hyperbolic_sine_cosine_kernel(b, result, array(index + 1), n, of_slope);
+            hyperbolic_sine_cosine_kernel(b, result, array(index + 1), n, of_slope, sums_);
             return;
-        default: hyperbolic_tangent_kernel(b, array(index + 1), result, n, of_a); return;
+        default: hyperbolic_tangent_kernel(b, array(index + 1), result, n, of_a, sums_); return;
     }
 }
 

@@ -11,8 +11,9 @@ namespace libration::ode {
 /// The states at times in any order, each value with `digits` correct digits: two marches (taylor_march) that differ in
 /// precision and in order agree to them; as many digits more are taken as the flow loses. Nothing is proved. A value
 /// that is exactly 0 at a time that is not the start has no digits, and takes long (agreed_values). Throws error where
-/// a time is not reached, and of the kind undecided where no precision within the limits does.
+/// a time is not reached, and of the kind undecided where no precision within the limits does. A fast product of whole
+/// sequences (ode/ball/fast_product.hpp) serves beyond some hundred digits.
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
-                                             long digits);
+                                             long digits, const series::block_product<mpfr>* fast = nullptr);
 
 }  // namespace libration::ode

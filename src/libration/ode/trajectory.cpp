@@ -10,9 +10,10 @@ namespace libration::ode {
 namespace {
 
 // All values in the order of the times.
-std::vector<mpfr> marched_values(const explicit_system& system, const std::vector<number>& times) {
+std::vector<mpfr> marched_values(const explicit_system& system, const std::vector<number>& times,
+                                 const series::block_product<mpfr>* fast) {
     std::vector<mpfr> all;
-    for (const auto& state : march_through<mpfr>(system, times)) {
+    for (const auto& state : march_through<mpfr>(system, times, fast)) {
         for (const auto& of_unknown : state) {
             all.insert(all.end(), of_unknown.begin(), of_unknown.end());
         }
@@ -42,12 +43,12 @@ std::vector<bool> zeros_of(const explicit_system& system, const std::vector<numb
 }  // namespace
 
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
-                                             long digits) {
+                                             long digits, const series::block_product<mpfr>* fast) {
     const auto values = agreed_values(
         digits,
         [&](long guard) {
             const precision_scope scope(digits + guard);
-            return marched_values(system, times);
+            return marched_values(system, times, fast);
         },
         [&] { return zeros_of(system, times); });
     std::vector<solution_state<mpfr>> result;
