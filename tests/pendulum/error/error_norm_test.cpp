@@ -11,13 +11,12 @@ using libration::tests::near;
 
 namespace {
 
-// The error of the series from the top of E = 1.71 at x, by the definition: a polynomial against the sum over
-// separatrix solutions.
-mpfr error_at(const motion& m, int order, const mpfr& x) {
-    const fundamental_arc<mpfr> arc = arc_of<mpfr>(m);
+// The error of an approximation at x, by the definition: a polynomial against the sum over separatrix solutions.
+template <class F>
+mpfr error_at(const motion& m, const F& approximation, const mpfr& x) {
     const separatrix_sum<mpfr> sum(m);
-    const mpfr from_bottom = (x - 1) * arc.effective_period();
-    return series_from_top(arc, order)(x).value - sum.at({2, from_bottom, decided_sign(from_bottom)}).value;
+    const mpfr from_bottom = (x - 1) * arc_of<mpfr>(m).effective_period();
+    return approximation(x).value - sum.at({2, from_bottom, decided_sign(from_bottom)}).value;
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ TEST_CASE("the norm of the series is its error at T*, where it grows monotonical
     const norm_at<mpfr> found = errors.norm(arc_method::series, 10);
     CHECK(found.place == 1);
     // 60 digits of theta leave 1e-60/0.07 of the norm: 2^6 epsilon with the rounding of both routes.
-    CHECK_THAT(found.norm, near<mpfr>(mpfr(abs(error_at(m, 10, mpfr(1)))), 64));
+    CHECK_THAT(found.norm, near<mpfr>(mpfr(abs(error_at(m, series_from_top(errors.arc(), 10), mpfr(1)))), 64));
 }
 
 TEST_CASE("no point of a fine grid exceeds the norm, and a neighbour of its place comes close", "[error_norm]") {
@@ -74,6 +73,46 @@ TEMPLATE_TEST_CASE("a fixed scalar stops at its rounding floor", "[error_norm]",
     CHECK(exact.norm < widen(epsilon<TestType>()) / 1000);
     CHECK(rounded.norm > 0);
     CHECK(rounded.norm < widen(epsilon<TestType>()) * 8);  // theta <= pi/3, and T* and theta* are each within 4 epsilon
+}
+
+TEMPLATE_TEST_CASE("points that the exact error leaves out do not change a rounded norm", "[error_norm]", double,
+                   long double, quad) {
+    const precision_scope scope(80);
+    for (const char* energy : {"1e-3", "0.5", "1.71", "1.9999", "2.001", "3", "8"}) {
+        const motion m = motion::of_energy(read_exact(energy).coefficient);
+        for (const int order : {1, 5, 10, 20, 40, 80}) {
+            for (const auto method : {arc_method::series, arc_method::resummed}) {
+                arc_errors errors(m);
+                // Before norm() all points count.
+                const auto whole = errors.norm_in<TestType>(method, order, m, mpfr(1));
+                errors.norm(method, order);
+                const auto left = errors.norm_in<TestType>(method, order, m, mpfr(1));
+                INFO("E = " << energy << ", N = " << order << ", " << name_of(method));
+                CHECK(left.place == whole.place);
+                CHECK(left.norm == whole.norm);
+            }
+        }
+    }
+}
+
+TEST_CASE("theta is asked for where the error of a low order may be largest", "[error_norm]") {
+    const precision_scope scope(40);
+    const motion m = motion::of_energy(rational(171, 100));
+    arc_errors errors(m);
+    const auto approximation = resummation_from_top(errors.arc(), 10);
+    const sampled_error error = errors.error_of(approximation, 65);
+    const rounded_grid grid;
+    const auto places = grid.places_above(&error, mpfr(error.largest.norm * mpfr(99) / 100));
+    CHECK(places.size() < grid.points().size() / 3);
+    // All where the error is above the level are among them.
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < grid.points().size(); ++i) {
+        next += next < places.size() && places[next] < i ? 1 : 0;
+        const mpfr x(grid.points()[i]);
+        const bool above = abs(error_at(m, approximation, x)) > error.largest.norm * mpfr(99) / 100;
+        CHECK((!above || (next < places.size() && places[next] == i)));
+    }
+    CHECK(grid.places_above(nullptr, mpfr(1)).size() == grid.points().size());
 }
 
 TEST_CASE("the norms carry the digits that the order takes away", "[error_norm]") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
@@ -12,6 +13,7 @@
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/pendulum/error/arc_method.hpp"
 #include "libration/pendulum/error/arc_panels.hpp"
+#include "libration/pendulum/error/rounded_grid.hpp"
 #include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
 
@@ -40,8 +42,12 @@ public:
 
     /// The norm of order N as a true maximum and the fraction of T* where it is attained.
     norm_at<mpfr> norm(arc_method method, int order) {
-        return method == arc_method::series ? norm_of(series_from_top(arc_, order), order)
-                                            : norm_of(resummation_from_top(arc_, order), order);
+        const auto kept = [&](const auto& approximation) {
+            return errors_.insert_or_assign({method, order}, error_of(approximation, points_for_polynomial(order)))
+                .first->second.largest;
+        };
+        return method == arc_method::series ? kept(series_from_top(arc_, order))
+                                            : kept(resummation_from_top(arc_, order));
     }
 
     /// |approximation - theta| at a fraction x of T*, theta by the second route: its agreement with a norm found at x
@@ -60,11 +66,14 @@ public:
 
     /// The largest error of the same approximation computed in T, over Chebyshev points and the place where the exact
     /// arithmetic has its maximum. Theta itself stays in mpfr, at the same x, so all of T's rounding is in the error.
+    /// Where norm() has been asked for before, only the points count that its errors and T's rounding leave.
     template <fixed_scalar T>
     norm_at<mpfr> norm_in(arc_method method, int order, const motion& m, const mpfr& place) {
         const fundamental_arc<T> arc = arc_of<T>(m);
+        const auto exact = errors_.find({method, order});
         const auto norm_of_rounded = [&](const auto& approximation) {
-            return rounded_norm([&](const T& x) { return widen(approximation.value(x)); }, narrow<T>(place));
+            return rounded_norm([&](const T& x) { return widen(approximation.value(x)); }, narrow<T>(place),
+                                exact == errors_.end() ? nullptr : &exact->second);
         };
         return method == arc_method::series ? norm_of_rounded(series_from_top(arc, order))
                                             : norm_of_rounded(resummation_from_top(arc, order));
@@ -91,26 +100,34 @@ public:
     }
 
     /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for
-    /// a polynomial of degree `order`.
+    /// a polynomial of degree `order`, and many.
     template <class F>
     norm_at<mpfr> norm_of(const F& approximation, int order) {
-        const auto points = chebyshev_points(points_for(order));
-        const auto& truth = sampled(jets_, points, &arc_panels::jets);
+        return error_of(approximation, std::max(251, 2 * order + 11)).largest;
+    }
+
+    /// The same with the samples it was found from, at so many Chebyshev points.
+    template <class F>
+    sampled_error error_of(const F& approximation, int count) {
+        auto points = chebyshev_points(count);
+        const std::vector<series::jet<mpfr>>& truth = jets_at(points);
         std::vector<series::jet<mpfr>> differences;
+        differences.reserve(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const series::jet<mpfr> value = approximation(mpfr(points[i]));
             differences.push_back({value.value - truth[i].value, value.slope - truth[i].slope});
         }
         const auto exactly = [this](const mpfr& x) { return truth_.at(x); };
-        return difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
+        auto largest = difference_norm<mpfr>(difference(std::cref(approximation), exactly), points, differences);
+        return {std::move(points), std::move(differences), std::move(largest)};
     }
 
-    /// The largest error at the Chebyshev points and one more place, which is rounded already, of an approximation in
-    /// any arithmetic: value(x) is what it gives, as a wide number.
+    /// The largest error at 1001 Chebyshev points and one more place, which is rounded already, of an approximation in
+    /// any arithmetic: value(x) is what it gives, as a wide number. With the exact error of the same approximation
+    /// points are left out where 64 times the rounding that is seen at its samples could not make up for what it is
+    /// below its maximum.
     template <class T, class F>
-    norm_at<mpfr> rounded_norm(const F& value, const T& place) {
-        const auto points = chebyshev_points(points_in_rounding_scalars);
-        const auto& truth = sampled(values_, points, &arc_panels::values);
+    norm_at<mpfr> rounded_norm(const F& value, const T& place, const sampled_error* exact = nullptr) {
         norm_at<mpfr> largest{mpfr(0), mpfr(0)};
         const auto consider = [&](const T& x, const mpfr& theta) {
             const mpfr error = abs(widen(value(x)) - theta);
@@ -118,41 +135,58 @@ public:
                 largest = {error, widen(x)};
             }
         };
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            consider(T(points[i]), truth[i]);
+        const mpfr level = exact == nullptr ? mpfr(0) : exact->largest.norm - 64 * rounding_seen<T>(value, *exact);
+        const auto places = grid_.places_above(exact, level);
+        grid_.ask(places, truth_);
+        for (const std::size_t i : places) {
+            consider(T(grid_.points()[i]), grid_.theta(i));
         }
         consider(place, truth_.at(widen(place)).value);
         return largest;
     }
 
 private:
-    static constexpr int points_in_rounding_scalars = 1001;
-
-    // Enough points to part the stationary points: at least 251, and more than twice the order.
-    static int points_for(int order) { return std::max(251, 2 * order + 11); }
+    // Enough points to part the stationary points, more than twice the order, in few different numbers.
+    static int points_for_polynomial(int order) {
+        int intervals = 64;
+        while (intervals < 2 * order + 10) {
+            intervals *= 2;
+        }
+        return intervals + 1;
+    }
 
     mpfr second_theta(const mpfr& x) const {
         return truth_.canonical(second_route_.at(phase_from_top<mpfr>(arc_.of(), x, arc_.effective_period())).value);
     }
 
     // The truth at so many points, made once.
-    template <class Value>
-    const std::vector<Value>& sampled(std::map<std::size_t, std::vector<Value>>& by_count,
-                                      const std::vector<double>& points,
-                                      std::vector<Value> (arc_panels::*make)(const std::vector<double>&)) {
-        auto& there = by_count[points.size()];
+    const std::vector<series::jet<mpfr>>& jets_at(const std::vector<double>& points) {
+        auto& there = jets_[points.size()];
         if (there.empty()) {
-            there = (truth_.*make)(points);
+            there = truth_.jets(points);
         }
         return there;
+    }
+
+    // The largest change that T's rounding makes to the error at the samples, and epsilon of T at least.
+    template <class T, class F>
+    mpfr rounding_seen(const F& value, const sampled_error& exact) {
+        const std::vector<series::jet<mpfr>>& truth = jets_at(exact.points);
+        mpfr seen = widen(epsilon<T>());
+        for (std::size_t i = 0; i < exact.points.size(); ++i) {
+            const mpfr error = widen(value(T(exact.points[i]))) - truth[i].value;
+            seen = std::max(seen, mpfr(abs(error - exact.jets[i].value)));
+        }
+        return seen;
     }
 
     separatrix_sum<mpfr> second_route_;
     fundamental_arc<mpfr> arc_;
     arc_panels truth_;
     top_bounds<mpfr> bounds_;
-    std::map<std::size_t, std::vector<series::jet<mpfr>>> jets_;
-    std::map<std::size_t, std::vector<mpfr>> values_;
+    std::map<std::size_t, std::vector<series::jet<mpfr>>> jets_;  ///< theta, by the number of points
+    std::map<std::pair<arc_method, int>, sampled_error> errors_;  ///< by method and order
+    rounded_grid grid_;
 };
 
 }  // namespace libration::pendulum
