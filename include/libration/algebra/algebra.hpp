@@ -3,3 +3,4 @@
 
 #include "libration/algebra/linear_system.hpp"
 #include "libration/algebra/polynomial_roots.hpp"
+#include "libration/algebra/vandermonde.hpp"

@@ -1,0 +1,71 @@
+// The asymptotic approximant of what tends to a constant exponentially, by a rational function:
+//
+//     f(t) = f_inf + e^(-a t) (1 + t)^-s P(t)/Q(t),   deg P = deg Q = M,
+//
+// the modified symmetric Pade approximant, published with s = 0 for ln S of SEIR [Weinstein2020]. s = 1/2 gives the far
+// behaviour of the modified Bessel function K_0, that of a decaying solution of the equation of Flierl and Petviashvili:
+// published for it is another form [Barlow2017], which predicts f(0) too. P/Q tends to a constant, which is free.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "libration/approximant/asymptotic/power_approximant.hpp"
+#include "libration/approximant/pade.hpp"
+
+namespace libration {
+
+/// How f comes to its limit: e^(-rate t) (1 + t)^-power.
+template <class T>
+struct damping {
+    T limit;
+    T rate;
+    T power;
+};
+
+/// (f - f_inf) e^(a t) (1 + t)^s as a series. O(N^2), over any field.
+template <field R>
+series::power_series<R> undamped(series::power_series<R> f, const damping<R>& of) {
+    f[0] = R(f[0] - of.limit);
+    auto growth = series::power_series<R>::zero(f.order());
+    auto binomial = growth;
+    growth[0] = R(1);
+    binomial[0] = R(1);
+    for (int n = 1; n <= f.order(); ++n) {
+        growth[n] = R(R(growth[n - 1] * of.rate) / n);
+        binomial[n] = R(R(binomial[n - 1] * R(of.power - R(n - 1))) / n);
+    }
+    return f * growth * binomial;
+}
+
+/// The approximant as a function of t >= 0.
+template <scalar T>
+class damped_pade {
+public:
+    /// From the series to the order 2 M at least. std::nullopt where the approximant does not exist. O(M^3); the system
+    /// loses digits as that of pade().
+    static std::optional<damped_pade> of(const series::power_series<T>& f, int m, damping<T> far) {
+        auto inner = pade(undamped(f.truncated(2 * m), far), m, m, T(0));
+        return inner ? std::optional(damped_pade(*std::move(inner), std::move(far))) : std::nullopt;
+    }
+
+    const pade_approximant<T>& inner() const { return inner_; }
+
+    /// Value and slope at t. O(M).
+    series::jet<T> operator()(const T& t) const {
+        using std::exp;
+        using std::log;
+        const T weight = exp(T(-far_.rate * t - far_.power * log(T(1 + t))));
+        const series::jet<T> at = inner_(t);
+        return {far_.limit + weight * at.value, weight * (at.slope - at.value * (far_.rate + far_.power / (1 + t)))};
+    }
+    T value(const T& t) const { return (*this)(t).value; }
+
+private:
+    damped_pade(pade_approximant<T> inner, damping<T> far) : inner_(std::move(inner)), far_(std::move(far)) {}
+
+    pade_approximant<T> inner_;
+    damping<T> far_;
+};
+
+}  // namespace libration
