@@ -4,6 +4,7 @@
 
 #include "libration/algebra/algebra.hpp"
 #include "libration/approximant/approximant.hpp"
+#include "libration/approximant/asymptotic/asymptotic.hpp"
 #include "libration/convergence/convergence.hpp"
 #include "libration/digits/digits.hpp"
 #include "libration/elliptic/elliptic.hpp"

@@ -60,7 +60,8 @@ std::map<std::string, rooms> order_of_rooms() {
         proofs = balls + rooms{"approximant/proved", "elliptic/proved", "ode/ball"},
         pendulum = arc + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
-        problem = ode + proofs + rooms{"problem"}, library = pendulum + problem + rooms{"problem/known"},
+        problem = ode + proofs + rooms{"approximant/asymptotic", "problem"},
+        library = pendulum + problem + rooms{"problem/known"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
         journal = option + rooms{"src/journal"}, sweep = journal + rooms{"src/sweep"}, study = sweep + library,
@@ -75,6 +76,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"series", digits},
         {"algebra", series},
         {"approximant", algebra},
+        {"approximant/asymptotic", approximant},
         {"approximant/proved", approximant + balls},
         {"convergence/estimate", algebra},
         {"convergence/list", estimate},

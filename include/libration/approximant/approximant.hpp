@@ -1,7 +1,6 @@
-// What a series is turned into: partial sums, endpoint, Pade and asymptotic approximants, and the norms of their errors.
+// What a series is turned into: partial sums, endpoint and Pade approximants, and the norms of their errors.
 #pragma once
 
-#include "libration/approximant/asymptotic/asymptotic.hpp"
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/pade.hpp"
