@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "equation/problem_reference.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
@@ -48,15 +49,8 @@ std::vector<mpfr> states_of(const ode::explicit_system& system, const std::vecto
 
 table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times,
                       const std::vector<mpfr>& states, const arithmetic& numbers) {
-    std::vector<column> columns{{"time", ""}};
-    for (const auto& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            columns.push_back({each.name + std::string(static_cast<std::size_t>(j), '\''), ""});
-        }
-    }
-    const std::size_t values = columns.size() - 1;
-    columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
-    table data(std::move(columns));
+    table data(columns_of_states(system));
+    const std::size_t values = data.columns().size() - 4;
     const char* const rigour = numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
     for (std::size_t i = 0; i < times.size(); ++i) {
         table_row_cells row{number_cell(decimal_of(times[i], numbers.digits))};
@@ -72,6 +66,17 @@ table table_of_states(const ode::explicit_system& system, const std::vector<exac
 }
 
 }  // namespace
+
+std::vector<column> columns_of_states(const ode::explicit_system& system) {
+    std::vector<column> columns{{"time", ""}};
+    for (const auto& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            columns.push_back({ode::primed(each.name, j), ""});
+        }
+    }
+    columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
+    return columns;
+}
 
 std::vector<exact> times_of_problem(const std::string& words) {
     auto times = reading("--times", words, problem_times_remedy, [&] { return read_grid(words); });
@@ -89,8 +94,7 @@ std::vector<exact> times_of_problem(const std::string& words) {
 table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
                          const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::proved) {
-        throw input_error("--scalar", numbers.scalar.name(), "proves no way from the start to other times",
-                          "use mpfr:" + std::to_string(numbers.scalar.digits));
+        return problem_reference(system, times, numbers.digits);
     }
     try {
         return table_of_states(system, times, states_of(system, times, numbers), numbers);

@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "equation/problem_options.hpp"
+#include "equation/problem_reference.hpp"
+#include "equation/problem_trajectory.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/typed_times.hpp"
 #include "option/options.hpp"
@@ -22,6 +25,7 @@ namespace {
 
 struct reference_options {
     motion_options motion;
+    problem_options problem;
     output_options output;
     std::optional<std::string> digits, times, motions, columns, jobs;
     bool check = false;
@@ -202,9 +206,39 @@ std::vector<asked_motion> motions_of_file(const reference_options& options) {
     return asked;
 }
 
+// In place of a motion, any problem.
+table reference_of_problem(const reference_options& options, long digits) {
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    const auto refuse = [](const char* option, const std::optional<std::string>& value) {
+        if (value) {
+            throw input_error(option, *value, "has no meaning for a problem", "leave it out");
+        }
+    };
+    refuse("--motions", options.motions);
+    refuse("--columns", options.columns);
+    refuse("--jobs", options.jobs);
+    if (options.check) {
+        throw input_error("--check compares with a second route that only the pendulum has: leave it out");
+    }
+    if (!options.times) {
+        throw input_error("no times are given: add --times LIST");
+    }
+    const auto system = options.problem.choose();
+    const auto times = times_of_problem(*options.times);
+    return naming_option("--problem", [&] { return problem_reference(system, times, digits); });
+}
+
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
+    if (options.problem.given()) {
+        const table data = reference_of_problem(options, digits);
+        options.output.write(data, lines_of_states(data));
+        return 0;
+    }
+    options.problem.require_problem();
     if (options.check && digits > most_checked_digits) {
         throw input_error("--digits", std::to_string(digits), "with --check would take hours",
                           fmt::format("ask for {} digits or fewer", most_checked_digits));
@@ -228,9 +262,10 @@ int run_reference(const reference_options& options) {
 
 subcommand reference_command(CLI::App& program) {
     const auto options = std::make_shared<reference_options>();
-    CLI::App* command =
-        program.add_subcommand("reference", "proved digits of theta, omega, E, T, T* and R at a list of times");
+    CLI::App* command = program.add_subcommand(
+        "reference", "proved digits of theta, omega, E, T, T* and R, or of any problem, at a list of times");
     options->motion.add_to(*command);
+    options->problem.add_to(*command);
     options->output.add_to(*command, output_options::columns_option::not_here);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");

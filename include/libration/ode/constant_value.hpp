@@ -49,7 +49,7 @@ struct constant_value<complex_number<T>> {
 /// f(x) for the value x of an argument at an expansion point. Throws error where R has no such function.
 template <field R>
 R function_value(elementary f, const R& x) {
-    using std::asin, std::atan, std::sinh, std::cosh, std::tanh;
+    using std::acos, std::asin, std::atan, std::sinh, std::cosh, std::tanh;
     using std::exp, std::log, std::sqrt, std::sin, std::cos, std::tan;
     const auto missing = [](const char* name) -> R {
         throw error(
@@ -86,6 +86,9 @@ R function_value(elementary f, const R& x) {
         case elementary::asin:
             if constexpr (requires { R(asin(x)); }) return R(asin(x));
             return missing("asin");
+        case elementary::acos:
+            if constexpr (requires { R(acos(x)); }) return R(acos(x));
+            return missing("acos");
         case elementary::atan:
             if constexpr (requires { R(atan(x)); }) return R(atan(x));
             return missing("atan");

@@ -47,6 +47,9 @@ public:
     /// function inside its domain at the start. A factor t^k or (t - t0)^k on the highest derivative is a regular
     /// singular start; one beyond that, irregular, is refused.
     explicit explicit_system(const equation_system& given);
+    /// y_k' = right_k in the unknowns y_k, without starts: for expansions about points that are given with their states.
+    static explicit_system first_order(const std::vector<expression>& unknowns, std::vector<expression> right,
+                                       const number& point);
 
     const std::string& variable() const { return variable_; }
     const std::vector<unknown_function>& unknowns() const { return unknowns_; }
@@ -64,6 +67,7 @@ public:
     const std::vector<definition>& exact() const { return exact_; }
 
 private:
+    explicit_system() = default;
     void read_unknowns(const equation_system& given);
     void read_starts(const equation_system& given);
 

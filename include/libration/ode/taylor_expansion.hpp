@@ -50,6 +50,8 @@ public:
         const R* const first = coefficients(unknown);
         return series::power_series<R>(std::vector<R>(first, first + order_ + 1));
     }
+    /// Of a step of the tape, likewise.
+    const R* of_step(int step) const { return array(step); }
     /// Of a watched expression, as far as the right sides were needed.
     const R* watched(int which) const { return array(tape_->watched()[static_cast<std::size_t>(which)]); }
     /// The polynomials of degree N of the unknowns and of their lower derivatives, by Horner's rule, at a distance from

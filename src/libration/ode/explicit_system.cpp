@@ -100,6 +100,17 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
     }
 }
 
+explicit_system explicit_system::first_order(const std::vector<expression>& unknowns, std::vector<expression> right,
+                                             const number& point) {
+    explicit_system result;
+    for (const expression& each : unknowns) {
+        result.unknowns_.push_back({each.name(), 1});
+    }
+    result.right_ = std::move(right);
+    result.point_ = point;
+    return result;
+}
+
 void explicit_system::read_unknowns(const equation_system& given) {
     const auto orders = orders_of(given.equations);
     for (const std::string& name : given.unknowns()) {

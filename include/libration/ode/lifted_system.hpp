@@ -1,0 +1,102 @@
+// Any system as a polynomial one of first order, by more unknowns: what the bounds of ode/proved/ are for.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/constant_value.hpp"
+#include "libration/ode/explicit_system.hpp"
+
+namespace libration::ode {
+
+/// The unknowns that an expression depends on, with its derivatives by them.
+using gradient = std::vector<std::pair<std::size_t, expression>>;
+
+/// y' = f(t, y), f polynomial. The first unknowns are those of the given system with their lower derivatives, in order;
+/// each of the others is a function of those before it: e = exp u has e' = e u'; sine and cosine come together; q = 1/u
+/// has q' = -q^2 u', l = log u has l' = q u', p = u^(-1/b) has p' = -(1/b) p^(b+1) u', any other power p' = r p q u'.
+/// The solution of the given system is part of the solution of this one as long as that exists: 1/u, log u and powers
+/// need u != 0.
+struct lifted_system {
+    explicit_system system;
+    /// How many unknowns are given ones.
+    std::size_t given = 0;
+    /// What the others are, in unknowns before them and the variable.
+    std::vector<expression> added;
+    /// Their derivatives by those.
+    std::vector<gradient> gradients;
+    /// unknown(k) is the leaf of unknown k.
+    std::vector<expression> leaves;
+};
+
+/// Throws error where the start is singular: such a system has no polynomial form about it.
+lifted_system lifted(const explicit_system& of);
+
+/// The lifted system with the derivatives of its unknowns by the given ones at some point, column after column behind
+/// the unknowns: v_ij' = sum_k df_i/dy_k v_kj.
+explicit_system with_variations(const lifted_system& of);
+
+/// The value of an expression for values of its unknowns y_k = leaves[k] and of the variable, in any field; on balls an
+/// enclosure. Throws error where R has a function not.
+template <field R>
+class expression_values {
+public:
+    expression_values(const std::vector<expression>& leaves, const R& variable) : variable_(variable) {
+        for (std::size_t k = 0; k < leaves.size(); ++k) {
+            indices_.emplace(leaves[k].name(), k);
+        }
+    }
+
+    /// The next unknown, in order.
+    void push_back(const R& value) { values_.push_back(value); }
+    const std::vector<R>& values() const { return values_; }
+
+    R of(const expression& e) {
+        const auto known = done_.find(e.identity());
+        if (known != done_.end()) {
+            return known->second.second;
+        }
+        R value = computed(e);
+        done_.emplace(e.identity(), std::pair(e, value));
+        return value;
+    }
+
+private:
+    R computed(const expression& e) {
+        switch (e.kind()) {
+            case node_kind::constant: return constant_value<R>::of(e.constant());
+            case node_kind::variable: return variable_;
+            case node_kind::sum: return R(of(e.left()) + of(e.right()));
+            case node_kind::product: return R(of(e.left()) * of(e.right()));
+            case node_kind::quotient: return R(of(e.left()) / of(e.right()));
+            case node_kind::power: return raised(e);
+            case node_kind::function: return function_value<R>(e.function(), of(e.left()));
+            default: return values_[indices_.at(e.name())];
+        }
+    }
+
+    // Whole powers by products, so that any base will do.
+    R raised(const expression& e) {
+        const R base = of(e.left());
+        const auto exponent = e.right().fraction();
+        if (!exponent || denominator(*exponent) != 1 || abs(numerator(*exponent)) > 64) {
+            return power_value<R>(base, of(e.right()));
+        }
+        R result(1);
+        for (int n = static_cast<int>(abs(numerator(*exponent))); n > 0; --n) {
+            result = R(result * base);
+        }
+        return *exponent < 0 ? R(R(1) / result) : result;
+    }
+
+    R variable_;
+    std::map<std::string, std::size_t> indices_;
+    std::vector<R> values_;
+    std::unordered_map<const void*, std::pair<expression, R>> done_;
+};
+
+}  // namespace libration::ode

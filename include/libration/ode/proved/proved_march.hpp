@@ -1,0 +1,81 @@
+// The solution of any system at any time, enclosed: many digits for the centre, few for the error.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "libration/ode/ball/fast_product.hpp"
+#include "libration/ode/lifted_system.hpp"
+#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/tail_bound.hpp"
+
+namespace libration::ode {
+
+/// Told now and then up to which time a run has come, and with how many bits it began.
+using march_watch = std::function<void(const ball& reached, long bits)>;
+
+/// Why a proof goes no further.
+enum class march_end {
+    none,
+    precision,  ///< the enclosure is too wide: with more bits it goes on
+    steps       ///< the steps become too small: a singularity of the solution is near, in real time or beside it
+};
+
+/// Theorem V. The solution stays in c + Q [-r, r], c exact, from step to step: Phi, the flow over a step h, takes c into
+/// c' + [-tau, tau] by theorem T from the exact point (tau holds the tail, the radii of its balls, the rounding of c'),
+/// and A, from theorem T for the system with its variations over the whole set, holds the derivative of Phi at every
+/// point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau] (error_frame::moved).
+/// Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
+///
+/// The unknowns are those of the given system with their lower derivatives; what theorem T needs besides
+/// (lifted_system) is computed from them in each step. The precision falls as the set grows: what is below it is noise.
+class proved_march {
+public:
+    static constexpr long most_steps = 10'000'000;
+
+    /// From the start, in so many bits. Throws error where the start is singular.
+    proved_march(const explicit_system& system, long bits, march_watch watch = {});
+    ~proved_march();
+
+    /// The given unknowns at a time, each solution through the start enclosed; times in one direction, away from the
+    /// start. Nothing where the proof ends before, for the reason end().
+    std::optional<std::vector<ball>> at(const number& time);
+
+    march_end end() const { return end_; }
+    /// Up to here the solution is proved to exist.
+    const ball& reached() const { return time_; }
+    long steps() const { return steps_; }
+    /// A bound of the set, |x_i - c_i|.
+    magnitude width() const;
+
+private:
+    struct expansions;
+
+    bool prepare();
+    void expand();
+    void choose_length(const magnitude& size);
+    void step();
+    bool stopped(march_end why);
+    long bits_of_centre() const;
+    std::vector<ball> values_at(const ball& distance) const;
+    std::vector<ball> flow_of_centre(const ball& distance) const;
+    ball_matrix derivative_of_flow(const ball& distance) const;
+    std::vector<ball> whole_set() const;
+
+    lifted_system lifted_;
+    tape tape_;
+    tape varied_tape_;
+    long bits_;
+    ball time_, origin_;
+    std::vector<ball> centre_;
+    error_frame errors_;
+    std::unique_ptr<expansions> now_;
+    int direction_ = 0;
+    long steps_ = 0;
+    march_watch watch_;
+    march_end end_ = march_end::none;
+};
+
+}  // namespace libration::ode

@@ -1,0 +1,100 @@
+// Upper bounds of sizes: numbers of 30 bits whose every operation rounds up.
+#pragma once
+
+#include <concepts>
+
+#include "libration/scalar/ball/ball.hpp"
+
+namespace libration {
+
+/// A number >= 0, or infinity, with unbounded exponents [Arb, mag_t]: sums, products and quotients are at least the
+/// exact ones of the operands, and larger by a factor of at most 1 + 2^-28. As an operand it is exact.
+class magnitude {
+public:
+    magnitude() { mag_init(value_); }
+    template <std::unsigned_integral I>
+    explicit magnitude(I n) : magnitude() {
+        mag_set_ui(value_, n);
+    }
+    /// A bound of |x| for every number x of the ball.
+    explicit magnitude(const ball& x) : magnitude() { arb_get_mag(value_, x.handle()); }
+    magnitude(const magnitude& other) : magnitude() { mag_set(value_, other.value_); }
+    magnitude(magnitude&& other) noexcept : magnitude() { mag_swap(value_, other.value_); }
+    magnitude& operator=(const magnitude& other) {
+        mag_set(value_, other.value_);
+        return *this;
+    }
+    magnitude& operator=(magnitude&& other) noexcept {
+        mag_swap(value_, other.value_);
+        return *this;
+    }
+    ~magnitude() { mag_clear(value_); }
+
+    /// The radius of a ball.
+    static magnitude radius_of(const ball& x) {
+        magnitude result;
+        mag_set(result.value_, arb_radref(x.handle()));
+        return result;
+    }
+    /// m 2^e, exactly where m has at most 30 bits.
+    static magnitude of(unsigned long m, long e) {
+        magnitude result;
+        mag_set_ui_2exp_si(result.value_, m, e);
+        return result;
+    }
+
+    mag_srcptr handle() const { return value_; }
+
+    magnitude& operator+=(const magnitude& b) {
+        mag_add(value_, value_, b.value_);
+        return *this;
+    }
+    magnitude& operator*=(const magnitude& b) {
+        mag_mul(value_, value_, b.value_);
+        return *this;
+    }
+    /// += a b.
+    void add_product(const magnitude& a, const magnitude& b) { mag_addmul(value_, a.value_, b.value_); }
+    friend magnitude operator+(magnitude a, const magnitude& b) { return a += b; }
+    friend magnitude operator*(magnitude a, const magnitude& b) { return a *= b; }
+    /// Infinity where b is 0.
+    friend magnitude operator/(const magnitude& a, const magnitude& b) {
+        magnitude result;
+        mag_div(result.value_, a.value_, b.value_);
+        return result;
+    }
+    friend magnitude operator/(const magnitude& a, unsigned long n) {
+        magnitude result;
+        mag_div_ui(result.value_, a.value_, n);
+        return result;
+    }
+    friend magnitude pow(const magnitude& a, unsigned long n) {
+        magnitude result;
+        mag_pow_ui(result.value_, a.value_, n);
+        return result;
+    }
+    friend bool operator<(const magnitude& a, const magnitude& b) { return mag_cmp(a.value_, b.value_) < 0; }
+    friend bool operator<=(const magnitude& a, const magnitude& b) { return mag_cmp(a.value_, b.value_) <= 0; }
+
+    bool is_zero() const { return mag_is_zero(value_) != 0; }
+    bool is_finite() const { return mag_is_finite(value_) != 0; }
+    /// e with 2^(e-1) <= this < 2^e; for what is neither 0 nor infinite, within the range of long.
+    long exponent() const { return fmpz_get_si(MAG_EXPREF(value_)); }
+    /// The exact number.
+    ball exact() const {
+        ball result;
+        arf_set_mag(arb_midref(result.handle()), value_);
+        return result;
+    }
+
+private:
+    mag_t value_;
+};
+
+/// x with its radius enlarged by a bound: all numbers so near to one of x.
+inline ball widened(ball x, const magnitude& by) {
+    arb_add_error_mag(x.handle(), by.handle());
+    return x;
+}
+
+}  // namespace libration

@@ -1,0 +1,21 @@
+// Proved digits of the solution of any differential equation at a list of times, as a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "libration/scalar/exact.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+/// time,<unknown and its lower derivatives>...,digits,rigour,time_typed, each value right to one unit in its last digit
+/// (ode::proved_trajectory); progress on a terminal. Throws error of the kind undecided for a time that is not reached,
+/// which says up to which time the solution is proved to exist.
+table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits);
+
+/// The same for people: each time a paragraph, each column a line.
+std::string lines_of_states(const table& data);
+
+}  // namespace libration

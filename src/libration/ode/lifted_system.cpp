@@ -1,0 +1,223 @@
+#include "libration/ode/lifted_system.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace libration::ode {
+
+namespace {
+
+constexpr int most_whole_power = 64;
+
+gradient gradient_of(const expression& e, const std::vector<expression>& leaves) {
+    gradient result;
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+        const expression by = partial(e, leaves[k]);
+        if (!by.is(0)) {
+            result.emplace_back(k, by);
+        }
+    }
+    return result;
+}
+
+class lifting {
+public:
+    explicit lifting(const explicit_system& of) : of_(of) {}
+
+    lifted_system result() {
+        std::vector<expression> right;
+        for (const unknown_function& each : of_.unknowns()) {
+            for (int j = 0; j < each.order; ++j) {
+                given_.emplace(primed(each.name, j), add_leaf());
+            }
+        }
+        for (std::size_t i = 0; i < of_.unknowns().size(); ++i) {
+            const unknown_function& each = of_.unknowns()[i];
+            for (int j = 1; j < each.order; ++j) {
+                right.push_back(given_.at(primed(each.name, j)));
+            }
+            right.push_back(polynomial(of_.right()[i]));
+        }
+        slopes_.assign(right.begin(), right.end());
+        const std::size_t given = right.size();
+        for (std::size_t k = given; k < leaves_.size(); ++k) {  // a slope may add unknowns
+            slope_of(k);
+        }
+        std::vector<expression> all;
+        for (std::size_t k = 0; k < leaves_.size(); ++k) {
+            all.push_back(slope_of(k));
+        }
+        std::vector<gradient> gradients;
+        for (const expression& each : added_) {
+            gradients.push_back(gradient_of(each, leaves_));
+        }
+        return {explicit_system::first_order(leaves_, std::move(all), of_.point()), given, std::move(added_),
+                std::move(gradients), leaves_};
+    }
+
+private:
+    expression add_leaf() {
+        leaves_.push_back(unknown("y" + std::to_string(leaves_.size())));
+        return leaves_.back();
+    }
+
+    // The unknown that is this function of those before it.
+    expression added(const expression& definition) {
+        const std::size_t given = leaves_.size() - added_.size();
+        for (std::size_t k = 0; k < added_.size(); ++k) {
+            if (same_form(added_[k], definition)) {
+                return leaves_[given + k];
+            }
+        }
+        added_.push_back(definition);
+        return add_leaf();
+    }
+    expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }
+
+    expression polynomial(const expression& e) {
+        const auto known = done_.find(e.identity());
+        if (known != done_.end()) {
+            return known->second.second;
+        }
+        expression made = converted(e);
+        done_.emplace(e.identity(), std::pair(e, made));
+        return made;
+    }
+
+    expression converted(const expression& e) {
+        switch (e.kind()) {
+            case node_kind::unknown: return given_.at(primed(e.name(), e.derivative()));
+            case node_kind::sum: return polynomial(e.left()) + polynomial(e.right());
+            case node_kind::product: return polynomial(e.left()) * polynomial(e.right());
+            case node_kind::quotient: {
+                const expression above = polynomial(e.left());
+                return above * inverse(polynomial(e.right()));
+            }
+            case node_kind::power: return power_of(polynomial(e.left()), e.right());
+            case node_kind::function: return function_of(e.function(), polynomial(e.left()));
+            default: return e;
+        }
+    }
+
+    // u^(a/b) with p = u^(-1/b) is u^k p^(b k - a), k the least whole number >= 0 that is not below a/b.
+    expression power_of(const expression& u, const expression& exponent) {
+        if (u.is_constant()) {
+            return pow(u, exponent);
+        }
+        const auto r = exponent.fraction();
+        if (!r || abs(numerator(*r)) > most_whole_power || denominator(*r) > 6) {
+            return added(pow(u, exponent));
+        }
+        const int a = static_cast<int>(numerator(*r));
+        const int b = static_cast<int>(denominator(*r));
+        if (b == 1) {
+            return a >= 0 ? pow(u, exponent) : pow(inverse(u), expression(-a));
+        }
+        const expression p = added(pow(u, expression(rational(-1, b))));
+        const int k = a < 0 ? 0 : (a + b - 1) / b;
+        return pow(u, expression(k)) * pow(p, expression(b * k - a));
+    }
+
+    expression function_of(elementary f, const expression& u) {
+        if (u.is_constant()) {
+            return apply(f, u);
+        }
+        if (f == elementary::sqrt) {
+            return power_of(u, expression(rational(1, 2)));
+        }
+        return added(apply(f, u));
+    }
+
+    // The derivative of unknown k along the solution, in unknowns.
+    expression slope_of(std::size_t k) {
+        slopes_.resize(std::max(slopes_.size(), leaves_.size()));
+        if (!slopes_[k]) {
+            const std::size_t given = leaves_.size() - added_.size();
+            const expression made = slope(added_[k - given], leaves_[k]);
+            slopes_.resize(std::max(slopes_.size(), leaves_.size()));
+            slopes_[k] = made;
+        }
+        return *slopes_[k];
+    }
+
+    expression slope_of(const expression& u) {
+        expression sum = partial(u, variable());
+        for (std::size_t k = 0; k < leaves_.size(); ++k) {
+            const expression by = partial(u, leaves_[k]);
+            if (!by.is(0)) {
+                sum = sum + by * slope_of(k);
+            }
+        }
+        return sum;
+    }
+
+    expression slope(const expression w, const expression leaf) {
+        if (w.kind() == node_kind::quotient) {
+            return -(leaf * leaf * slope_of(w.right()));
+        }
+        const expression& u = w.left();
+        const expression du = slope_of(u);
+        if (w.kind() == node_kind::power) {
+            const auto r = w.right().fraction();
+            if (r && numerator(*r) == -1) {
+                return w.right() * pow(leaf, expression(1 + static_cast<int>(denominator(*r)))) * du;
+            }
+            return w.right() * leaf * inverse(u) * du;
+        }
+        switch (w.function()) {
+            case elementary::exp: return leaf * du;
+            case elementary::log: return inverse(u) * du;
+            case elementary::sin: return added(cos(u)) * du;
+            case elementary::cos: return -(added(sin(u)) * du);
+            case elementary::sinh: return added(cosh(u)) * du;
+            case elementary::cosh: return added(sinh(u)) * du;
+            case elementary::tan: return (1 + leaf * leaf) * du;
+            case elementary::tanh: return (1 - leaf * leaf) * du;
+            case elementary::atan: return inverse(1 + u * u) * du;
+            case elementary::asin: return added(pow(1 - u * u, expression(rational(-1, 2)))) * du;
+            default: return -(added(pow(1 - u * u, expression(rational(-1, 2)))) * du);  // acos
+        }
+    }
+
+    const explicit_system& of_;
+    std::map<std::string, expression> given_;
+    std::vector<expression> leaves_, added_;
+    std::vector<std::optional<expression>> slopes_;
+    std::unordered_map<const void*, std::pair<expression, expression>> done_;
+};
+
+}  // namespace
+
+lifted_system lifted(const explicit_system& of) {
+    if (of.singular()) {
+        refuse("", {}, "starts where its equation is singular, which is not proved: choose another start");
+    }
+    return lifting(of).result();
+}
+
+explicit_system with_variations(const lifted_system& of) {
+    const std::size_t count = of.leaves.size();
+    std::vector<expression> leaves = of.leaves;
+    std::vector<expression> right = of.system.right();
+    const auto variation = [&](std::size_t i, std::size_t j) {
+        return unknown("v" + std::to_string(i) + "_" + std::to_string(j));
+    };
+    std::vector<gradient> gradients;
+    for (const expression& each : of.system.right()) {
+        gradients.push_back(gradient_of(each, of.leaves));
+    }
+    for (std::size_t j = 0; j < of.given; ++j) {
+        for (std::size_t i = 0; i < count; ++i) {
+            expression sum;
+            for (const auto& [k, by] : gradients[i]) {
+                sum = sum + by * variation(k, j);
+            }
+            leaves.push_back(variation(i, j));
+            right.push_back(sum);
+        }
+    }
+    return explicit_system::first_order(leaves, std::move(right), of.system.point());
+}
+
+}  // namespace libration::ode

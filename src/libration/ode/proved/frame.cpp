@@ -1,0 +1,180 @@
+#include "libration/ode/proved/frame.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/proved.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+using column = std::vector<ball>;
+
+ball exact_midpoint(const ball& x) {
+    ball result;
+    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
+    return result;
+}
+
+ball dot(const column& a, const column& b) {
+    ball sum(0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+// Orthonormal columns in the order given, nearly: what is left of a column that the others span is replaced by the unit
+// vector that they span least.
+class orthogonal_factor {
+public:
+    std::vector<column> of(const std::vector<column>& all, const std::vector<std::size_t>& order) {
+        done_.assign(all.size(), {});
+        for (const std::size_t j : order) {
+            done_[j] = reduced(all[j], all.size());
+            found_.push_back(j);
+        }
+        return std::move(done_);
+    }
+
+private:
+    column reduced(const column& given, std::size_t size) const {
+        column best = without_others(given);
+        if (!normalise(best, dot(given, given))) {
+            best.clear();
+            for (std::size_t k = 0; k < size && best.empty(); ++k) {
+                column unit(size, ball(0));
+                unit[k] = ball(1);
+                column left = without_others(unit);
+                if (normalise(left, from_rational<ball>(rational(1, static_cast<int>(size))))) {
+                    best = std::move(left);
+                }
+            }
+        }
+        return best;
+    }
+
+    // Twice, so that what is left is orthogonal to the last place.
+    column without_others(column v) const {
+        for (int pass = 0; pass < 2; ++pass) {
+            for (const std::size_t j : found_) {
+                const ball along = exact_midpoint(dot(v, done_[j]));
+                for (std::size_t i = 0; i < v.size(); ++i) {
+                    v[i] = exact_midpoint(v[i] - along * done_[j][i]);
+                }
+            }
+        }
+        return v;
+    }
+
+    // Whether more than 2^-40 of a length is left.
+    static bool normalise(column& v, const ball& squared_length) {
+        const ball left = exact_midpoint(dot(v, v));
+        const ball least = exact_midpoint(squared_length) * pow(ball(2), -40L);
+        if (!certainly_less(least * pow(ball(2), -40L), left)) {
+            return false;
+        }
+        const ball length = exact_midpoint(sqrt(left));
+        for (ball& each : v) {
+            each = exact_midpoint(each / length);
+        }
+        return true;
+    }
+
+    std::vector<column> done_;
+    std::vector<std::size_t> found_;
+};
+
+// M = Q^T Q = 1 - E: M^-1 - 1 has entries of at most ||E||/(1 - ||E||), and Q^-1 = M^-1 Q^T.
+ball_matrix inverse(const std::vector<column>& q) {
+    const std::size_t size = q.size();
+    magnitude norm;
+    for (std::size_t i = 0; i < size; ++i) {
+        magnitude row;
+        for (std::size_t j = 0; j < size; ++j) {
+            row += magnitude(dot(q[i], q[j]) - ball(i == j ? 1 : 0));
+        }
+        norm = std::max(norm, row);
+    }
+    if (!(norm <= magnitude(1U) / 4U)) {
+        throw precision_exhausted("a frame of errors");
+    }
+    const ball error = widened(ball(0), norm * magnitude(4U) / 3U);
+    ball_matrix result(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t k = 0; k < size; ++k) {
+            ball sum = q[i][k];
+            for (std::size_t j = 0; j < size; ++j) {
+                sum += error * q[j][k];
+            }
+            result[i].push_back(sum);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+error_frame::error_frame(std::vector<magnitude> widths) : widths_(std::move(widths)) {
+    columns_.assign(size(), column(size(), ball(0)));
+    for (std::size_t i = 0; i < size(); ++i) {
+        columns_[i][i] = ball(1);
+    }
+}
+
+magnitude error_frame::reach(std::size_t i) const {
+    magnitude sum;
+    for (std::size_t j = 0; j < size(); ++j) {
+        sum += magnitude(columns_[j][i]) * widths_[j];
+    }
+    return sum;
+}
+
+magnitude error_frame::reach(const ball_matrix& map, std::size_t i) const {
+    magnitude sum;
+    for (std::size_t j = 0; j < size(); ++j) {
+        sum += magnitude(dot(map[i], columns_[j])) * widths_[j];
+    }
+    return sum;
+}
+
+error_frame error_frame::moved(const ball_matrix& map, const std::vector<magnitude>& added) const {
+    std::vector<column> images(size());
+    std::vector<magnitude> lengths;
+    for (std::size_t j = 0; j < size(); ++j) {
+        magnitude length;
+        for (std::size_t i = 0; i < size(); ++i) {
+            images[j].push_back(dot(map[i], columns_[j]));
+            if (!is_finite(images[j].back())) {
+                throw precision_exhausted("a map of errors");
+            }
+            length += magnitude(images[j].back());
+        }
+        lengths.push_back(length * widths_[j]);
+    }
+    std::vector<column> midpoints = images;
+    for (column& each : midpoints) {
+        std::ranges::transform(each, each.begin(), exact_midpoint);
+    }
+    std::vector<std::size_t> order(size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return lengths[b] < lengths[a]; });
+    error_frame result(widths_);
+    result.columns_ = orthogonal_factor().of(midpoints, order);
+    const ball_matrix back = inverse(result.columns_);
+    for (std::size_t i = 0; i < size(); ++i) {
+        magnitude width;
+        for (std::size_t j = 0; j < size(); ++j) {
+            width += magnitude(dot(back[i], images[j])) * widths_[j];
+            width += magnitude(back[i][j]) * added[j];
+        }
+        result.widths_[i] = width;
+    }
+    return result;
+}
+
+}  // namespace libration::ode

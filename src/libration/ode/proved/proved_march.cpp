@@ -1,0 +1,345 @@
+#include "libration/ode/proved/proved_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "libration/ode/step.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long bits_of_errors = 64;
+// Steps add what is so many bits below the set: 2^16 of them as much as it.
+constexpr long bits_below_the_set = 20;
+// Relative to the size of the unknowns, beyond which more bits are asked for.
+constexpr long widest_set = -24;
+// R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
+constexpr int tried_parts[] = {92, 85, 75, 60, 45, 30, 15, 5};
+
+long exponent_of(const magnitude& x) { return x.is_zero() ? std::numeric_limits<int>::min() : x.exponent(); }
+
+// 2^x rounded to 16 bits; how x comes about is no matter of the proof.
+magnitude power_of_two(double x) {
+    const double whole = std::floor(x);
+    return magnitude::of(static_cast<unsigned long>(std::exp2(x - whole + 15)), static_cast<long>(whole) - 15);
+}
+
+double log_of(const magnitude& x) {
+    const long exponent = exponent_of(x);
+    const double mantissa = mag_get_d((x * magnitude::of(1, -exponent)).handle());
+    return std::log2(mantissa) + static_cast<double>(exponent);
+}
+
+magnitude largest_of(const std::vector<ball>& values) {
+    magnitude result;
+    for (const ball& each : values) {
+        result = std::max(result, magnitude(each));
+    }
+    return result;
+}
+
+solution_state<ball> as_state(const std::vector<ball>& values) {
+    solution_state<ball> state;
+    for (const ball& each : values) {
+        state.push_back({each});
+    }
+    return state;
+}
+
+// log2 of the radius of convergence as the last coefficients have it; a large number where they are all 0.
+double estimated_radius(const taylor_expansion<ball>& of, std::size_t unknowns, const magnitude& size) {
+    double least = 1'000;
+    for (int n = of.order() - 1; n <= of.order(); ++n) {
+        magnitude largest;
+        for (std::size_t i = 0; i < unknowns; ++i) {
+            largest = std::max(largest, magnitude(of.coefficients(static_cast<int>(i))[n]));
+        }
+        if (!largest.is_zero()) {
+            least = std::min(least, (log_of(size) - log_of(largest)) / n);
+        }
+    }
+    return least;
+}
+
+std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<ball>& expansion, const ball& point,
+                                    double log_of_radius) {
+    for (const int part : tried_parts) {
+        auto bound = bounded_tail(of, expansion, point, power_of_two(log_of_radius) * magnitude::of(part * 328UL, -15));
+        if (bound) {
+            return bound;
+        }
+    }
+    return std::nullopt;
+}
+
+// All unknowns of the lifted system from the given ones.
+std::vector<ball> lifted_values(const lifted_system& of, const ball& time, const std::vector<ball>& given) {
+    expression_values<ball> values(of.leaves, time);
+    for (const ball& each : given) {
+        values.push_back(each);
+    }
+    for (const expression& each : of.added) {
+        values.push_back(values.of(each));
+    }
+    return values.values();
+}
+
+// The same and, column after column, their derivatives by the given ones.
+std::vector<ball> varied_values(const lifted_system& of, const ball& time, const std::vector<ball>& given) {
+    std::vector<ball> result = lifted_values(of, time, given);
+    const std::size_t count = result.size();
+    expression_values<ball> values(of.leaves, time);
+    for (const ball& each : std::vector<ball>(result)) {
+        values.push_back(each);
+    }
+    for (std::size_t j = 0; j < of.given; ++j) {
+        std::vector<ball> column;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i < of.given) {
+                column.emplace_back(i == j ? 1 : 0);
+                continue;
+            }
+            ball sum(0);
+            for (const auto& [k, by] : of.gradients[i - of.given]) {
+                sum += values.of(by) * column[k];
+            }
+            column.push_back(sum);
+        }
+        result.insert(result.end(), column.begin(), column.end());
+    }
+    return result;
+}
+
+bool all_finite(const std::vector<ball>& values) {
+    return std::ranges::all_of(values, [](const ball& each) { return is_finite(each); });
+}
+
+std::vector<ball> enclosed_start(const explicit_system& system) {
+    std::vector<ball> values;
+    for (const auto& of_unknown : system.starts()) {
+        for (const number& each : of_unknown) {
+            values.push_back(constant_value<ball>::of(each));
+        }
+    }
+    return values;
+}
+
+ball exact_midpoint(const ball& x) {
+    ball result;
+    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
+    return result;
+}
+
+}  // namespace
+
+// What a step needs: made again where the precision changes.
+struct proved_march::expansions {
+    // In a scope of so many bits.
+    expansions(const tape& centre, const tape& varied, long in_bits)
+        : bits(in_bits),
+          of_centre(centre, taylor_order(static_cast<int>(in_bits)) + 2, fast_product<ball>()),
+          of_set(varied, taylor_order(static_cast<int>(bits_of_errors)) - 2) {}
+
+    long bits;
+    taylor_expansion<ball> of_centre, of_set;
+    std::optional<tail_bound> tail, set_tail;
+    magnitude length;
+    bool ready = false;
+};
+
+proved_march::~proved_march() = default;
+
+proved_march::proved_march(const explicit_system& system, long bits, march_watch watch)
+    : lifted_(lifted(system)),
+      tape_(tape::about_points(lifted_.system)),
+      varied_tape_(tape::about_points(with_variations(lifted_))),
+      bits_(bits),
+      errors_(std::vector<magnitude>(lifted_.given)),
+      watch_(std::move(watch)) {
+    const precision_scope scope(decimal_digits(bits));
+    time_ = constant_value<ball>::of(system.point());
+    origin_ = time_;
+    std::vector<magnitude> widths;
+    for (const ball& each : enclosed_start(system)) {
+        centre_.push_back(exact_midpoint(each));
+        widths.push_back(magnitude(each - centre_.back()));
+    }
+    errors_ = error_frame(std::move(widths));
+}
+
+magnitude proved_march::width() const {
+    magnitude result;
+    for (std::size_t i = 0; i < errors_.size(); ++i) {
+        result = std::max(result, errors_.reach(i));
+    }
+    return result;
+}
+
+std::vector<ball> proved_march::whole_set() const {
+    std::vector<ball> values;
+    for (std::size_t i = 0; i < centre_.size(); ++i) {
+        values.push_back(widened(centre_[i] + 0, errors_.reach(i)));
+    }
+    return values;
+}
+
+// How many bits the centre is worth.
+long proved_march::bits_of_centre() const {
+    const magnitude set = width();
+    const magnitude size = largest_of(centre_);
+    if (set.is_zero() || size.is_zero()) {
+        return bits_;
+    }
+    return std::clamp(size.exponent() - set.exponent() + bits_below_the_set, bits_of_errors, bits_);
+}
+
+bool proved_march::stopped(march_end why) {
+    end_ = why;
+    return false;
+}
+
+bool proved_march::prepare() {
+    if (now_ && now_->ready) {
+        return true;
+    }
+    const magnitude size = largest_of(centre_);
+    const magnitude set = width();
+    if (!set.is_zero() && !size.is_zero() && set.exponent() - size.exponent() > widest_set) {
+        return stopped(march_end::precision);
+    }
+    const long bits = bits_of_centre();
+    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16) {
+        const long some_more = std::min(bits_, bits + bits / 16);
+        const precision_scope scope(decimal_digits(some_more));
+        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more);
+    }
+    expand();
+    if (!now_->tail || !now_->set_tail) {
+        return stopped(!set.is_zero() && set.exponent() - size.exponent() > 2 * widest_set ? march_end::precision
+                                                                                           : march_end::steps);
+    }
+    choose_length(size);
+    const magnitude gone(time_ - origin_);
+    if (steps_ >= most_steps || now_->length <= gone * magnitude::of(1, -40)) {
+        return stopped(march_end::steps);
+    }
+    now_->ready = true;
+    return true;
+}
+
+// The series of the centre and, in few bits, of the set with its variations, and what they leave out.
+void proved_march::expand() {
+    const precision_scope scope(decimal_digits(now_->bits));
+    now_->tail.reset();
+    now_->set_tail.reset();
+    const auto all = lifted_values(lifted_, time_, centre_);
+    if (!all_finite(all)) {
+        return;
+    }
+    now_->of_centre.about(time_, as_state(all));
+    const magnitude size = largest_of(all);
+    const double radius = estimated_radius(now_->of_centre, all.size(), size.is_zero() ? magnitude(1U) : size);
+    now_->tail = tail_near(tape_, now_->of_centre, time_, radius);
+    if (!now_->tail) {
+        return;
+    }
+    const precision_scope few(decimal_digits(bits_of_errors));
+    const auto varied = varied_values(lifted_, time_, whole_set());
+    if (all_finite(varied)) {
+        now_->of_set.about(time_, as_state(varied));
+        now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, radius);
+    }
+}
+
+// The longest step with a tail below the last bit of the centre and small in the map of errors; any would do.
+void proved_march::choose_length(const magnitude& size) {
+    const auto longest = [](const tail_bound& tail, double wanted) {
+        magnitude worst;
+        for (const magnitude& each : tail.error) {
+            worst = std::max(worst, each);
+        }
+        const double radius = log_of(tail.radius);
+        return worst.is_zero() ? radius - 1
+                               : std::min(radius - 1, radius + (wanted - log_of(worst)) / (tail.degree + 1));
+    };
+    const double of_size = size.is_zero() ? 0 : log_of(size);
+    const double length = std::min(longest(*now_->tail, of_size - static_cast<double>(now_->bits)),
+                                   longest(*now_->set_tail, static_cast<double>(widest_set)));
+    now_->length = power_of_two(length);
+}
+
+std::vector<ball> proved_march::flow_of_centre(const ball& distance) const {
+    const auto state = now_->of_centre.at(distance);
+    std::vector<ball> values;
+    for (std::size_t i = 0; i < lifted_.given; ++i) {
+        values.push_back(widened(state[i][0], now_->tail->at(i, magnitude(distance))));
+    }
+    return values;
+}
+
+ball_matrix proved_march::derivative_of_flow(const ball& distance) const {
+    const auto state = now_->of_set.at(distance);
+    const std::size_t count = lifted_.leaves.size();
+    ball_matrix map(lifted_.given);
+    for (std::size_t i = 0; i < lifted_.given; ++i) {
+        for (std::size_t j = 0; j < lifted_.given; ++j) {
+            const std::size_t index = count * (j + 1) + i;
+            map[i].push_back(widened(state[index][0], now_->set_tail->at(index, magnitude(distance))));
+        }
+    }
+    return map;
+}
+
+void proved_march::step() {
+    const precision_scope scope(decimal_digits(now_->bits));
+    const ball distance = direction_ < 0 ? -now_->length.exact() : now_->length.exact();
+    const auto image = flow_of_centre(distance);
+    std::vector<magnitude> added;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        centre_[i] = exact_midpoint(image[i]);
+        added.emplace_back(image[i] - centre_[i]);
+    }
+    arb_add(time_.handle(), time_.handle(), distance.handle(), ARF_PREC_EXACT);
+    if (++steps_ % 64 == 0 && watch_) {
+        watch_(time_, bits_);
+    }
+    now_->ready = false;
+    const precision_scope few(decimal_digits(bits_of_errors));
+    errors_ = errors_.moved(derivative_of_flow(distance), added);
+}
+
+std::optional<std::vector<ball>> proved_march::at(const number& time) {
+    const precision_scope scope(decimal_digits(bits_) + 20);
+    const ball target = constant_value<ball>::of(time);
+    try {
+        while (prepare()) {
+            const ball distance = target - time_;
+            if (magnitude(distance) <= now_->length) {
+                return values_at(distance);
+            }
+            if (direction_ == 0) {
+                direction_ = arb_is_negative(distance.handle()) != 0 ? -1 : 1;
+            }
+            step();
+        }
+    } catch (const precision_exhausted&) {
+        end_ = march_end::precision;
+    }
+    return std::nullopt;
+}
+
+std::vector<ball> proved_march::values_at(const ball& distance) const {
+    auto values = flow_of_centre(distance);
+    const precision_scope few(decimal_digits(bits_of_errors));
+    const auto map = derivative_of_flow(distance);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = widened(values[i], errors_.reach(map, i));
+    }
+    return values;
+}
+
+}  // namespace libration::ode

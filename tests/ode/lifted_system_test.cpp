@@ -1,0 +1,104 @@
+// The polynomial system has the solution of the given one: its coefficients by products alone against those by the
+// kernels of the functions.
+#include "libration/ode/lifted_system.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/taylor_expansion.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace ode_lifted_system_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+constexpr int order = 24;
+
+// The values of the added unknowns from those of the given ones, as the definitions have them.
+solution_state<mpfr> lifted_start(const lifted_system& of, const explicit_system& given) {
+    expression_values<mpfr> values(of.leaves, constant_value<mpfr>::of(given.point()));
+    for (const auto& of_unknown : given.starts()) {
+        for (const number& each : of_unknown) {
+            values.push_back(constant_value<mpfr>::of(each));
+        }
+    }
+    for (const ode::expression& each : of.added) {
+        values.push_back(values.of(each));
+    }
+    solution_state<mpfr> state;
+    for (const mpfr& each : values.values()) {
+        state.push_back({each});
+    }
+    return state;
+}
+
+}  // namespace
+
+// Coefficients near 1 by up to 24 sums of 24 products, in some 30 steps: 24*24*30 units in the last place are beyond
+// what either way loses.
+TEST_CASE("a lifted system has the coefficients of the given one", "[ode]") {
+    const std::string text = GENERATE(
+        "y' = exp(-y) + t; y(0) = 1/3", "y' = log(2 + y); y(0) = 1/2", "y' = sqrt(3 + y*t); y(0) = 1",
+        "y' = (2 + y)^(2/3); y(0) = 1/5", "y' = (2 + y)^(-3/2) + y^3; y(0) = 1/5", "y' = (2 + y)^pi; y(0) = -1/2",
+        "y'' = -sin(y)*cos(2*t); y(0) = 1; y'(0) = 1/2", "y' = tan(y/2) + 1; y(0) = 1/4", "y' = asin(y/3); y(0) = 1",
+        "y' = acos(y/3)/2; y(0) = 1", "y' = atan(y*t) - y; y(0) = 1", "y' = sinh(y)/4; y(0) = 1/2",
+        "y' = cosh(y)/4; y(0) = 1/2", "y' = tanh(y) - t^2; y(0) = 1/2", "y' = y^(-2)/(1 + t) + 1/y; y(0) = 2",
+        "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2); x(0) = 2/5; x'(0) = 0; y(0) = 0; y'(0) = 2",
+        "y' = exp(sin(exp(y/3))); y(0) = 0", "y' = log(2 + sqrt(1 + y^2)); y(0) = 1");
+    CAPTURE(text);
+    const precision_scope scope(60);
+    const explicit_system given(parse(text));
+    const lifted_system polynomial = lifted(given);
+    const tape of_given = tape::about_points(given);
+    const tape of_lifted = tape::about_points(polynomial.system);
+    for (const tape_step& each : of_lifted.steps()) {
+        CHECK(each.kind <= operation::square);
+    }
+    taylor_expansion<mpfr> expected(of_given, order);
+    taylor_expansion<mpfr> actual(of_lifted, order);
+    solution_state<mpfr> start;
+    for (const auto& of_unknown : given.starts()) {
+        start.emplace_back();
+        for (const number& each : of_unknown) {
+            start.back().push_back(constant_value<mpfr>::of(each));
+        }
+    }
+    expected.about(constant_value<mpfr>::of(given.point()), start);
+    actual.about(constant_value<mpfr>::of(given.point()), lifted_start(polynomial, given));
+    int at = 0;
+    for (int i = 0; i < static_cast<int>(given.unknowns().size()); ++i) {
+        for (int n = 0; n <= order; ++n) {
+            CAPTURE(i, n);
+            const mpfr& c = expected.coefficients(i)[n];
+            const mpfr difference = abs(mpfr(c - actual.coefficients(at)[n]));
+            CHECK(difference <= mpfr(24 * 24 * 30 * epsilon<mpfr>() * (abs(c) + 1)));
+        }
+        at += given.unknowns()[static_cast<std::size_t>(i)].order;
+    }
+}
+
+TEST_CASE("a singular start is not lifted, and says so", "[ode]") {
+    const explicit_system lane_emden(parse("y'' + 2/t*y' + y^3 = 0; y(0) = 1; y'(0) = 0"));
+    CHECK_THROWS_WITH(lifted(lane_emden), Catch::Matchers::Contains("singular"));
+}
+
+// V' = f'(y) V for y' = y^2 in closed form: y = c/(1 - c t), dy/dc = 1/(1 - c t)^2, whose coefficients are (n + 1) c^n.
+TEST_CASE("variations are the derivatives by the start", "[ode]") {
+    const explicit_system given(parse("y' = y^2; y(0) = 2/3"));
+    const lifted_system polynomial = lifted(given);
+    const explicit_system varied = with_variations(polynomial);
+    const tape made = tape::about_points(varied);
+    taylor_expansion<rational> expansion(made, order);
+    expansion.about(0, {{rational(2, 3)}, {rational(1)}});
+    rational power = 1;
+    for (int n = 0; n <= order; ++n) {
+        CHECK(expansion.coefficients(1)[n] == power * (n + 1));
+        power *= rational(2, 3);
+    }
+}
+
+}  // namespace ode_lifted_system_test

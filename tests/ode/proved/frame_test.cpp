@@ -1,0 +1,94 @@
+// Sets of errors: what a map makes of their points lies in the moved set.
+#include "libration/ode/proved/frame.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+#include <vector>
+
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace ode_proved_frame_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+// Small exact numbers.
+ball some(std::mt19937& random) { return ball(static_cast<int>(random() % 2001) - 1000) / 512; }
+
+// Q^-1 of two columns by the cofactors.
+std::vector<ball> coordinates(const ball_matrix& q, const std::vector<ball>& x) {
+    const ball determinant = q[0][0] * q[1][1] - q[1][0] * q[0][1];
+    return {(q[1][1] * x[0] - q[1][0] * x[1]) / determinant, (q[0][0] * x[1] - q[0][1] * x[0]) / determinant};
+}
+
+bool holds(const error_frame& set, const std::vector<ball>& x) {
+    const auto inside = coordinates(set.columns(), x);
+    return !certainly_less(set.widths()[0].exact(), abs(inside[0])) &&
+           !certainly_less(set.widths()[1].exact(), abs(inside[1]));
+}
+
+}  // namespace
+
+// Corners of the box are carried along exactly while the set is moved in 64 bits, through maps that stretch, turn, press
+// flat and mirror.
+TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
+    std::mt19937 random(20'261'123);
+    for (int run = 0; run < 200; ++run) {
+        const precision_scope exactly(400);
+        error_frame set({magnitude::of(1 + random() % 1000, -60), magnitude::of(1 + random() % 1000, -50)});
+        std::vector<std::vector<ball>> corners;
+        for (const int a : {-1, 1}) {
+            for (const int b : {-1, 1}) {
+                corners.push_back({set.widths()[0].exact() * a, set.widths()[1].exact() * b});
+            }
+        }
+        for (int step = 0; step < 12; ++step) {
+            const bool flat = random() % 3 == 0;
+            const ball p = some(random);
+            const ball q = some(random);
+            const ball factor = some(random);
+            const ball_matrix map = {{p, q}, {flat ? p * factor : some(random), flat ? q * factor : some(random)}};
+            const std::vector<magnitude> added = {magnitude::of(random() % 100, -58),
+                                                  magnitude::of(random() % 100, -58)};
+            {
+                const precision_scope few(20);
+                set = set.moved(map, added);
+            }
+            for (auto& x : corners) {
+                const ball first = map[0][0] * x[0] + map[0][1] * x[1];
+                const ball second = map[1][0] * x[0] + map[1][1] * x[1];
+                x = {first + added[0].exact() * (random() % 2 == 0 ? 1 : -1),
+                     second + added[1].exact() * (random() % 2 == 0 ? 1 : -1)};
+                CAPTURE(run, step);
+                CHECK(holds(set, x));
+                CHECK(!certainly_less(set.reach(0).exact(), abs(x[0])));
+            }
+        }
+    }
+}
+
+// A rotation, 64 times round in all: boxes along the axes would grow by (1 + sqrt 2)/.. in each step, as e^(0.5 n).
+TEST_CASE("a turning set does not grow", "[ode][proved]") {
+    const precision_scope few(20);
+    const ball angle = ball(2) / 5;
+    const ball_matrix turn = {{cos(angle), -sin(angle)}, {sin(angle), cos(angle)}};
+    error_frame set({magnitude::of(1, -40), magnitude::of(1, -60)});
+    for (int step = 0; step < 1000; ++step) {
+        set = set.moved(turn, {magnitude(), magnitude()});
+    }
+    CHECK(set.reach(0) <= magnitude::of(3, -41));
+    CHECK(set.reach(1) <= magnitude::of(3, -41));
+}
+
+TEST_CASE("a point stays a point", "[ode][proved]") {
+    const precision_scope few(20);
+    error_frame set({magnitude(), magnitude()});
+    set = set.moved({{ball(3), ball(1)}, {ball(1), ball(3)}}, {magnitude(), magnitude()});
+    CHECK(set.reach(0).is_zero());
+    CHECK(set.reach(1).is_zero());
+}
+
+}  // namespace ode_proved_frame_test
