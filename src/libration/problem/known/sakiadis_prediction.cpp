@@ -1,0 +1,78 @@
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "libration/approximant/asymptotic/exponential_approximant.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/taylor_expansion.hpp"
+#include "libration/problem/known/far_behaviour.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration {
+
+namespace {
+
+using pair_of_numbers = std::array<mpfr, 2>;
+
+// The series of f in z = 1 - e^(-C t/2), to z^(known-1).
+series::power_series<mpfr> in_decay_of(const ode::equation_system& given, const pair_of_numbers& at, int known) {
+    const ode::explicit_system system(
+        ode::changed(given, "G = " + to_decimal(at[0], static_cast<long>(working_digits()))));
+    const ode::tape tape = ode::tape::about_start(system);
+    ode::taylor_expansion<mpfr> expansion(tape, known - 1);
+    expansion.about_start();
+    return series_in_decay(expansion.series_of(0), mpfr(at[1] / 2));
+}
+
+// With n = known - 2 exponentials a polynomial of degree n in z has known coefficients of f: that of z^(n+1) is 0, and
+// it is C at z = 1.
+pair_of_numbers off(const ode::equation_system& given, const pair_of_numbers& at, int known) {
+    const auto c = in_decay_of(given, at, known);
+    mpfr sum = -at[1];
+    for (int k = 0; k < known - 1; ++k) {
+        sum += c[k];
+    }
+    return {c[known - 1], sum};
+}
+
+pair_of_numbers newton_step(const ode::equation_system& given, const pair_of_numbers& at, int known) {
+    const mpfr step = sqrt(epsilon<mpfr>());
+    const auto here = off(given, at, known);
+    std::array<pair_of_numbers, 2> slope;
+    for (std::size_t j = 0; j < 2; ++j) {
+        pair_of_numbers beside = at;
+        beside[j] += step;
+        const auto there = off(given, beside, known);
+        slope[j] = {mpfr((there[0] - here[0]) / step), mpfr((there[1] - here[1]) / step)};
+    }
+    const mpfr determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
+    return {mpfr((here[0] * slope[1][1] - here[1] * slope[1][0]) / determinant),
+            mpfr((slope[0][0] * here[1] - slope[0][1] * here[0]) / determinant)};
+}
+
+}  // namespace
+
+sakiadis_prediction predicted_sakiadis(const ode::equation_system& given, int known) {
+    constexpr int most_steps = 60;
+    if (known < 4) {
+        throw error(error_kind::argument, "number of coefficients", std::to_string(known),
+                    "leaves fewer conditions than unknowns: 4 at least");
+    }
+    pair_of_numbers at{mpfr(-mpfr(9) / 20), mpfr(mpfr(8) / 5)};
+    for (int step = 0; step < most_steps; ++step) {
+        const auto down = newton_step(given, at, known);
+        at = {mpfr(at[0] - down[0]), mpfr(at[1] - down[1])};
+        if (abs(down[0]) + abs(down[1]) <= sqrt(epsilon<mpfr>()) / 1'000'000) {
+            break;
+        }
+    }
+    const auto c = in_decay_of(given, at, known);
+    mpfr amplitude(0);
+    for (int k = 1; k < known - 1; ++k) {
+        amplitude -= c[k] * k;
+    }
+    return {at[0], at[1], amplitude};
+}
+
+}  // namespace libration
