@@ -49,11 +49,10 @@ inline bool as_large_as_coefficients(const wide_series& series, const root_with_
 }
 
 /// w^-(k - k0) k^-(nu + 1 + s) at k = k0 - back as one or two columns: the real and, off the axis, the imaginary part.
-/// `power` is w^back.
+/// `power` is w^back, `falling` k0/k, `logarithm` that of it.
 inline void add_columns(std::vector<mpfr>& row, const root_with_exponent& root, const complex_number<mpfr>& power,
-                        int k, int k0, int terms) {
-    const mpfr falling = mpfr(k0) / k;
-    mpfr factor = pow(falling, mpfr(root.exponent + 1));
+                        const mpfr& falling, const mpfr& logarithm, int terms) {
+    mpfr factor = exp(mpfr(logarithm * (root.exponent + 1)));
     for (int s = 0; s < terms; ++s, factor *= falling) {
         row.push_back(power.re * factor);
         if (root.at.im != 0) {
@@ -78,13 +77,15 @@ inline std::optional<mpfr> amplitude_of_first(const wide_series& series, const s
         if (k < 1) {
             return std::nullopt;
         }
+        const mpfr falling = mpfr(k0) / k;
+        const mpfr logarithm = log(falling);
         std::vector<mpfr> row;
         for (std::size_t r = 0; r < roots.size(); ++r) {
-            add_columns(row, roots[r], powers[r], k, k0, terms);
+            add_columns(row, roots[r], powers[r], falling, logarithm, terms);
             powers[r] = powers[r] * roots[r].at;
         }
         a.push_back(std::move(row));
-        b.push_back(series.c[static_cast<std::size_t>(k)]);
+        b.push_back(narrow<mpfr>(series.c[static_cast<std::size_t>(k)]));
     }
     const auto solution = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * 64));
     if (!solution) {
@@ -107,33 +108,45 @@ inline bool is_doubtful(const wide_series& series, const root_with_exponent& roo
     return analytic || !as_large_as_coefficients(series, root);
 }
 
-/// Whether the first root is a singularity that the coefficients show, the others being those near it: nothing speaks
-/// against it, or its amplitude, carried from k0 to the last coefficient, stays within a quarter for k0 down to three
-/// quarters of the list.
-inline bool is_visible(const wide_series& series, const std::vector<root_with_exponent>& roots) {
-    if (!is_doubtful(series, roots.front())) {
-        return true;
+/// |A w^-k| k^(-nu-1) of the first root at k = last as the coefficients up to last - back say; nothing where they say
+/// nothing.
+inline std::optional<mpfr> carried_amplitude(const wide_series& series, const std::vector<root_with_exponent>& roots,
+                                             int last, int back, int terms) {
+    const auto before = amplitude_of_first(series, roots, last - back, terms);
+    if (!before) {
+        return std::nullopt;
     }
+    const mpfr carried = *before * pow(modulus_of(roots.front().at), -back);
+    return mpfr(carried * pow(mpfr(last - back) / last, mpfr(roots.front().exponent + 1)));
+}
+
+/// Whether the amplitude of the first root, carried from k0 to the last coefficient, stays within a quarter for k0
+/// down to three quarters of the list. In half of the digits, 20 more than the coefficients have: the equations magnify
+/// these 20 digits less than the rounding of the coefficients themselves.
+inline bool amplitude_stays(const wide_series& series, const std::vector<root_with_exponent>& given) {
+    const precision_scope scope(working_digits() / 2);
     const int last = static_cast<int>(series.c.size()) - 1;
-    std::size_t columns = 0;
-    for (const auto& root : roots) {
-        columns += root.at.im == 0 ? 1 : 2;
+    std::vector<root_with_exponent> roots;
+    int columns = 0;
+    for (const auto& [at, exponent] : given) {
+        roots.push_back({{narrow<mpfr>(at.re), narrow<mpfr>(at.im)}, narrow<mpfr>(exponent)});
+        columns += at.im == 0 ? 1 : 2;
     }
-    const int terms = std::clamp(last / 3 / static_cast<int>(columns), 1, 8);
+    const int terms = std::clamp(last / 3 / columns, 1, 8);
     const auto now = amplitude_of_first(series, roots, last, terms);
-    const mpfr size = modulus_of(roots.front().at);
     for (const int back : {1, std::max(2, last / 8), std::max(3, last / 4)}) {
-        const auto before = amplitude_of_first(series, roots, last - back, terms);
-        if (!now || !before) {
-            return false;
-        }
-        const mpfr carried =
-            *before * pow(size, -back) * pow(mpfr(last - back) / last, mpfr(roots.front().exponent + 1));
-        if (!(abs(carried - *now) * 4 < *now)) {
+        const auto carried = now ? carried_amplitude(series, roots, last, back, terms) : std::nullopt;
+        if (!carried || !(abs(*carried - *now) * 4 < *now)) {
             return false;
         }
     }
     return true;
+}
+
+/// Whether the first root is a singularity that the coefficients show, the others being those near it: nothing speaks
+/// against it, or its amplitude stays.
+inline bool is_visible(const wide_series& series, const std::vector<root_with_exponent>& roots) {
+    return !is_doubtful(series, roots.front()) || amplitude_stays(series, roots);
 }
 
 }  // namespace libration::convergence::fitting

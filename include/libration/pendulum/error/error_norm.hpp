@@ -103,8 +103,11 @@ public:
     /// a polynomial of degree `order`, and many.
     template <class F>
     norm_at<mpfr> norm_of(const F& approximation, int order) {
-        return error_of(approximation, std::max(251, 2 * order + 11)).largest;
+        return error_of(approximation, points_for(order)).largest;
     }
+
+    /// Points that part the stationary points of a polynomial of degree `order`, with room for other functions.
+    static int points_for(int order) { return std::max(251, 2 * order + 11); }
 
     /// The same with the samples it was found from, at so many Chebyshev points.
     template <class F>
