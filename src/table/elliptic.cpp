@@ -1,5 +1,4 @@
 // libration elliptic: proved digits of elliptic functions and integrals.
-#include <array>
 #include <memory>
 #include <utility>
 
@@ -37,10 +36,7 @@ int run_elliptic(const elliptic_options& options) {
     }
     table data(std::move(columns));
     for (const elliptic_point& at : request.points) {
-        const auto value = answer_at(request, at, [&] {
-            return at.imaginary ? complex_texts(*function, at, digits)
-                                : std::array<std::string, 2>{function_text(*function, at, digits), "0"};
-        });
+        const auto value = answer_at(request, at, [&] { return texts_of(*function, at, digits); });
         table_row_cells row{options.function,
                             at.argument ? read_cell(at.argument->text) : cell(),
                             read_cell(at.parameter.typed.text),
@@ -52,8 +48,7 @@ int run_elliptic(const elliptic_options& options) {
         }
         if (request.is_complex()) {
             row.push_back(number_cell(value[1]));
-            row.push_back(
-                number_cell(at.imaginary ? complex_condition_text(*function, at) : condition_text(*function, at)));
+            row.push_back(number_cell(condition_of(*function, at)));
         }
         data.add_row(std::move(row));
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "libration/scalar/text/written_number.hpp"
 #include "motion/motion_cells.hpp"
@@ -18,7 +19,7 @@ using namespace elliptic;
 namespace {
 
 constexpr std::array<const char*, 4> modulus_columns{"k", "m", "m1", "q"};
-constexpr std::array<const char*, 5> input_columns{"u", "phi", "x", "z", "n"};
+constexpr std::array<const char*, 7> input_columns{"u", "u_re", "u_im", "phi", "x", "z", "n"};
 
 }  // namespace
 
@@ -41,7 +42,7 @@ bool elliptic_columns::has_modulus(const column_names& names) {
 elliptic_columns::elliptic_columns(const column_names& names, const named_function& function)
     : names_(&names), function_(&function) {
     find_modulus();
-    argument_ = function.argument.empty() ? std::nullopt : names.find(function.argument);
+    find_argument();
     characteristic_ = function.has_characteristic ? names.find("n") : std::nullopt;
     if (!function.argument.empty() && !argument_ && !function.may_be_complete) {
         throw input_error(fmt::format("{} has no column '{}', the argument of {}: its columns are {}: {}", names.file(),
@@ -73,6 +74,49 @@ void elliptic_columns::find_modulus() {
     }
 }
 
+void elliptic_columns::find_argument() {
+    if (function_->argument.empty()) {
+        return;
+    }
+    argument_ = names_->find(function_->argument);
+    if (!takes_complex(*function_)) {
+        return;
+    }
+    const auto real = names_->find("u_re");
+    imaginary_ = names_->find("u_im");
+    if (real.has_value() != imaginary_.has_value()) {
+        throw input_error(fmt::format("{} has '{}' alone of u_re and u_im: its columns are {}: {}", names_->file(),
+                                      names_->own(real ? *real : *imaginary_), names_->listed(), mapping_remedy));
+    }
+    if (real && argument_) {
+        throw input_error(fmt::format("{} has both '{}' and '{}': leave one out by --columns {}=-", names_->file(),
+                                      names_->own(*argument_), names_->own(*real), names_->own(*argument_)));
+    }
+    argument_ = real ? real : argument_;
+}
+
+complex_argument elliptic_columns::argument_in(const std::vector<std::string>& cells, bool as_double) const {
+    if (imaginary_) {
+        complex_argument at{number_in(cells, *argument_, as_double), number_in(cells, *imaginary_, as_double)};
+        at.real.text = complex_text(at.real.text, at.imaginary->text);
+        return at;
+    }
+    const std::string typed(trimmed(cells[*argument_]));
+    if (!is_complex_text(typed)) {
+        return {number_in(cells, *argument_, as_double), std::nullopt};
+    }
+    return reading_cell({typed, names_->own(*argument_)}, [&](const std::string& text) {
+        if (!takes_complex(*function_)) {
+            throw error(error_kind::argument, std::string(function_->argument), text,
+                        fmt::format("is complex, which {} does not take", function_->name));
+        }
+        auto [real, imaginary] = read_complex(text);
+        real = as_double ? nearest_double(real) : real;
+        real.text = text;
+        return complex_argument{std::move(real), as_double ? nearest_double(*imaginary) : *std::move(imaginary)};
+    });
+}
+
 exact elliptic_columns::number_in(const std::vector<std::string>& cells, std::size_t at, bool as_double) const {
     return reading_cell({trimmed(cells[at]), names_->own(at)}, [&](const std::string& text) {
         if (text.empty()) {
@@ -93,9 +137,12 @@ elliptic_point elliptic_columns::read(const std::vector<std::string>& cells, boo
     });
     elliptic_point at{std::nullopt, parameter, std::nullopt};
     if (argument_) {
-        at.argument = number_in(cells, *argument_, as_doubles);
+        auto [real, imaginary] = argument_in(cells, as_doubles);
+        at.argument = std::move(real);
+        at.imaginary = std::move(imaginary);
         reading_cell({at.argument->text, names_->own(*argument_)}, [&](const std::string&) {
-            return require_argument(std::string(function_->argument), *at.argument), 0;
+            require_argument(std::string(function_->argument), *at.argument);
+            return at.imaginary ? require_argument("u", *at.imaginary) : void(), 0;
         });
     }
     if (characteristic_) {

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "table/complex_argument.hpp"
 #include "table/elliptic_values.hpp"
 #include "text/column_names.hpp"
 
 namespace libration {
 
 /// The columns of one function: k, m or m1, of theta functions q, its argument u, phi, x or z, and the characteristic n
-/// of Pi.
+/// of Pi. Complex arguments of the functions that take them stand in u as typed, 1+2i, or in u_re and u_im.
 class elliptic_columns {
 public:
     /// The quantities, for column_names.
@@ -29,13 +30,15 @@ public:
 
 private:
     void find_modulus();
+    void find_argument();
+    complex_argument argument_in(const std::vector<std::string>& cells, bool as_double) const;
     exact number_in(const std::vector<std::string>& cells, std::size_t at, bool as_double) const;
 
     const column_names* names_;
     const elliptic::named_function* function_;
     std::string modulus_;
     std::size_t modulus_at_ = 0;
-    std::optional<std::size_t> argument_, characteristic_;
+    std::optional<std::size_t> argument_, imaginary_, characteristic_;
 };
 
 }  // namespace libration

@@ -10,6 +10,7 @@
 
 #include "option/options.hpp"
 #include "run/grid.hpp"
+#include "table/complex_argument.hpp"
 #include "table/elliptic_columns.hpp"
 #include "text/input_error.hpp"
 #include "text/point_file.hpp"
@@ -24,32 +25,6 @@ constexpr const char* modulus_remedy = "write a number such as 0.8, 4/5, 1e-30 o
 constexpr const char* argument_remedy = "write a number such as 1.5, 3/2 or pi/4, or several with commas between them";
 constexpr std::array<const char*, 4> argument_options{"--u", "--phi", "--x", "--z"};
 constexpr std::array<const char*, 4> modulus_options{"--k", "--m", "--m1", "--q"};
-
-// What follows a complex number's i, which is not that of pi: "1+2i", "i", "0.5-3/2i", "1+pi*i".
-bool is_complex_text(const std::string& item) {
-    return item.ends_with('i') && (!item.ends_with("pi") || item.ends_with("*i"));
-}
-
-struct complex_argument {
-    exact real;
-    std::optional<exact> imaginary;
-};
-
-complex_argument read_complex(const std::string& item) {
-    if (!is_complex_text(item)) {
-        return {read_exact(item), std::nullopt};
-    }
-    std::string text = item.substr(0, item.size() - (item.ends_with("*i") ? 2 : 1));
-    std::size_t at = text.find_last_of("+-");
-    while (at != std::string::npos && at > 0 && (text[at - 1] == 'e' || text[at - 1] == 'E')) {
-        at = text.find_last_of("+-", at - 1);
-    }
-    at = at == std::string::npos ? 0 : at;
-    std::string imaginary = text.substr(at);
-    imaginary += imaginary.empty() || imaginary == "+" || imaginary == "-" ? "1" : "";
-    return {at == 0 ? exactly(0) : read_exact(text.substr(0, at)),
-            read_exact(imaginary.starts_with('+') ? imaginary.substr(1) : imaginary)};
-}
 
 std::vector<exact> read_moduli(const std::string& option, const std::string& typed, elliptic_grid grid) {
     if (grid == elliptic_grid::one) {
@@ -128,7 +103,7 @@ arguments_list complex_arguments(const std::string& option, const std::string& w
 }
 
 // The arguments with their imaginary parts; one that is nothing where the functions have none.
-arguments_list read_arguments(elliptic_request& request, const option_words& said, elliptic_grid grid) {
+arguments_list read_arguments(elliptic_request& request, const option_words& said) {
     const named_function& function = *request.functions.front();
     const std::string wanted = function.argument.empty() ? "" : "--" + std::string(function.argument);
     for (const char* const option : argument_options) {
@@ -147,7 +122,13 @@ arguments_list read_arguments(elliptic_request& request, const option_words& sai
                                       : request.argument == "u" ? "U"
                                                                 : "X"));
     }
-    if (grid == elliptic_grid::one && request.argument == "u" && function.name != "am" && has_complex_item(*value)) {
+    if (request.argument == "u" && has_complex_item(*value)) {
+        for (const named_function* const each : request.functions) {
+            if (!takes_complex(*each)) {
+                throw input_error(wanted, *value, fmt::format("is complex, which {} does not take", each->name),
+                                  "write real numbers");
+            }
+        }
         return complex_arguments(wanted, *value);
     }
     arguments_list arguments;
@@ -171,7 +152,7 @@ std::optional<exact> read_characteristic(const named_function& function, const o
 
 void read_grid_points(elliptic_request& request, const option_words& said, elliptic_grid grid) {
     const auto parameters = read_parameters(request, said, grid);
-    const auto arguments = read_arguments(request, said, grid);
+    const auto arguments = read_arguments(request, said);
     const auto characteristic = read_characteristic(*request.functions.front(), said);
     if (parameters.size() * arguments.size() > static_cast<std::size_t>(most_grid_values)) {
         throw input_error("--" + request.modulus, *said["--" + request.modulus],
@@ -194,7 +175,11 @@ void read_points(elliptic_request& request, const option_words& said) {
         }
     }
     const point_file file("--points", path, said["--columns"], elliptic_columns::known());
-    const elliptic_columns columns(file.names(), *request.functions.front());
+    const named_function* asked = request.functions.front();
+    for (const named_function* const each : request.functions) {
+        asked = takes_complex(*each) ? asked : each;
+    }
+    const elliptic_columns columns(file.names(), *asked);
     request.modulus = columns.modulus();
     request.from_file = true;
     request.argument = columns.has_argument() ? std::string(request.functions.front()->argument) : "";
@@ -249,8 +234,7 @@ void offer_elliptic(option_words& said, CLI::App& command) {
     const auto offer = [&](const char* option, const char* type_name, const char* help) {
         said.offer(command, option, type_name, help);
     };
-    offer("--u", "U",
-          "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list; `elliptic` takes 1+2i too, not for am");
+    offer("--u", "U", "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list; not for am also complex, 1+2i");
     offer("--phi", "A", "amplitude of F, E, D, Pi, Zeta: 1.5, 3pi/4, 60deg, or a list");
     offer("--x", "X", "argument of the inverses arcsn, arccn, ...: 0.5, 1/3, or a list");
     offer("--z", "Z", "argument of theta1 .. theta4: 0.5, pi/4, or a list");

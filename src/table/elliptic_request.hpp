@@ -45,7 +45,7 @@ void offer_elliptic(option_words& said, CLI::App& command);
 /// The names of all functions: "am, sn, ...".
 std::string elliptic_names();
 
-/// Whether one parameter may be given, and complex arguments u, or lists and ranges of parameters.
+/// Whether one parameter may be given, or lists and ranges of parameters.
 enum class elliptic_grid { one, lists };
 
 /// Reads what was said for functions that take the same argument; with lists also --points, a file with columns.

@@ -30,16 +30,10 @@ int infinite_at(const named_function& function, const elliptic_point& at) {
 
 long digits_lost_complex(const elliptic_point& at) { return digits_lost(at) + digits_before_point_of(*at.imaginary); }
 
-// Of a complex argument; nothing at a pole.
-std::optional<complex_parts> complex_value(const named_function& function, const elliptic_point& at) {
-    const precision_scope wider(working_digits() + digits_lost_complex(at));
-    return complex_quotient(function.name, *at.argument, *at.imaginary, at.parameter.value());
-}
-
 bool is_complex_pole(const named_function& function, const elliptic_point& at) {
     return with_growing_precision(
         {0, 20, most_guard_digits}, std::string(function.name),
-        [&](const precision_run& /*run*/) { return std::optional(!complex_value(function, at)); });
+        [&](const precision_run& /*run*/) { return std::optional(!complex_value_at(function, at)); });
 }
 
 }  // namespace
@@ -47,6 +41,11 @@ bool is_complex_pole(const named_function& function, const elliptic_point& at) {
 true_value value_at(const named_function& function, const elliptic_point& at) {
     const precision_scope wider(working_digits() + digits_lost(at));
     return function(at.exactly());
+}
+
+std::optional<complex_parts> complex_value_at(const named_function& function, const elliptic_point& at) {
+    const precision_scope wider(working_digits() + digits_lost_complex(at));
+    return complex_quotient(function.name, *at.argument, *at.imaginary, at.parameter.value());
 }
 
 std::string function_text(const named_function& function, const elliptic_point& at, long digits) {
@@ -69,7 +68,7 @@ std::array<std::string, 2> complex_texts(const named_function& function, const e
         return {"inf", "inf"};
     }
     const auto texts = proved_decimals(digits, [&] {
-        const complex_parts value = *complex_value(function, at);
+        const complex_parts value = *complex_value_at(function, at);
         return std::vector<ball>{value.real, value.imaginary};
     });
     return {texts[0].text, texts[1].text};
@@ -114,7 +113,7 @@ std::string complex_condition_text(const named_function& function, const ellipti
         there.argument = moved[0];
         there.imaginary = moved[1];
         there.parameter.typed = moved[2];
-        return *complex_value(function, there);
+        return *complex_value_at(function, there);
     };
     const auto compute = [&](const precision_run& /*run*/) -> std::optional<std::string> {
         const auto condition = complex_function_condition(value, {*at.argument, *at.imaginary, at.parameter.typed});
@@ -124,6 +123,17 @@ std::string complex_condition_text(const named_function& function, const ellipti
         {0, first_condition_digits + digits_lost_complex(at), most_agreement_digits},
         fmt::format("the condition of {}({} + {} i)", function.name, at.argument->text, at.imaginary->text), compute,
         std::equal_to<>());
+}
+
+std::array<std::string, 2> texts_of(const named_function& function, const elliptic_point& at, long digits) {
+    if (at.imaginary) {
+        return complex_texts(function, at, digits);
+    }
+    return {function_text(function, at, digits), "0"};
+}
+
+std::string condition_of(const named_function& function, const elliptic_point& at) {
+    return at.imaginary ? complex_condition_text(function, at) : condition_text(function, at);
 }
 
 }  // namespace libration

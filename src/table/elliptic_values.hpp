@@ -36,7 +36,11 @@ true_value value_at(const elliptic::named_function& function, const elliptic_poi
 /// is not real, where the digits are not decided, and where no exponent holds the value.
 std::string function_text(const elliptic::named_function& function, const elliptic_point& at, long digits);
 
-/// The same of a complex argument: the real and the imaginary part, each with so many proved digits.
+/// The same of a complex argument; nothing at a pole.
+std::optional<elliptic::complex_parts> complex_value_at(const elliptic::named_function& function,
+                                                        const elliptic_point& at);
+
+/// function_text() of a complex argument: the real and the imaginary part, each with so many proved digits.
 std::array<std::string, 2> complex_texts(const elliptic::named_function& function, const elliptic_point& at,
                                          long digits);
 
@@ -46,5 +50,9 @@ std::string condition_text(const elliptic::named_function& function, const ellip
 
 /// The same of a complex argument, whose real and imaginary part are two of the numbers that move.
 std::string complex_condition_text(const elliptic::named_function& function, const elliptic_point& at);
+
+/// Either of the two, as the argument is.
+std::array<std::string, 2> texts_of(const elliptic::named_function& function, const elliptic_point& at, long digits);
+std::string condition_of(const elliptic::named_function& function, const elliptic_point& at);
 
 }  // namespace libration

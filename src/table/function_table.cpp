@@ -1,6 +1,7 @@
 #include "table/function_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -15,34 +16,54 @@ using namespace elliptic;
 
 namespace {
 
-std::vector<column> columns_of(const elliptic_request& request, input_style style) {
-    const std::string& parameter = request.modulus;
-    const bool third = request.has_characteristic();
-    const std::string condition =
-        third ? "(|phi df/dphi| + |n df/dn| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits"
-              : "(|u df/du| + |x df/dx|)/|f|, x = " + parameter + ", heuristic, three digits";
-    if (style == input_style::typed) {
-        std::vector<column> columns{
-            {"function", ""},         {"argument", "as typed"},         {parameter, "as typed"},   {"value", ""},
-            {"condition", condition}, {"digits", "significant digits"}, {"rigour", "of the value"}};
-        if (third) {
-            columns.push_back({"n", "as typed"});
-        }
-        return columns;
+std::string meaning_of_condition(const elliptic_request& request) {
+    const std::string argument = request.has_characteristic() ? "|phi df/dphi| + |n df/dn|"
+                                 : request.is_complex()       ? "|u_re df/du_re| + |u_im df/du_im|"
+                                                              : "|u df/du|";
+    return "(" + argument + " + |x df/dx|)/|f|, x = " + request.modulus + ", heuristic, three digits";
+}
+
+std::vector<column> typed_columns(const elliptic_request& request) {
+    std::vector<column> columns{{"function", ""},
+                                {"argument", "as typed"},
+                                {request.modulus, "as typed"},
+                                {"value", ""},
+                                {"condition", meaning_of_condition(request)},
+                                {"digits", "significant digits"},
+                                {"rigour", "of the value"}};
+    if (request.has_characteristic()) {
+        columns.push_back({"n", "as typed"});
     }
+    if (request.is_complex()) {
+        columns[3].meaning = "its real part";
+        columns.push_back({"imaginary", "part of the value"});
+    }
+    return columns;
+}
+
+std::vector<column> decimal_columns(const elliptic_request& request) {
     std::vector<column> columns;
-    if (!request.argument.empty()) {
+    if (request.is_complex()) {
+        columns.push_back({request.argument + "_re", "argument, real part"});
+        columns.push_back({request.argument + "_im", "argument, imaginary part"});
+    } else if (!request.argument.empty()) {
         columns.push_back({request.argument, "argument"});
     }
-    if (third) {
+    if (request.has_characteristic()) {
         columns.push_back({"n", "characteristic"});
     }
-    columns.push_back({parameter, ""});
+    columns.push_back({request.modulus, ""});
     for (const named_function* const function : request.functions) {
-        columns.push_back({std::string(function->name), ""});
+        const std::string name(function->name);
+        if (request.is_complex()) {
+            columns.push_back({name + "_re", "real part"});
+            columns.push_back({name + "_im", "imaginary part"});
+        } else {
+            columns.push_back({name, ""});
+        }
     }
     for (const named_function* const function : request.functions) {
-        columns.push_back({"condition_" + std::string(function->name), condition});
+        columns.push_back({"condition_" + std::string(function->name), meaning_of_condition(request)});
     }
     return columns;
 }
@@ -57,15 +78,19 @@ public:
         std::vector<table_row_cells> rows;
         rows.reserve(request_.functions.size());
         for (const named_function* const function : request_.functions) {
+            const auto value = value_of(*function);
             table_row_cells row{std::string(function->name),
                                 at_.argument ? read_cell(at_.argument->text) : cell(),
                                 read_cell(at_.parameter.typed.text),
-                                value_of(*function),
-                                condition_of(*function),
+                                number_cell(value[0]),
+                                number_cell(condition_of(*function, at_)),
                                 digits_,
                                 "proved"};
             if (at_.characteristic) {
                 row.push_back(read_cell(at_.characteristic->text));
+            }
+            if (request_.is_complex()) {
+                row.push_back(number_cell(value[1]));
             }
             rows.push_back(std::move(row));
         }
@@ -74,25 +99,29 @@ public:
 
     std::vector<table_row_cells> decimals() const {
         table_row_cells row;
-        for (const auto& input : {at_.argument, at_.characteristic, std::optional(at_.parameter.typed)}) {
+        const auto imaginary = request_.is_complex() ? std::optional(at_.imaginary.value_or(exactly(0))) : std::nullopt;
+        for (const auto& input : {at_.argument, imaginary, at_.characteristic, std::optional(at_.parameter.typed)}) {
             if (input) {
                 row.push_back(number_cell(decimal_text(*input, digits_ + more_input_digits)));
             }
         }
         for (const named_function* const function : request_.functions) {
-            row.push_back(value_of(*function));
+            const auto value = value_of(*function);
+            row.push_back(number_cell(value[0]));
+            if (request_.is_complex()) {
+                row.push_back(number_cell(value[1]));
+            }
         }
         for (const named_function* const function : request_.functions) {
-            row.push_back(condition_of(*function));
+            row.push_back(number_cell(condition_of(*function, at_)));
         }
         return {row};
     }
 
 private:
-    cell value_of(const named_function& function) const {
-        return answer_at(request_, at_, [&] { return number_cell(function_text(function, at_, digits_)); });
+    std::array<std::string, 2> value_of(const named_function& function) const {
+        return answer_at(request_, at_, [&] { return texts_of(function, at_, digits_); });
     }
-    cell condition_of(const named_function& function) const { return number_cell(condition_text(function, at_)); }
 
     const elliptic_request& request_;
     const elliptic_point& at_;
@@ -137,7 +166,7 @@ table function_table(const std::vector<const named_function*>& functions, const 
         const function_rows at(request, request.points[i], digits);
         return style == input_style::typed ? at.typed() : at.decimals();
     });
-    table data(columns_of(request, style));
+    table data(style == input_style::typed ? typed_columns(request) : decimal_columns(request));
     for (const auto& part : parts) {
         for (const table_row_cells& row : part) {
             data.add_row(row);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "table/elliptic_columns.hpp"
@@ -11,8 +10,18 @@
 
 namespace libration {
 
+/// A function with its arguments, and which of its columns there are: its value, or the parts of a complex one.
+struct function_question {
+    const elliptic::named_function* function;
+    elliptic_point at;
+    bool real, imaginary;  ///< NAME_re, NAME_im; neither for NAME
+
+    /// In the order of the columns. Throws as the function does.
+    std::vector<true_value> truths() const;
+};
+
 /// Where the columns of a file of elliptic functions are: k, m or m1; u, phi, x and n where functions need them; and a
-/// column for each function under its name.
+/// column for each function under its name, or NAME_re and NAME_im for the parts of a complex value.
 class function_layout {
 public:
     /// The quantities, for column_names.
@@ -23,13 +32,17 @@ public:
     explicit function_layout(const column_names& names);
 
     const std::vector<compared_column>& compared() const { return compared_; }
-    /// A function with its arguments.
-    using question = std::pair<const elliptic::named_function*, elliptic_point>;
     /// Throws error of the name of a column.
-    std::vector<question> read(const std::vector<std::string>& cells, bool as_doubles) const;
+    std::vector<function_question> read(const std::vector<std::string>& cells, bool as_doubles) const;
 
 private:
-    std::vector<std::pair<const elliptic::named_function*, elliptic_columns>> functions_;
+    struct asked_function {
+        const elliptic::named_function* function;
+        elliptic_columns columns;
+        bool real, imaginary;
+    };
+
+    std::vector<asked_function> functions_;
     std::vector<compared_column> compared_;
 };
 

@@ -165,8 +165,8 @@ subcommand verify_command(CLI::App& program) {
     command
         ->add_option("FILE", options->file,
                      "columns time, theta, perhaps omega, and a motion: theta0 and omega0, gap or energy, perhaps "
-                     "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ...; - for "
-                     "stdin")
+                     "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ..., complex u "
+                     "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin")
         ->required();
     options->motion.add_to(*command);
     command

@@ -1,5 +1,6 @@
 // `libration table`: its values against the reference tables of mpmath, its condition numbers against derivatives of
 // mpmath, and its files as those read them who take them: a compiler, a reader of columns, and `libration verify`.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -356,6 +357,66 @@ TEST_CASE("each row of a file of points is asked alone", "[command][table]") {
     // verify reads it: every number is right.
     std::ofstream(folder.path() / "t.txt") << of_file("am,dn", "u,m\n1,0.5\n2,-7\n", {"--format", "numpy"});
     CHECK(run_libration({"verify", "t.txt"}, folder.path()).exit_code == 0);
+}
+
+TEST_CASE("tables take complex arguments, typed and from a file", "[command][table]") {
+    // mpmath, mp.dps = 45: ellipfun('sn', mpc('0.7', '1.2'), m=mpf(m)), 'dc'.
+    const std::string sn_re = "1.28667283558101798180149601441822329971371";
+    const std::string sn_im = "0.928044558960483512883160300913089008960405";
+    const std::string dc_re = "0.616977230258932568230426348525898443775347";
+    const std::string dc_im = "0.23578743461077345982139872203072922884816";
+    const auto rows = table_of({"sn,dc", "--u", "0.7+1.2i,0.7", "--m", "0.3", "--digits", "36"});
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[0].at("argument") == "0.7+1.2i");
+    CHECK_THAT(rows[0].at("value"), right_to_the_last_digit(sn_re));
+    CHECK_THAT(rows[0].at("imaginary"), right_to_the_last_digit(sn_im));
+    CHECK_THAT(rows[1].at("value"), right_to_the_last_digit(dc_re));
+    CHECK_THAT(rows[1].at("imaginary"), right_to_the_last_digit(dc_im));
+    CHECK((rows[2].at("argument") == "0.7" && rows[2].at("imaginary") == "0"));
+    CHECK(table_of({"sn", "--u", "0.7", "--m", "0.3"}).at(0).count("imaginary") == 0);
+
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "parts.csv") << "u_re,u_im,m\n0.7,1.2,0.3\n";
+    std::ofstream(folder.path() / "text.csv") << "u,m\n0.7+1.2i,0.3\n";
+    words line{"table", "sn,dc", "--points", "parts.csv", "--digits", "36", "--format", "numpy"};
+    const auto parts = run_libration(line, folder.path());
+    line[3] = "text.csv";
+    const auto text = run_libration(line, folder.path());
+    for (const auto& done : {parts, text}) {
+        const auto row = numpy_rows(done.out).at(0);
+        CHECK((row.at("u_re") == "0.7" && row.at("u_im") == "1.2" && row.at("m") == "0.3"));
+        CHECK_THAT(row.at("sn_re"), right_to_the_last_digit(sn_re));
+        CHECK_THAT(row.at("sn_im"), right_to_the_last_digit(sn_im));
+        CHECK_THAT(row.at("dc_re"), right_to_the_last_digit(dc_re));
+        CHECK_THAT(row.at("dc_im"), right_to_the_last_digit(dc_im));
+        CHECK(row.count("condition_sn") == 1);
+    }
+    // What a table says verify finds right.
+    std::string columns = parts.out.substr(parts.out.rfind("# u_re") + 2);
+    std::replace(columns.begin(), columns.end(), ' ', ',');
+    std::ofstream(folder.path() / "values.csv") << columns;
+    CHECK(run_libration({"verify", "values.csv", "--columns", "condition_sn=-,condition_dc=-"}, folder.path())
+              .exit_code == 0);
+}
+
+TEST_CASE("complex arguments of tables are refused where they are none", "[command][table][bad input]") {
+    check_refused({"am,sn", "--u", "1+i", "--m", "0.3"}, "--u '1+i' is complex, which am does not take");
+    check_refused({"K", "--u", "1+i", "--m", "0.3"}, "--u '1+i' has no meaning for K");
+    check_refused({"sn", "--u", "1+xi", "--m", "0.3"}, "--u '1+xi'");
+    check_refused({"sn", "--u", "1+30degi", "--m", "0.3"}, "--u '1+30degi'");
+    const temporary_folder folder;
+    const auto says = [&](const std::string& function, const std::string& csv, const std::string& mentioned) {
+        std::ofstream(folder.path() / "p.csv") << csv;
+        const auto done = run_libration({"table", function, "--points", "p.csv"}, folder.path());
+        return done.exit_code == 2 && done.out.empty() && done.err.find(mentioned) != std::string::npos;
+    };
+    CHECK(says("sn", "u,m\n1+2x,0.5\n", "p.csv:2: u '1+2x' is not a number"));
+    CHECK(says("sn", "u,m\n1+1/0i,0.5\n", "p.csv:2: u '1+1/0i' divides by zero"));
+    CHECK(says("sn", "u_re,m\n1,0.5\n", "p.csv has 'u_re' alone of u_re and u_im"));
+    CHECK(says("sn", "u,u_re,u_im,m\n1,1,1,0.5\n", "p.csv has both 'u' and 'u_re'"));
+    CHECK(says("sn", "u_re,u_im,m\n1,,0.5\n", "p.csv:2: u_im is empty"));
+    CHECK(says("am", "u,m\n1+i,0.5\n", "p.csv:2: u '1+i' is complex, which am does not take"));
+    CHECK(says("sn,am", "u,m\n1+i,0.5\n", "p.csv:2: u '1+i' is complex, which am does not take"));
 }
 
 TEST_CASE("a file of points is refused with line and column", "[command][table][bad input]") {

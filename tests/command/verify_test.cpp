@@ -446,6 +446,36 @@ TEST_CASE("verify compares elliptic functions", "[command][verify]") {
     CHECK(says(verify("u,m,sn\n1,0.3,?\n"), "f.csv:2: sn '?' is not a number"));
 }
 
+TEST_CASE("verify compares elliptic functions of complex arguments", "[command][verify]") {
+    // mpmath, mp.dps = 45: ellipfun('sn', mpc('0.7', '1.2'), m=mpf('0.3')), 'dc'; at m = 2, K(2) is complex, and
+    // sn(1.2i|0.3) = i sc(1.2|0.7).
+    const std::string head = "u_re,u_im,m,sn_re,sn_im,dc_im\n";
+    const auto row =
+        verify_rows(head + "0.7,1.2,0.3,1.28667283558101798,0.928044558960483513,0.235787434610773460\n").rows.at(0);
+    CHECK(row.at("verdict") == "ok");
+    CHECK_THAT(row.at("reference"), right_to_the_last_digit("1.28667283558101798180149601441822329971371"));
+    CHECK_THAT(row.at("sn_im_reference"), right_to_the_last_digit("0.928044558960483512883160300913089008960405"));
+    CHECK_THAT(row.at("dc_im_reference"), right_to_the_last_digit("0.23578743461077345982139872203072922884816"));
+    CHECK(verdict_of(head + "0.7,1.2,0.3,1.28667283558101798,0.928044558960483513,0.235787434610773462\n") == "miss");
+    CHECK(verdict_of("u,m,sn_re\n0.7+1.2i,0.3,1.286672835581018\n") == "ok");
+    CHECK(verdict_of("u,m,sn_re\n0.7-1.2i,0.3,1.286672835581018\n") == "ok");
+    CHECK(verdict_of("u,m,sn_im\n0.7-1.2i,0.3,0.928044558960484\n") == "miss");
+    // Exact zeros, measured by the size of the value; poles; a real argument.
+    CHECK(verify_rows("u,m,sn_re,sn_im\ni,0.5,0,1.34737147138541895\n").rows.at(0).at("correct_digits") == "inf");
+    CHECK(verdict_of("u,m,sn_re\ni,0.5,1e-17\n", {"--relative", "1e-15"}) == "ok");
+    CHECK(verdict_of("u,m,sn_re\npi/2*i,1,inf\n") == "ok");
+    CHECK(verdict_of("u,m,sn_re\npi/2*i,1,1e300\n") == "miss");
+    CHECK(verdict_of("u,m,sn_re,sn_im\n0.7,0.3,0.63230477631086454908,0\n") == "ok");
+    // The doubles next to the arguments.
+    CHECK(verdict_of("u_re,u_im,m,sn_re\n0.7,1.2,0.3,1.28667283558101798180\n", {"--inputs", "double"}) == "miss");
+    CHECK(says(verify("u,m,sn\n1+2i,0.5,1\n"), "f.csv:2: u '1+2i' is complex: give the columns sn_re and sn_im"));
+    CHECK(says(verify("u,m,am\n1+2i,0.5,1\n"), "f.csv:2: u '1+2i' is complex, which am does not take"));
+    CHECK(says(verify("u,m,sn_re\n1+2x,0.5,1\n"), "f.csv:2: u '1+2x' is not a number"));
+    CHECK(says(verify("u_im,m,sn_re\n1,0.5,1\n"), "f.csv has 'u_im' alone of u_re and u_im"));
+    CHECK(says(verify("u,m,sn,sn_im\n1,0.5,1,1\n"), "f.csv has both 'sn' and 'sn_im'"));
+    CHECK(says(verify("u,m,am_re\n1,0.5,1\n"), "f.csv has no column"));
+}
+
 TEST_CASE("verify shows what it quotes short and without control characters", "[command][verify]") {
     const std::string head = "time,theta,energy\n";
     CHECK(says(verify(head + "0.7,\x1b[2J" + std::string(1, '\0') + "x,1.71\n"),
