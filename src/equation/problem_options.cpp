@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "equation/change_words.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "option/near_word.hpp"
@@ -66,6 +67,7 @@ ode::explicit_system problem_options::choose() const {
     const std::string written = text();
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
     for (const std::string& each : changes_) {
+        require_changeable(system, each);
         system = naming_option("--set", [&] { return ode::changed(system, each); });
     }
     return naming_option(changes_.empty() ? "--problem" : "--problem with --set",

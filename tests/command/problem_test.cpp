@@ -133,7 +133,15 @@ TEST_CASE("wrong problems are refused with the place and the remedy", "[command]
     check_refused(coefficients("y' = 1/t; y(0)=0", order), {"logarithm"});
     check_refused(coefficients("blasus", order), {"--problem", "'blasus'", "blasius"});
     check_refused(coefficients("none/such.ode", order), {"--problem", "'none/such.ode'"});
-    check_refused(coefficients("blasius", words{"--set", "m=1"} + order), {"--set", "'m'"});
+    check_refused(coefficients("blasius", words{"--set", "m=1"} + order),
+                  {"--set", "'m=1'", "choose one of its own, k"});
+    check_refused(coefficients("blasius", words{"--set", "kk=1"} + order), {"--set", "'kk=1'", "did you mean k?"});
+    check_refused(coefficients("blasius", words{"--set", "f'''(0)=1"} + order),
+                  {"--set", "'f'''(0)=1'", "did you mean f''(0)?", "choose one of its own, f(0), f'(0), f''(0)"});
+    check_refused(coefficients("blasius", words{"--set", "g''(0) = 1"} + order), {"--set", "did you mean f''(0)?"});
+    check_refused(coefficients("y' = rate*y; y(0)=1; rate=2", words{"--set", "raet=1"} + order),
+                  {"--set", "did you mean rate?"});
+    check_refused(coefficients("y' = y; y(0)=1", words{"--set", "k=1"} + order), {"--set", "there is no parameter"});
     check_refused(coefficients("blasius", words{"--set", "k=1/0"} + order), {"--set", "zero"});
     check_refused(coefficients("blasius", words{"--energy", "1"} + order), {"--energy", "--problem"});
     check_refused(coefficients("blasius", words{"--at", "f(1)"} + order), {"--at", "'f(1)'"});
