@@ -22,8 +22,8 @@ void add_cell(std::string& text, const cell& each) {
 cell next_cell(counted_text& rest) {
     switch (static_cast<cell_kind>(rest.number())) {
         case cell_kind::empty: return {};
-        case cell_kind::text: return cell(rest.string());
-        case cell_kind::whole: return cell(integer(rest.string()));
+        case cell_kind::text: return {rest.string()};
+        case cell_kind::whole: return {integer(rest.string())};
         case cell_kind::number: {
             const long digits = rest.number();
             return cell::number(rest.string(), digits);

@@ -129,9 +129,8 @@ struct journal::database {
         bool step() {
             const int code = sqlite3_step(own_);
             if (code != SQLITE_ROW && code != SQLITE_DONE) {
-                const std::string path = in_.path.string();
                 sqlite3_reset(own_);
-                refuse_code(in_.handle, path, code);
+                refuse_code(in_.handle, in_.path, code);
             }
             if (code == SQLITE_DONE) {
                 sqlite3_reset(own_);

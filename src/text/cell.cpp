@@ -11,7 +11,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 // Takes a run of digits; false where there is none.
 bool take_digits(std::string_view& rest) {
-    const auto end = std::find_if_not(rest.begin(), rest.end(), is_digit);
+    const auto* const end = std::find_if_not(rest.begin(), rest.end(), is_digit);
     const auto count = static_cast<std::size_t>(end - rest.begin());
     rest.remove_prefix(count);
     return count > 0;

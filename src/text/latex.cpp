@@ -354,10 +354,13 @@ std::string to_latex(const table& data) {
     for (const auto& part : parts_of(columns_of(data, shown, all_digits), page_width)) {
         const bool prose = std::any_of(part.begin(), part.end(), [](const auto& each) { return each.is_prose(); });
         const bool is_long = data.rows().size() > (prose ? rows_of_a_page / 6 : rows_of_a_page);
-        const std::string kind = is_long ? "longtable" : "tabular";
-        out += (out.empty() ? "" : "\n\\medskip\n\n") + ("\\begin{" + kind + "}") + preamble_of(part, page_width) +
-               heads_of(part) + (is_long ? "\\endhead\n" : "") + lines_of(part, data.rows().size()) +
-               "\\bottomrule\n\\end{" + kind + "}\n";
+        out += out.empty() ? "" : "\n\\medskip\n\n";
+        out += is_long ? "\\begin{longtable}" : "\\begin{tabular}";
+        out += preamble_of(part, page_width);
+        out += heads_of(part);
+        out += is_long ? "\\endhead\n" : "";
+        out += lines_of(part, data.rows().size());
+        out += is_long ? "\\bottomrule\n\\end{longtable}\n" : "\\bottomrule\n\\end{tabular}\n";
     }
     return out;
 }

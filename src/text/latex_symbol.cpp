@@ -26,7 +26,7 @@ const std::map<std::string, std::string>& latex_symbols() {
                                                         {"height", "$\\tilde K'$"},
                                                         {"norm", "$\\max|\\mathrm{error}|$"},
                                                         {"exact_norm", "$\\max|\\mathrm{error}|$ exact"},
-                                                        {"norm_in_epsilon", "$\\max|\\mathrm{error}|/\\varepsilon$"},
+                                                        {"norm_in_epsilon", R"($\max|\mathrm{error}|/\varepsilon$)"},
                                                         {"error", "$|\\mathrm{error}|$"},
                                                         {"epsilon", "$\\varepsilon$"},
                                                         {"time_of_maximum", "$t_{\\max}$"},

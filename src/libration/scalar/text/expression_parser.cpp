@@ -140,7 +140,7 @@ private:
             return power_of(value);
         }
         const expression value = primary();
-        const expression raised = power_of(value);
+        expression raised = power_of(value);
         juxtaposed_ = false;
         return raised;
     }
@@ -154,7 +154,7 @@ private:
         if (name == "deg") {
             return expression(1, unit::degree);
         }
-        if (const auto value = constant(name)) {
+        if (auto value = constant(name)) {
             return value;
         }
         rest_ = before;

@@ -22,7 +22,7 @@ rational given_fraction(const std::string& quantity, const std::string& text) {
 }
 
 rational given_positive(const std::string& quantity, const std::string& text) {
-    const rational number = given_fraction(quantity, text);
+    rational number = given_fraction(quantity, text);
     if (number <= 0) {
         throw error(error_kind::argument, quantity, text, "is not positive");
     }
