@@ -34,8 +34,9 @@ catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
 # Random values against an independent route, for tests/long.sh.
 find_package(fmt REQUIRED)
-add_executable(libration-attack EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/attack/attack.cpp)
-target_include_directories(libration-attack PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+add_executable(libration-attack EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/attack/attack.cpp
+    ${PROJECT_SOURCE_DIR}/src/table/elliptic_values.cpp)
+target_include_directories(libration-attack PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libration-warnings)
 
 # The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.

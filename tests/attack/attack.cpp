@@ -3,7 +3,7 @@
 // where a digit is wrong or a value is refused.
 //
 // Energies 10^-300 .. 10^300, gaps 10^-300 .. 1 on both sides of E = 2, starts (theta0, omega0), Jacobi's functions
-// with m or 1-m down to 10^-300; times 10^-10 .. 10^300 and fractions of T; 1 to 300 digits.
+// with m or 1-m down to 10^-300, and at complex arguments with any real m, 10^-300 .. 10^300; times 10^-10 .. 10^300 and fractions of T; 1 to 300 digits.
 #include <fmt/core.h>
 
 #include <atomic>
@@ -14,10 +14,12 @@
 #include <thread>
 #include <vector>
 
+#include "attack/complex_route.hpp"
 #include "attack/motion_route.hpp"
 #include "libration/elliptic/proved/elliptic.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "table/elliptic_values.hpp"
 
 namespace {
 
@@ -179,6 +181,44 @@ int attack_functions(typed_numbers& next) {
                       });
 }
 
+// m or 1 - m, of either sign: m below 0, within and above 1.
+typed_parameter ask_parameter(typed_numbers& next) {
+    const bool complementary = next.below(2) == 0;
+    const long most = next.below(3) == 0 ? 300 : 2;
+    const exact number = read_exact((next.below(2) == 0 ? "-" : "") + next.number(-most, most));
+    return {number,
+            complementary ? &elliptic::real_parameter::from_complement : &elliptic::real_parameter::from_parameter};
+}
+
+std::string ask_part(typed_numbers& next) {
+    const std::string size = next.number(-10, next.below(4) == 0 ? 40 : 2);
+    return (next.below(2) == 0 ? "-" : "") + size;
+}
+
+// One of the twelve functions, in a quarter of the cases at a real argument.
+int attack_complex(typed_numbers& next) {
+    constexpr std::string_view letters = "scdn";
+    const auto above = static_cast<std::size_t>(next.below(4));
+    const std::size_t below = (above + static_cast<std::size_t>(next.between(1, 3))) % 4;
+    const std::string name{letters[above], letters[below]};
+    const typed_parameter parameter = ask_parameter(next);
+    const std::string x = ask_part(next);
+    const std::string y = next.below(4) == 0 ? "" : ask_part(next);
+    const long digits = next.digits();
+    elliptic_point at{read_exact(x), parameter};
+    at.imaginary = y.empty() ? std::nullopt : std::optional(read_exact(y));
+    const auto texts = texts_of(*elliptic::find_function(name), at, digits);
+    const auto given = parameter.value();
+    const std::string what = fmt::format("{} --u={}{} m {} or 1-m {} --digits {}", name, x, y.empty() ? "" : ", " + y,
+                                         given.m().text, given.complement().text, digits);
+    return wrong_ones({{"real " + what, texts[0]}, {"imaginary " + what, texts[1]}}, digits, [&] {
+        const precision_scope wider(working_digits() + 1200);
+        const complex_route route(given.m().coefficient, given.complement().coefficient);
+        const complex_ball value = route(name, fraction_of(x), y.empty() ? rational(0) : fraction_of(y));
+        return std::vector<ball>{value.real(), value.imaginary()};
+    });
+}
+
 struct tally {
     std::atomic<long> values{0};
     std::atomic<long> wrong{0};
@@ -187,14 +227,17 @@ struct tally {
 void attack(long values, unsigned long seed, tally& all) {
     typed_numbers next(seed);
     while (all.values < values) {
-        const long kind = next.below(10);
+        const long kind = next.below(11);
         try {
-            all.wrong += kind < 6 ? attack_from_top(next) : kind < 8 ? attack_from_start(next) : attack_functions(next);
+            all.wrong += kind < 6    ? attack_from_top(next)
+                         : kind < 8  ? attack_from_start(next)
+                         : kind < 10 ? attack_functions(next)
+                                     : attack_complex(next);
         } catch (const std::exception& problem) {
             fmt::print(stderr, "refused: {}\n", problem.what());
             ++all.wrong;
         }
-        all.values += kind < 8 ? 2 : 4;
+        all.values += kind < 8 || kind == 10 ? 2 : 4;
     }
     flint_cleanup();
 }
