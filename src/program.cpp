@@ -132,7 +132,7 @@ int libration::run_program(int argc, char** argv) {
         libration::journal_command(program),    libration::figure_command(program),
         libration::claims_command(program),     libration::reproduce_command(program),
         libration::verify_command(program),     libration::cite_command(program),
-        libration::problems_command(program)};
+        libration::find_command(program),       libration::problems_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

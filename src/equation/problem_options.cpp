@@ -62,7 +62,7 @@ void problem_options::require_problem() const {
     }
 }
 
-ode::explicit_system problem_options::choose() const {
+ode::equation_system problem_options::equations() const {
     require_problem();
     const std::string written = text();
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
@@ -70,6 +70,11 @@ ode::explicit_system problem_options::choose() const {
         require_changeable(system, each);
         system = naming_option("--set", [&] { return ode::changed(system, each); });
     }
+    return system;
+}
+
+ode::explicit_system problem_options::choose() const {
+    const auto system = equations();
     return naming_option(changes_.empty() ? "--problem" : "--problem with --set",
                          [&] { return ode::explicit_system(system); });
 }

@@ -34,6 +34,8 @@ public:
     bool given() const { return problem_.has_value(); }
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
+    /// The same as it is written, with the changes.
+    ode::equation_system equations() const;
     /// Refuses --set without --problem.
     void require_problem() const;
 

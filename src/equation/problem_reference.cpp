@@ -72,6 +72,24 @@ table problem_reference(const ode::explicit_system& system, const std::vector<ex
     return data;
 }
 
+table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits) {
+    auto columns = columns_of_states(system);
+    columns.back() = {"count", ""};
+    table data(std::move(columns));
+    long count = 0;
+    for (const ode::printed_event& event : ode::proved_events(system, request, digits)) {
+        table_row_cells row{cell::number(event.time.text, digits)};
+        for (const proved_decimal& value : event.values) {
+            row.push_back(cell::number(value.text, digits));
+        }
+        row.emplace_back(digits);
+        row.emplace_back("proved");
+        row.emplace_back(++count);
+        data.add_row(std::move(row));
+    }
+    return data;
+}
+
 std::string lines_of_states(const table& data) {
     std::string text;
     for (const auto& row : data.rows()) {

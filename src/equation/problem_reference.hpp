@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/ode/proved/proved_events.hpp"
 #include "libration/scalar/exact.hpp"
 #include "text/table.hpp"
 
@@ -14,6 +14,10 @@ namespace libration {
 /// (ode::proved_trajectory); progress on a terminal. Throws error of the kind undecided for a time that is not reached,
 /// which says up to which time the solution is proved to exist.
 table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits);
+
+/// time,<unknown and its lower derivatives>...,digits,rigour,count: the events of a problem (ode::proved_events), the first
+/// of them in the first row.
+table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits);
 
 /// The same for people: each time a paragraph, each column a line.
 std::string lines_of_states(const table& data);

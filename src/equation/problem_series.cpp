@@ -9,6 +9,7 @@
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/path.hpp"
+#include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/scalar/error.hpp"
 #include "run/digits.hpp"
@@ -85,6 +86,29 @@ std::vector<wide_t<T>> about_time(const problem_series_request& request, const o
     const ode::tape made = ode::tape::about_points(request.system);
     ode::taylor_expansion<T> expansion(made, static_cast<int>(request.order), ode::fast_product<T>());
     expansion.about(t, state);
+    return flat_values(request, expansion);
+}
+
+// In balls the way there is proved.
+std::vector<wide_t<ball>> proved_about_time(const problem_series_request& request, const ode::number& time) {
+    ode::proved_march march(request.system, static_cast<long>(ball::working_bits()) + 64);
+    const auto values = march.at(time);
+    if (!values && march.end() == ode::march_end::precision) {
+        throw precision_exhausted("the way to the point");
+    }
+    if (!values) {
+        throw error(error_kind::undecided, "--at", *request.at,
+                    "is not reached: the steps become too small before it, as they do near a singularity");
+    }
+    ode::solution_state<ball> state;
+    auto next = values->begin();
+    for (const auto& each : request.system.unknowns()) {
+        state.emplace_back(next, next + each.order);
+        next += each.order;
+    }
+    const ode::tape made = ode::tape::about_points(request.system);
+    ode::taylor_expansion<ball> expansion(made, static_cast<int>(request.order), ode::fast_product<ball>());
+    expansion.about(ode::constant_value<ball>::of(time), state);
     return flat_values(request, expansion);
 }
 
@@ -235,10 +259,15 @@ table problem_coefficients(const problem_series_request& request, const arithmet
         return series_table(request, names_of_columns(request.system, found.complex),
                             printed(found.values, numbers.digits), false, found.root);
     }
-    if (!is_at_start(request, request.at ? std::optional(typed_point(*request.at)) : std::nullopt)) {
-        throw input_error("--scalar", numbers.scalar.name(),
-                          "proves no way from the start to --at '" + *request.at + "'",
-                          "use mpfr:" + std::to_string(numbers.scalar.digits));
+    const auto point = request.at ? std::optional(typed_point(*request.at)) : std::nullopt;
+    if (!is_at_start(request, point)) {
+        if (!is_plain_zero(point->im)) {
+            throw input_error("--scalar", numbers.scalar.name(),
+                              "proves no way to the complex point --at '" + *request.at + "'",
+                              "use mpfr:" + std::to_string(numbers.scalar.digits));
+        }
+        const auto values = proved_decimals(numbers.digits, [&] { return proved_about_time(request, point->re); });
+        return series_table(request, names_of_columns(request.system, false), values, true, 1);
     }
     const ode::tape made = ode::tape::about_start(request.system);
     const auto values = printed(

@@ -8,10 +8,12 @@
 #include "equation/problem_options.hpp"
 #include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
+#include "libration/ode/parse.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/typed_times.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "run/grid.hpp"
 #include "run/parallel.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
@@ -27,12 +29,13 @@ struct reference_options {
     motion_options motion;
     problem_options problem;
     output_options output;
-    std::optional<std::string> digits, times, motions, columns, jobs;
+    std::optional<std::string> digits, times, motions, columns, jobs, until, count, way, before;
     bool check = false;
 };
 
 // The second route sums about D/3 columns of D digits: minutes at this many, hours far above.
 constexpr long most_checked_digits = 10'000;
+constexpr int most_events = 100'000;
 
 const std::vector<column> reference_columns{
     {"energy", ""},       {"gap", ""},       {"regime", ""},       {"theta0", ""},      {"omega0", ""},
@@ -206,6 +209,51 @@ std::vector<asked_motion> motions_of_file(const reference_options& options) {
     return asked;
 }
 
+std::vector<std::pair<const char*, std::optional<std::string>>> event_words(const reference_options& options) {
+    return {{"--count", options.count}, {"--crossing", options.way}, {"--before", options.before}};
+}
+
+ode::crossing way_of(const std::string& word) {
+    if (word != "up" && word != "down") {
+        throw input_error("--crossing", word, "is no way through 0", "write up or down, or leave it out");
+    }
+    return word == "up" ? ode::crossing::up : ode::crossing::down;
+}
+
+// When a condition holds.
+table events_of_problem(const reference_options& options, long digits) {
+    if (options.times) {
+        throw input_error("--times", *options.times, "comes with --until, which finds the times", "leave one out");
+    }
+    const auto system = options.problem.choose();
+    ode::event_request request;
+    request.g =
+        naming_option("--until", [&] { return ode::parse_condition(options.problem.equations(), *options.until); });
+    if (request.g.is_constant()) {
+        throw input_error("--until", *options.until, "is no condition on the solution",
+                          "write one, such as \"x' = 0\"");
+    }
+    if (options.way) {
+        request.way = way_of(*options.way);
+    }
+    if (options.count) {
+        request.count = reading("--count", *options.count, "write a number of events, 1 or more",
+                                [&] { return read_count(*options.count, most_events); });
+        if (request.count == 0) {
+            throw input_error("--count", *options.count, "is no event at all", "write a number of events, 1 or more");
+        }
+    }
+    if (options.before) {
+        const auto end = times_of_problem(*options.before);
+        if (end.size() != 1) {
+            throw input_error("--before", *options.before, "is a list", "write one time");
+        }
+        request.before = as_expression(end.front());
+        request.direction = (*request.before - system.point()).sign() < 0 ? -1 : 1;
+    }
+    return naming_option("--until", [&] { return problem_events(system, request, digits); });
+}
+
 // In place of a motion, any problem.
 table reference_of_problem(const reference_options& options, long digits) {
     if (const auto other = options.motion.first_given()) {
@@ -222,8 +270,16 @@ table reference_of_problem(const reference_options& options, long digits) {
     if (options.check) {
         throw input_error("--check compares with a second route that only the pendulum has: leave it out");
     }
+    if (options.until) {
+        return events_of_problem(options, digits);
+    }
+    for (const auto& [option, value] : event_words(options)) {
+        if (value) {
+            throw input_error(option, *value, "is of an event and there is none", "add --until \"x = 0\"");
+        }
+    }
     if (!options.times) {
-        throw input_error("no times are given: add --times LIST");
+        throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
     const auto system = options.problem.choose();
     const auto times = times_of_problem(*options.times);
@@ -278,6 +334,11 @@ subcommand reference_command(CLI::App& program) {
     command->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, - for none of these")
         ->type_name("THEIRS=OURS,...");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--until", options->until, "of a problem: the times of an event, \"x' = 0\"")->type_name("G=H");
+    command->add_option("--count", options->count, "so many of them (1)")->type_name("K");
+    command->add_option("--crossing", options->way, "those where G - H passes 0 this way: up or down")
+        ->type_name("WAY");
+    command->add_option("--before", options->before, "none beyond this time")->type_name("TIME");
     command->add_flag("--check", options->check, "compare with a second proved route, exit 1 where they disagree");
     return {command, [options] { return run_reference(*options); }};
 }

@@ -12,6 +12,7 @@ struct subcommand {
     std::function<int()> run;
 };
 
+subcommand find_command(CLI::App& program);
 subcommand problems_command(CLI::App& program);
 subcommand period_command(CLI::App& program);
 subcommand coefficients_command(CLI::App& program);

@@ -99,6 +99,94 @@ TEST_CASE("a problem is marched to times, and the pendulum agrees with its own c
     CHECK(second[0].at("y'") == "0.86602540378443864676");
 }
 
+// tan about pi/4: 1 + 2 s + 2 s^2 + 8/3 s^3; proved and rounded are the same digits.
+TEST_CASE("coefficients about other times are proved in balls", "[command][problem]") {
+    const words about{"coefficients", "--problem", "y' = 1 + y^2; y(0) = 0", "--order", "3", "--at", "pi/4"};
+    const auto proved = rows_of(about + words{"--scalar", "ball:30"});
+    CHECK(proved[0].at("y") == "1.00000000000000000000000000000");
+    CHECK(proved[3].at("y") == "2.66666666666666666666666666667");
+    CHECK(proved[3].at("y_uncertainty") != "0");
+}
+
+TEST_CASE("reference proves the digits of any problem, at times and at events", "[command][problem]") {
+    const std::string swing = "x'' = -sin(x); x(0)=5/2; x'(0)=-3/10";
+    const auto own =
+        rows_of({"reference", "--theta0", "5/2", "--omega0", "-3/10", "--time", "10,-1", "--digits", "40"});
+    const auto rows = rows_of({"reference", "--problem", swing, "--time", "10,-1", "--digits", "40"});
+    REQUIRE(rows.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(rows[i].at("x") == own[i].at("theta"));
+        CHECK(rows[i].at("x'") == own[i].at("omega"));
+        CHECK(rows[i].at("rigour") == "proved");
+        CHECK(rows[i].at("digits") == "40");
+    }
+    const auto marched = rows_of({"trajectory", "--problem", swing, "--times", "10", "--scalar", "ball:40"});
+    CHECK(marched[0].at("x") == rows[0].at("x"));
+    const auto quarters =
+        rows_of({"reference", "--theta0", "2", "--omega0", "0", "--time", "T/4,3T/4", "--digits", "30"});
+    const auto events = rows_of({"reference", "--problem", "x'' = -sin(x); x(0)=2; x'(0)=0", "--until", "x = 0",
+                                 "--count", "2", "--digits", "30"});
+    REQUIRE(events.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(events[i].at("time") == quarters[i].at("time"));
+        CHECK(events[i].at("x'") == quarters[i].at("omega"));
+        CHECK(events[i].at("x") == "0");
+        CHECK(events[i].at("count") == std::to_string(i + 1));
+    }
+}
+
+TEST_CASE("a reference that cannot be proved ends with 1, says why, and prints nothing", "[command][problem]") {
+    const auto blown = run_libration({"reference", "--problem", "y' = y^2; y(0)=1", "--time", "2", "--digits", "20"});
+    CHECK(blown.exit_code == 1);
+    CHECK(blown.out.empty());
+    CHECK(blown.err.find("the solution is proved to exist up to 0.99999") != std::string::npos);
+    const auto touching =
+        run_libration({"reference", "--problem", "y'' = -y; y(0)=1; y'(0)=0", "--until", "y = 1", "--digits", "20"});
+    CHECK(touching.exit_code == 1);
+    CHECK(touching.out.empty());
+    const auto typed = run_libration({"find", "--problem", "f''' + f*f'' = 0; f(0)=0; f'(0)=0; f''(0)=k; k=1",
+                                      "--unknown", "k", "--such-that", "f'(inf) = 1"});
+    CHECK(typed.exit_code == 1);
+    CHECK(typed.err.find("lemma") != std::string::npos);
+}
+
+TEST_CASE("find proves parameters, starts and periodic orbits", "[command][problem]") {
+    const auto shear =
+        rows_of({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'(inf) = 1", "--digits", "32"});
+    CHECK(shear[0].at("value") == "0.33205733621519629893718006201058");
+    CHECK(shear[0].at("rigour") == "proved");
+    const auto shot = rows_of({"find", "--problem", "y'' = -y; y(0)=0; y'(0)=1", "--unknown", "y'(0)", "--such-that",
+                               "y(pi/6) = 1", "--digits", "20"});
+    CHECK(shot[0].at("name") == "y'(0)");
+    CHECK(shot[0].at("value") == "2.0000000000000000000");
+    const auto cycle = rows_of({"find", "--problem", "van_der_pol", "--periodic", "--digits", "20"});
+    REQUIRE(cycle.size() == 3);
+    CHECK(cycle[2].at("name") == "period");
+    CHECK(cycle[2].at("value") == "6.6632868593231301897");
+}
+
+TEST_CASE("what reference and find of a problem do not understand is refused", "[command][problem][bad input]") {
+    const words reference{"reference", "--problem", "lorenz"};
+    check_refused(reference, {"--times"});
+    check_refused(reference + words{"--time", "1", "--energy", "1"}, {"--energy", "--problem"});
+    check_refused(reference + words{"--time", "T"}, {"--times"});
+    check_refused(reference + words{"--time", "1", "--check"}, {"--check"});
+    check_refused(reference + words{"--time", "1", "--count", "2"}, {"--count", "--until"});
+    check_refused(reference + words{"--until", "x' = 0"}, {"x'"});
+    check_refused(reference + words{"--until", "x"}, {"--until", "="});
+    check_refused(reference + words{"--until", "x = 0", "--time", "1"}, {"--times", "--until"});
+    check_refused(reference + words{"--until", "x = 0", "--crossing", "left"}, {"--crossing", "'left'"});
+    check_refused(reference + words{"--until", "x = 0", "--count", "0"}, {"--count"});
+    check_refused(reference + words{"--until", "1 = 2"}, {"--until"});
+    check_refused({"reference", "--problem", "lane_emden", "--time", "1"}, {"--problem", "singular"});
+    check_refused({"find"}, {"--problem"});
+    check_refused({"find", "--problem", "lorenz"}, {"--unknown"});
+    check_refused({"find", "--problem", "blasius", "--unknown", "k"}, {"--such-that"});
+    check_refused({"find", "--problem", "blasius", "--unknown", "q", "--such-that", "f'(5) = 1"}, {"'q'"});
+    check_refused({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f' = 1"}, {"--such-that"});
+    check_refused({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'''(5) = 1"}, {"f'''"});
+}
+
 TEST_CASE("the radius of a problem is that of its nearest singularity", "[command][problem]") {
     const auto verdict = [](const words& problem) {
         const auto row = rows_of(words{"radius", "--problem"} + problem).front();
@@ -145,7 +233,8 @@ TEST_CASE("wrong problems are refused with the place and the remedy", "[command]
     check_refused(coefficients("blasius", words{"--set", "k=1/0"} + order), {"--set", "zero"});
     check_refused(coefficients("blasius", words{"--energy", "1"} + order), {"--energy", "--problem"});
     check_refused(coefficients("blasius", words{"--at", "f(1)"} + order), {"--at", "'f(1)'"});
-    check_refused(coefficients("blasius", words{"--at", "1", "--scalar", "ball:20"} + order), {"--scalar", "ball:20"});
+    check_refused(coefficients("blasius", words{"--at", "1+i", "--scalar", "ball:20"} + order),
+                  {"--scalar", "ball:20"});
     check_refused(coefficients("riccati", words{"--at", "2"} + order), {"--at", "'2'"});
     check_refused(coefficients("pendulum", words{"--scalar", "rational"} + order), {"fraction"});
     check_refused({"coefficients", "--set", "k=1", "--order", "3"}, {"--set", "--problem"});
@@ -155,9 +244,8 @@ TEST_CASE("what a march and a radius cannot do is refused", "[command][problem][
     const words march{"trajectory", "--problem", "y' = y^2; y(0) = 1", "--times"};
     for (const words& each :
          {march + words{"2"}, march + words{"T"}, march + words{"90deg"}, march + words{"x"},
-          march + words{"1/2", "--scalar", "ball:20"}, march + words{"1/2", "--method", "exact"},
-          march + words{"1/2", "--order", "5"}, march + words{"1/2", "--energy", "1"},
-          words{"trajectory", "--set", "k=1", "--energy", "1", "--times", "1"},
+          march + words{"1/2", "--method", "exact"}, march + words{"1/2", "--order", "5"},
+          march + words{"1/2", "--energy", "1"}, words{"trajectory", "--set", "k=1", "--energy", "1", "--times", "1"},
           words{"radius", "--problem", "thomas_fermi"}, words{"radius", "--problem", "blasius", "--energy", "1"},
           words{"radius", "--problem", "blasius", "--coefficients", "file"}}) {
         const temporary_folder folder;

@@ -98,6 +98,12 @@ public:
 
     const std::vector<statement>& statements() const { return all_; }
 
+    // left - right.
+    expression difference(const statement& words) const {
+        const std::size_t equals = equals_of(words);
+        return formula(words, 0, equals) - formula(words, equals + 1, words.size());
+    }
+
     void read_equality(const statement& words) {
         const std::size_t equals = equals_of(words);
         if (is_start(words)) {
@@ -234,6 +240,29 @@ equation_system changed(equation_system system, std::string_view text) {
         *found = each;
     }
     return system;
+}
+
+expression parse_condition(const equation_system& of, std::string_view text) {
+    const problem_reader reader(text, of);
+    if (reader.statements().size() != 1) {
+        refuse(std::string(text), {}, "is no condition: write one equation, as x' = 0");
+    }
+    return with_values(reader.difference(reader.statements().front()), of);
+}
+
+start parse_point_condition(const equation_system& of, std::string_view text) {
+    problem_reader reader(text, of);
+    const auto& all = reader.statements();
+    if (all.size() == 1) {
+        reader.read_equality(all.front());
+    }
+    if (reader.result().starts.size() != 1) {
+        refuse(std::string(text), {}, "is no condition at a time: write one, as f'(5) = 1");
+    }
+    start result = reader.result().starts.front();
+    result.point = with_values(result.point, of);
+    result.value = with_values(result.value, of);
+    return result;
 }
 
 namespace {

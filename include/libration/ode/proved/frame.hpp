@@ -11,6 +11,9 @@ namespace libration::ode {
 /// Rows of a square matrix.
 using ball_matrix = std::vector<std::vector<ball>>;
 
+/// a b.
+ball_matrix product(const ball_matrix& a, const ball_matrix& b);
+
 /// Q [-r, r]: an exact matrix Q, nearly orthogonal, times a box.
 class error_frame {
 public:

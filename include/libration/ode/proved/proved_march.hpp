@@ -34,14 +34,37 @@ enum class march_end {
 class proved_march {
 public:
     static constexpr long most_steps = 10'000'000;
+    static constexpr long usual_error_bits = 64;
 
     /// From the start, in so many bits. Throws error where the start is singular.
     proved_march(const explicit_system& system, long bits, march_watch watch = {});
+    /// The same from every start of a box of balls, the given unknowns at the point of the system; the maps of errors in
+    /// so many bits, which is what derivative_at() is worth.
+    proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
+                 long error_bits = usual_error_bits, march_watch watch = {});
     ~proved_march();
 
     /// The given unknowns at a time, each solution through the start enclosed; times in one direction, away from the
     /// start. Nothing where the proof ends before, for the reason end().
     std::optional<std::vector<ball>> at(const number& time);
+    /// The same at every time of a ball.
+    std::optional<std::vector<ball>> at(const ball& time);
+
+    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set.
+    void keep_derivative();
+    /// That at a time where at() has just been.
+    ball_matrix derivative_at(const ball& time) const;
+
+    /// Makes the step from reached() ready: series and bounds, once. False where the proof ends here.
+    bool prepare();
+    /// The longest distance that the step holds for; after prepare().
+    const magnitude& length() const;
+    /// The given unknowns at every distance of a ball, |distance| <= length(), of either sign; after prepare().
+    std::vector<ball> values_at(const ball& distance) const;
+    /// The derivative of the flow over that distance by the state at reached(), of every point of the set.
+    ball_matrix derivative_of_flow(const ball& distance) const;
+    /// Takes the whole step, forwards for direction >= 0; after prepare().
+    void step(int direction);
 
     march_end end() const { return end_; }
     /// Up to here the solution is proved to exist.
@@ -53,26 +76,24 @@ public:
 private:
     struct expansions;
 
-    bool prepare();
     void expand();
     void choose_length(const magnitude& size);
-    void step();
     bool stopped(march_end why);
     long bits_of_centre() const;
-    std::vector<ball> values_at(const ball& distance) const;
     std::vector<ball> flow_of_centre(const ball& distance) const;
-    ball_matrix derivative_of_flow(const ball& distance) const;
     std::vector<ball> whole_set() const;
 
     lifted_system lifted_;
     tape tape_;
     tape varied_tape_;
     long bits_;
+    long error_bits_;
+    int set_order_;
     ball time_, origin_;
     std::vector<ball> centre_;
     error_frame errors_;
     std::unique_ptr<expansions> now_;
-    int direction_ = 0;
+    std::optional<ball_matrix> derivative_;
     long steps_ = 0;
     march_watch watch_;
     march_end end_ = march_end::none;

@@ -119,6 +119,20 @@ ball_matrix inverse(const std::vector<column>& q) {
 
 }  // namespace
 
+ball_matrix product(const ball_matrix& a, const ball_matrix& b) {
+    ball_matrix result(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.front().size(); ++j) {
+            ball sum(0);
+            for (std::size_t k = 0; k < b.size(); ++k) {
+                sum += a[i][k] * b[k][j];
+            }
+            result[i].push_back(sum);
+        }
+    }
+    return result;
+}
+
 error_frame::error_frame(std::vector<magnitude> widths) : widths_(std::move(widths)) {
     columns_.assign(size(), column(size(), ball(0)));
     for (std::size_t i = 0; i < size(); ++i) {

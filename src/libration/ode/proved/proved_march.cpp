@@ -12,13 +12,18 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long bits_of_errors = 64;
 // Steps add what is so many bits below the set: 2^16 of them as much as it.
 constexpr long bits_below_the_set = 20;
 // Relative to the size of the unknowns, beyond which more bits are asked for.
 constexpr long widest_set = -24;
+// Of the bits of the map of errors, those that its truncation need not keep.
+constexpr long bits_below_truncation = 40;
 // R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
-constexpr int tried_parts[] = {92, 85, 75, 60, 45, 30, 15, 5};
+constexpr int tried_parts[] = {92, 85, 75, 60, 45, 30, 15};
+// Then halves of the last one: the last coefficients say too much where the solution is nearly a polynomial.
+constexpr int tried_halves = 16;
+// log2 of how much shorter the map of errors makes a step.
+constexpr double worth_more_terms = 0.3;
 
 long exponent_of(const magnitude& x) { return x.is_zero() ? std::numeric_limits<int>::min() : x.exponent(); }
 
@@ -67,9 +72,16 @@ double estimated_radius(const taylor_expansion<ball>& of, std::size_t unknowns, 
 
 std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<ball>& expansion, const ball& point,
                                     double log_of_radius) {
+    magnitude radius;
     for (const int part : tried_parts) {
-        auto bound = bounded_tail(of, expansion, point, power_of_two(log_of_radius) * magnitude::of(part * 328UL, -15));
-        if (bound) {
+        radius = power_of_two(log_of_radius) * magnitude::of(static_cast<unsigned long>(part) * 328, -15);
+        if (auto bound = bounded_tail(of, expansion, point, radius)) {
+            return bound;
+        }
+    }
+    for (int half = 0; half < tried_halves; ++half) {
+        radius *= magnitude::of(1, -1);
+        if (auto bound = bounded_tail(of, expansion, point, radius)) {
             return bound;
         }
     }
@@ -118,7 +130,8 @@ bool all_finite(const std::vector<ball>& values) {
     return std::ranges::all_of(values, [](const ball& each) { return is_finite(each); });
 }
 
-std::vector<ball> enclosed_start(const explicit_system& system) {
+std::vector<ball> enclosed_start(const explicit_system& system, long bits) {
+    const precision_scope scope(decimal_digits(bits));
     std::vector<ball> values;
     for (const auto& of_unknown : system.starts()) {
         for (const number& each : of_unknown) {
@@ -139,10 +152,10 @@ ball exact_midpoint(const ball& x) {
 // What a step needs: made again where the precision changes.
 struct proved_march::expansions {
     // In a scope of so many bits.
-    expansions(const tape& centre, const tape& varied, long in_bits)
+    expansions(const tape& centre, const tape& varied, long in_bits, int set_order)
         : bits(in_bits),
           of_centre(centre, taylor_order(static_cast<int>(in_bits)) + 2, fast_product<ball>()),
-          of_set(varied, taylor_order(static_cast<int>(bits_of_errors)) - 2) {}
+          of_set(varied, set_order, fast_product<ball>()) {}
 
     long bits;
     taylor_expansion<ball> of_centre, of_set;
@@ -154,17 +167,23 @@ struct proved_march::expansions {
 proved_march::~proved_march() = default;
 
 proved_march::proved_march(const explicit_system& system, long bits, march_watch watch)
+    : proved_march(system, enclosed_start(system, bits), bits, usual_error_bits, std::move(watch)) {}
+
+proved_march::proved_march(const explicit_system& system, const std::vector<ball>& start, long bits, long error_bits,
+                           march_watch watch)
     : lifted_(lifted(system)),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
       bits_(bits),
+      error_bits_(error_bits),
+      set_order_(taylor_order(static_cast<int>(error_bits)) - 2),
       errors_(std::vector<magnitude>(lifted_.given)),
       watch_(std::move(watch)) {
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
     origin_ = time_;
     std::vector<magnitude> widths;
-    for (const ball& each : enclosed_start(system)) {
+    for (const ball& each : start) {
         centre_.push_back(exact_midpoint(each));
         widths.push_back(magnitude(each - centre_.back()));
     }
@@ -194,7 +213,7 @@ long proved_march::bits_of_centre() const {
     if (set.is_zero() || size.is_zero()) {
         return bits_;
     }
-    return std::clamp(size.exponent() - set.exponent() + bits_below_the_set, bits_of_errors, bits_);
+    return std::clamp(size.exponent() - set.exponent() + bits_below_the_set, usual_error_bits, bits_);
 }
 
 bool proved_march::stopped(march_end why) {
@@ -212,10 +231,10 @@ bool proved_march::prepare() {
         return stopped(march_end::precision);
     }
     const long bits = bits_of_centre();
-    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16) {
+    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
         const long some_more = std::min(bits_, bits + bits / 16);
         const precision_scope scope(decimal_digits(some_more));
-        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more);
+        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more, set_order_);
     }
     expand();
     if (!now_->tail || !now_->set_tail) {
@@ -247,7 +266,7 @@ void proved_march::expand() {
     if (!now_->tail) {
         return;
     }
-    const precision_scope few(decimal_digits(bits_of_errors));
+    const precision_scope few(decimal_digits(error_bits_));
     const auto varied = varied_values(lifted_, time_, whole_set());
     if (all_finite(varied)) {
         now_->of_set.about(time_, as_state(varied));
@@ -267,9 +286,13 @@ void proved_march::choose_length(const magnitude& size) {
                                : std::min(radius - 1, radius + (wanted - log_of(worst)) / (tail.degree + 1));
     };
     const double of_size = size.is_zero() ? 0 : log_of(size);
-    const double length = std::min(longest(*now_->tail, of_size - static_cast<double>(now_->bits)),
-                                   longest(*now_->set_tail, static_cast<double>(widest_set)));
-    now_->length = power_of_two(length);
+    const double of_centre = longest(*now_->tail, of_size - static_cast<double>(now_->bits));
+    const double of_set = longest(*now_->set_tail, static_cast<double>(bits_below_truncation - error_bits_));
+    now_->length = power_of_two(std::min(of_centre, of_set));
+    // Where the flow contracts much faster than the solution moves, the map of errors needs more terms.
+    if (of_set + worth_more_terms < of_centre) {
+        set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre.order());
+    }
 }
 
 std::vector<ball> proved_march::flow_of_centre(const ball& distance) const {
@@ -294,9 +317,11 @@ ball_matrix proved_march::derivative_of_flow(const ball& distance) const {
     return map;
 }
 
-void proved_march::step() {
+const magnitude& proved_march::length() const { return now_->length; }
+
+void proved_march::step(int direction) {
     const precision_scope scope(decimal_digits(now_->bits));
-    const ball distance = direction_ < 0 ? -now_->length.exact() : now_->length.exact();
+    const ball distance = direction < 0 ? -now_->length.exact() : now_->length.exact();
     const auto image = flow_of_centre(distance);
     std::vector<magnitude> added;
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -308,23 +333,42 @@ void proved_march::step() {
         watch_(time_, bits_);
     }
     now_->ready = false;
-    const precision_scope few(decimal_digits(bits_of_errors));
-    errors_ = errors_.moved(derivative_of_flow(distance), added);
+    const precision_scope few(decimal_digits(error_bits_));
+    const ball_matrix map = derivative_of_flow(distance);
+    if (derivative_) {
+        derivative_ = product(map, *derivative_);
+    }
+    errors_ = errors_.moved(map, added);
+}
+
+void proved_march::keep_derivative() {
+    derivative_ = ball_matrix(lifted_.given);
+    for (std::size_t i = 0; i < lifted_.given; ++i) {
+        for (std::size_t j = 0; j < lifted_.given; ++j) {
+            (*derivative_)[i].emplace_back(i == j ? 1 : 0);
+        }
+    }
+}
+
+ball_matrix proved_march::derivative_at(const ball& time) const {
+    const precision_scope few(decimal_digits(error_bits_));
+    return product(derivative_of_flow(time - time_), *derivative_);
 }
 
 std::optional<std::vector<ball>> proved_march::at(const number& time) {
     const precision_scope scope(decimal_digits(bits_) + 20);
-    const ball target = constant_value<ball>::of(time);
+    return at(constant_value<ball>::of(time));
+}
+
+std::optional<std::vector<ball>> proved_march::at(const ball& target) {
+    const precision_scope scope(decimal_digits(bits_) + 20);
     try {
         while (prepare()) {
             const ball distance = target - time_;
             if (magnitude(distance) <= now_->length) {
                 return values_at(distance);
             }
-            if (direction_ == 0) {
-                direction_ = arb_is_negative(distance.handle()) != 0 ? -1 : 1;
-            }
-            step();
+            step(arb_is_negative(distance.handle()) != 0 ? -1 : 1);
         }
     } catch (const precision_exhausted&) {
         end_ = march_end::precision;
@@ -334,7 +378,7 @@ std::optional<std::vector<ball>> proved_march::at(const number& time) {
 
 std::vector<ball> proved_march::values_at(const ball& distance) const {
     auto values = flow_of_centre(distance);
-    const precision_scope few(decimal_digits(bits_of_errors));
+    const precision_scope few(decimal_digits(error_bits_));
     const auto map = derivative_of_flow(distance);
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = widened(values[i], errors_.reach(map, i));

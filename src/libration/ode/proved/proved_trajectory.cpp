@@ -7,21 +7,14 @@
 #include <utility>
 
 #include "libration/ode/proved/proved_march.hpp"
-#include "libration/scalar/ball/decimal.hpp"
-#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "needed_bits.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-constexpr long first_guard_bits = 64;
-// A value that so many runs, each with more bits, do not tell from 0 is taken for one.
-constexpr int most_runs_at_zero = 6;
-constexpr long most_bits = 1'000'000;
 constexpr long largest_growth = 6;
-
-long bits_of_digits(long digits) { return digits * 3322 / 1000 + 4; }
 
 // A time in the order in which a march comes to it.
 struct asked_time {
@@ -48,65 +41,46 @@ std::vector<asked_time> in_order(const explicit_system& system, const std::vecto
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch)
-        : system_(system), times_(times), digits_(digits), watch_(watch), order_(in_order(system, times)) {}
+        : system_(system),
+          times_(times),
+          digits_(digits),
+          watch_(watch),
+          order_(in_order(system, times)),
+          bits_(digits) {}
 
     std::vector<std::vector<proved_decimal>> result() {
-        long bits = bits_of_digits(digits_) + first_guard_bits;
-        while (!complete(bits)) {
-            bits = next_;
-            if (bits > most_bits) {
-                throw error(error_kind::undecided, "time", text_of(unproved_), "is not proved by a million bits");
-            }
+        while (!complete()) {
         }
         return std::move(values_);
     }
 
 private:
-    // One run; where it does not prove every digit, next_ is the precision of another one.
-    bool complete(long bits) {
+    // One run; where it does not prove every digit, the next one has more bits.
+    bool complete() {
         values_.assign(times_.size(), {});
         std::optional<proved_march> march;
         bool forward = true;
         for (const asked_time& each : order_) {
             if (!march || each.forward != forward) {
                 forward = each.forward;
-                march.emplace(system_, bits, watch_);
+                march.emplace(system_, bits_.now(), watch_);
             }
             unproved_ = each.index;
             const auto state = march->at(times_[each.index]);
             if (!state) {
                 require_more_bits(*march, forward);
-                next_ = bits_to_go_on(*march, bits);
+                bits_.raise_to(bits_to_go_on(*march), "time", text_of(unproved_));
                 return false;
             }
-            if (!printed(*state, each.index, bits)) {
-                return false;
+            for (const ball& value : *state) {
+                const auto decimal = bits_.printed(value, "time", text_of(unproved_));
+                if (!decimal) {
+                    return false;
+                }
+                values_[each.index].push_back(*decimal);
             }
         }
         return true;
-    }
-
-    bool printed(const std::vector<ball>& state, std::size_t time, long bits) {
-        for (const ball& value : state) {
-            const auto decimal = to_proved_decimal(value, digits_);
-            if (!decimal) {
-                next_ = bits_for(value, bits);
-                return false;
-            }
-            values_[time].push_back(*decimal);
-        }
-        return true;
-    }
-
-    long bits_for(const ball& value, long bits) {
-        if (!contains_zero(value)) {
-            return bits + bits_of_digits(digits_ - proved_digits(value, digits_)) + bits / 32 + 8;
-        }
-        if (++runs_at_zero_ >= most_runs_at_zero) {
-            throw error(error_kind::undecided, "time", text_of(unproved_),
-                        "has a value that " + std::to_string(bits) + " bits do not tell from 0");
-        }
-        return 2 * bits;
     }
 
     void require_more_bits(const proved_march& march, bool forward) const {
@@ -122,7 +96,8 @@ private:
     }
 
     // As many bits as were lost until here, for every further stretch of time, and some more.
-    long bits_to_go_on(const proved_march& march, long bits) const {
+    long bits_to_go_on(const proved_march& march) const {
+        const long bits = bits_.now();
         const precision_scope scope(20);
         const mpfr gone = abs(midpoint_of(march.reached() - constant_value<ball>::of(system_.point())));
         const mpfr asked = abs(constant_value<mpfr>::of(times_[order_.back().index] - system_.point()));
@@ -145,8 +120,7 @@ private:
     std::vector<asked_time> order_;
     std::vector<std::vector<proved_decimal>> values_;
     std::size_t unproved_ = 0;
-    int runs_at_zero_ = 0;
-    long next_ = 0;
+    needed_bits bits_;
 };
 
 }  // namespace

@@ -1,0 +1,155 @@
+// libration find: proved parameters, starts and periodic orbits of any problem.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "equation/problem_options.hpp"
+#include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/blasius_infinity.hpp"
+#include "libration/ode/proved/proved_root.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+struct find_options {
+    problem_options problem;
+    output_options output;
+    std::optional<std::string> digits;
+    std::vector<std::string> unknowns, conditions;
+    bool periodic = false;
+};
+
+struct found_value {
+    std::string name;
+    proved_decimal value;
+};
+
+// f'(inf) = 1 in its parts, or nothing.
+std::optional<std::string> value_at_infinity(const std::string& condition, const std::string& left) {
+    std::string plain;
+    std::ranges::copy_if(condition, std::back_inserter(plain), [](char c) { return c != ' '; });
+    return plain.starts_with(left + "=") ? std::optional(plain.substr(left.size() + 1)) : std::nullopt;
+}
+
+bool is_at_infinity(const std::string& condition) {
+    std::string plain;
+    std::ranges::copy_if(condition, std::back_inserter(plain), [](char c) { return c != ' '; });
+    return plain.find("(inf)") != std::string::npos;
+}
+
+// Whether the problem is the catalogue's, but for the unknown parameter.
+bool is_blasius(const ode::equation_system& system) {
+    const auto known = ode::parse(problem_text("blasius"));
+    const auto same = [](const ode::equation& a, const ode::equation& b) {
+        return same_form(a.left, b.left) && same_form(a.right, b.right);
+    };
+    const auto same_start = [](const ode::start& a, const ode::start& b) {
+        return same_form(a.of, b.of) && same_form(a.point, b.point) && same_form(a.value, b.value);
+    };
+    return std::ranges::equal(system.equations, known.equations, same) &&
+           std::ranges::equal(system.starts, known.starts, same_start);
+}
+
+found_value found_at_infinity(const find_options& options, const ode::equation_system& system, long digits) {
+    const std::string& condition = options.conditions.front();
+    const auto value = value_at_infinity(condition, "f'(inf)");
+    if (!is_blasius(system) || options.conditions.size() != 1 || options.unknowns.front() != "k" || !value) {
+        throw error(
+            error_kind::undecided, "--such-that", condition,
+            "is a condition at infinity, and this problem brings no lemma for that; the catalogue's blasius has "
+            "one, for k such that f'(inf) is given");
+    }
+    const auto wanted = naming_option("--such-that", [&] { return ode::parse_constant(*value).constant(); });
+    if (wanted.sign() <= 0) {
+        throw input_error("--such-that", condition, "has no solution with k > 0", "give a value above 0");
+    }
+    return {"k", proved_value(digits, [&] { return ode::blasius_shear(ode::constant_value<ball>::of(wanted)); })};
+}
+
+std::vector<found_value> found_unknowns(const find_options& options, long digits) {
+    if (options.conditions.size() != options.unknowns.size()) {
+        throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",
+                                      options.unknowns.size(), options.conditions.size()));
+    }
+    const auto system = options.problem.equations();
+    if (std::ranges::any_of(options.conditions, is_at_infinity)) {
+        return {found_at_infinity(options, system, digits)};
+    }
+    std::vector<ode::point_condition> conditions;
+    for (const std::string& each : options.conditions) {
+        const ode::start read = naming_option("--such-that", [&] { return ode::parse_point_condition(system, each); });
+        conditions.push_back({read.of.name(), read.of.derivative(), read.point.constant(), read.value.constant()});
+    }
+    const auto values =
+        naming_option("--unknown", [&] { return proved_unknowns(system, options.unknowns, conditions, digits); });
+    std::vector<found_value> found;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        found.push_back({options.unknowns[i], values[i]});
+    }
+    return found;
+}
+
+std::vector<found_value> found_orbit(const find_options& options, long digits) {
+    const auto system = options.problem.choose();
+    const auto orbit = naming_option("--problem", [&] { return ode::proved_periodic_orbit(system, digits); });
+    std::vector<found_value> found;
+    for (std::size_t i = 0; i < orbit.names.size(); ++i) {
+        found.push_back({orbit.names[i], orbit.start[i]});
+    }
+    found.push_back({"period", orbit.period});
+    return found;
+}
+
+int run_find(const find_options& options) {
+    options.output.check();
+    const long digits = digits_of(options.digits);
+    if (!options.problem.given()) {
+        options.problem.require_problem();
+        throw input_error("no problem is given: add --problem P");
+    }
+    if (options.periodic == !options.unknowns.empty()) {
+        throw input_error(options.periodic
+                              ? "--periodic and --unknown come together: leave one of them out"
+                              : "nothing is asked for: add --unknown S --such-that \"f'(5) = 1\", or --periodic");
+    }
+    table data({{"name", ""}, {"value", ""}, {"digits", ""}, {"rigour", ""}});
+    std::string lines;
+    for (const found_value& each : options.periodic ? found_orbit(options, digits) : found_unknowns(options, digits)) {
+        data.add_row({each.name, cell::number(each.value.text, digits), digits, "proved"});
+        lines += fmt::format("{:<10}{}\n", each.name, each.value.text);
+    }
+    options.output.write(data, lines);
+    return 0;
+}
+
+}  // namespace
+
+subcommand find_command(CLI::App& program) {
+    const auto options = std::make_shared<find_options>();
+    CLI::App* command = program.add_subcommand(
+        "find", "parameters, starts and periodic orbits of any problem, proved to exist, to any number of digits");
+    options->problem.add_to(*command);
+    options->output.add_to(*command);
+    command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
+        ->type_name("D");
+    command
+        ->add_option(
+            "--unknown", options->unknowns,
+            "what is looked for: parameters or starts, k or \"f''(0)\"; the problem's values are the first guess")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command->add_option("--such-that", options->conditions, "a condition for each: \"f'(5) = 1\"")
+        ->type_name("CONDITION");
+    command->add_flag("--periodic", options->periodic, "the periodic orbit near the start, and its period");
+    return {command, [options] { return run_find(*options); }};
+}
+
+}  // namespace libration

@@ -1,0 +1,233 @@
+#include "libration/ode/proved/event_search.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/proved.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr int first_pieces = 4;
+constexpr int deepest = 60;
+constexpr int most_newton_steps = 100;
+
+std::vector<expression> given_leaves(const explicit_system& system) {
+    std::vector<expression> leaves;
+    for (const unknown_function& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            leaves.push_back(unknown("y" + std::to_string(leaves.size())));
+        }
+    }
+    return leaves;
+}
+
+// With y0, y1, .. for the unknowns and their lower derivatives.
+expression in_leaves(const expression& e, const explicit_system& system, const std::vector<expression>& leaves) {
+    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        std::size_t first = 0;
+        for (const unknown_function& each : system.unknowns()) {
+            if (leaf.kind() == node_kind::unknown && leaf.name() == each.name) {
+                if (leaf.derivative() >= each.order) {
+                    refuse(primed(leaf.name(), leaf.derivative()), {},
+                           "is no part of the state in a condition: write what the equation has for it");
+                }
+                return leaves[first + static_cast<std::size_t>(leaf.derivative())];
+            }
+            first += static_cast<std::size_t>(each.order);
+        }
+        return std::nullopt;
+    });
+}
+
+// dg/dt along the solution.
+expression slope_along(const expression& g, const explicit_system& system, const std::vector<expression>& leaves) {
+    expression sum = partial(g, variable());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        for (int j = 1; j <= system.unknowns()[i].order; ++j, ++k) {
+            const expression by = partial(g, leaves[k]);
+            if (!by.is(0)) {
+                const bool last = j == system.unknowns()[i].order;
+                sum = sum + by * (last ? in_leaves(system.right()[i], system, leaves) : leaves[k + 1]);
+            }
+        }
+    }
+    return sum;
+}
+
+bool vanishes_at_start(const expression& g, const explicit_system& system, const std::vector<expression>& leaves) {
+    const expression value = replaced(g, [&](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() == node_kind::variable) {
+            return expression(system.point());
+        }
+        std::size_t k = 0;
+        for (const auto& of_unknown : system.starts()) {
+            for (const number& each : of_unknown) {
+                if (same_form(leaf, leaves[k++])) {
+                    return expression(each);
+                }
+            }
+        }
+        return std::nullopt;
+    });
+    return value.is(0);
+}
+
+}  // namespace
+
+event_search::event_search(const explicit_system& system, const expression& g, long bits, int direction)
+    : system_(system),
+      leaves_(given_leaves(system)),
+      g_(in_leaves(g, system, leaves_)),
+      slope_(slope_along(g_, system, leaves_)),
+      zero_at_start_(vanishes_at_start(g_, system, leaves_)),
+      march_(system, bits),
+      direction_(direction < 0 ? -1 : 1) {}
+
+event_search::sample event_search::sampled(const ball& distance) const {
+    expression_values<ball> values(leaves_, march_.reached() + distance);
+    auto state = march_.values_at(distance);
+    for (const ball& each : state) {
+        values.push_back(each);
+    }
+    return {values.of(g_), values.of(slope_), std::move(state)};
+}
+
+bool event_search::is_start(const ball& distance) const {
+    return zero_at_start_ && march_.steps() == 0 && arb_is_zero(distance.handle()) != 0;
+}
+
+// The piece, a little longer, where g has opposite signs at its ends; nothing where it has the same.
+std::optional<ball> event_search::bracket(const ball& from, const ball& to, const ball& slope) const {
+    const auto sign_at = [&](const ball& distance) {
+        const ball value = sampled(distance).value;
+        return contains_zero(value) ? 0 : arb_is_positive(value.handle()) != 0 ? 1 : -1;
+    };
+    if (is_start(from)) {
+        return std::nullopt;  // g is monotone, and 0 at the start
+    }
+    const int forwards = (arb_is_positive(slope.handle()) != 0 ? 1 : -1) * direction_;
+    int before = sign_at(from);
+    int behind = sign_at(to);
+    ball first = from;
+    ball last = to;
+    // An end too near to a zero is moved outwards, where the derivative still has its sign.
+    const ball more = (to - from) / 8;
+    if (before == 0) {
+        first = from - more;
+    }
+    if (behind == 0) {
+        last = to + more;
+    }
+    if (before == 0 || behind == 0) {
+        if (contains_zero(sampled(hull(first, last)).slope)) {
+            throw precision_exhausted("an event");
+        }
+        before = before == 0 ? sign_at(first) : before;
+        behind = behind == 0 ? sign_at(last) : behind;
+    }
+    if (before == 0 || behind == 0) {
+        throw precision_exhausted("an event");
+    }
+    if (before == behind) {
+        return std::nullopt;
+    }
+    if (behind != forwards) {
+        throw std::logic_error("a monotone function that turns");
+    }
+    return hull(first, last);
+}
+
+void event_search::add_event(const ball& within) {
+    ball place = within;
+    for (int i = 0; i < most_newton_steps; ++i) {
+        ball middle;
+        arf_set(arb_midref(middle.handle()), arb_midref(place.handle()));
+        const ball next = middle - sampled(middle).value / sampled(place).slope;
+        ball narrower;
+        if (!is_finite(next) ||
+            arb_intersection(narrower.handle(), place.handle(), next.handle(), ball::working_bits()) == 0) {
+            break;
+        }
+        const bool done = magnitude::radius_of(place) <= magnitude::radius_of(narrower) * magnitude(2U);
+        place = narrower;
+        if (done) {
+            break;
+        }
+    }
+    sample here = sampled(place);
+    proved_event event{march_.reached() + place, std::move(here.state),
+                       (arb_is_positive(here.slope.handle()) != 0) == (direction_ > 0) ? crossing::up : crossing::down};
+    if (last_ && overlaps(*last_, event.time)) {
+        return;  // the same one, seen from the step before
+    }
+    last_ = event.time;
+    found_.push_back(std::move(event));
+}
+
+void event_search::examine(const ball& from, const ball& to, int depth) {
+    sample all;
+    {
+        const precision_scope few(20);
+        all = sampled(hull(from, to));
+    }
+    if (!contains_zero(all.value)) {
+        return;
+    }
+    if (!contains_zero(all.slope)) {
+        if (const auto place = bracket(from, to, all.slope)) {
+            add_event(*place);
+        }
+        return;
+    }
+    if (depth == 0) {
+        throw precision_exhausted("an event");
+    }
+    ball middle;
+    const ball centre = (from + to) / 2;
+    arf_set(arb_midref(middle.handle()), arb_midref(centre.handle()));
+    examine(from, middle, depth - 1);
+    examine(middle, to, depth - 1);
+}
+
+std::optional<proved_event> event_search::next(crossing way, const std::optional<number>& end) {
+    for (const long first = march_.steps();;) {
+        if (march_.steps() - first > most_steps_between) {
+            throw error(error_kind::undecided, "event", "",
+                        "is not found within " + std::to_string(most_steps_between) + " steps");
+        }
+        while (!found_.empty()) {
+            proved_event event = std::move(found_.front());
+            found_.erase(found_.begin());
+            if (way == crossing::any || way == event.way) {
+                return event;
+            }
+        }
+        if (examined_) {
+            march_.step(direction_);
+            examined_ = false;
+        }
+        if (end) {
+            const ball rest = (constant_value<ball>::of(*end) - march_.reached()) * direction_;
+            if (arb_is_nonpositive(rest.handle()) != 0) {
+                return std::nullopt;
+            }
+        }
+        if (!march_.prepare()) {
+            stopped_ = true;
+            return std::nullopt;
+        }
+        const ball length = march_.length().exact() * direction_;
+        for (int piece = 0; piece < first_pieces; ++piece) {
+            examine(length * piece / first_pieces, length * (piece + 1) / first_pieces, deepest);
+        }
+        examined_ = true;
+    }
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <utility>
+
+#include "libration/ode/proved/event_search.hpp"
+#include "libration/ode/proved/proved_root.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long first_bits = 128;
+constexpr int most_returns = 12;
+
+// The right sides of the first-order form, in y0, y1, ..
+struct first_order_form {
+    explicit first_order_form(const explicit_system& system) {
+        for (const unknown_function& each : system.unknowns()) {
+            for (int j = 0; j < each.order; ++j) {
+                leaves.push_back(unknown("y" + std::to_string(leaves.size())));
+                names.push_back(primed(each.name, j));
+                given.push_back(unknown(each.name, j));
+            }
+        }
+        std::size_t k = 0;
+        for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+            for (int j = 1; j <= system.unknowns()[i].order; ++j, ++k) {
+                slopes.push_back(j < system.unknowns()[i].order ? leaves[k + 1] : in_leaves(system.right()[i]));
+            }
+        }
+        for (const auto& of_unknown : system.starts()) {
+            starts.insert(starts.end(), of_unknown.begin(), of_unknown.end());
+        }
+    }
+
+    expression in_leaves(const expression& e) const {
+        return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+            const auto at = std::ranges::find_if(given, [&](const expression& g) { return same_form(g, leaf); });
+            return at == given.end() ? std::nullopt
+                                     : std::optional(leaves[static_cast<std::size_t>(at - given.begin())]);
+        });
+    }
+
+    std::vector<ball> slope_at(const std::vector<ball>& state) const {
+        expression_values<ball> values(leaves, ball(0));
+        for (const ball& each : state) {
+            values.push_back(each);
+        }
+        std::vector<ball> result;
+        for (const expression& each : slopes) {
+            result.push_back(values.of(each));
+        }
+        return result;
+    }
+
+    std::vector<expression> leaves, given, slopes;
+    std::vector<std::string> names;
+    std::vector<number> starts;
+};
+
+// F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its start.
+class closing {
+public:
+    closing(const explicit_system& system, const first_order_form& form, std::size_t held)
+        : system_(system), form_(form), held_(held) {}
+
+    std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const {
+        const precision_scope scope(decimal_digits(bits));
+        std::vector<ball> start(x.begin(), x.end() - 1);
+        start.insert(start.begin() + static_cast<std::ptrdiff_t>(held_), constant_value<ball>::of(form_.starts[held_]));
+        proved_march march(system_, start, bits, error_bits);
+        march.keep_derivative();
+        const ball time = march.reached() + x.back();
+        const auto state = march.at(time);
+        if (!state) {
+            return std::nullopt;
+        }
+        enclosed_map result;
+        const ball_matrix flow = march.derivative_at(time);
+        const auto slope = form_.slope_at(*state);
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            result.value.push_back((*state)[i] - start[i]);
+            auto& row = result.derivative.emplace_back();
+            for (std::size_t j = 0; j < start.size(); ++j) {
+                if (j != held_) {
+                    row.push_back(i == j ? flow[i][j] - 1 : flow[i][j]);
+                }
+            }
+            row.push_back(slope[i]);
+        }
+        return result;
+    }
+
+private:
+    const explicit_system& system_;
+    const first_order_form& form_;
+    std::size_t held_;
+};
+
+std::vector<ball> start_of(const first_order_form& form) {
+    std::vector<ball> start;
+    for (const number& each : form.starts) {
+        start.push_back(constant_value<ball>::of(each));
+    }
+    return start;
+}
+
+std::size_t fastest(const first_order_form& form) {
+    const auto start = start_of(form);
+    const auto slope = form.slope_at(start);
+    std::size_t best = 0;
+    magnitude most;
+    for (std::size_t i = 0; i < slope.size(); ++i) {
+        const magnitude speed = magnitude(slope[i]) / (magnitude(start[i]) + magnitude::of(1, -4));
+        if (most < speed) {
+            most = speed;
+            best = i;
+        }
+    }
+    if (most.is_zero()) {
+        throw error(error_kind::argument, "problem", "", "starts at rest, where no orbit goes: choose another start");
+    }
+    return best;
+}
+
+// The time of the return that comes nearest to the start.
+number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held) {
+    const auto start = start_of(form);
+    const auto rising = form.slope_at(start)[held];
+    const crossing way = arb_is_positive(rising.handle()) != 0 ? crossing::up : crossing::down;
+    event_search search(system, form.given[held] - expression(form.starts[held]), first_bits);
+    std::optional<ball> period;
+    magnitude nearest;
+    for (int i = 0; i < most_returns; ++i) {
+        const auto event = search.next(way, std::nullopt);
+        if (!event) {
+            break;
+        }
+        magnitude distance;
+        for (std::size_t k = 0; k < start.size(); ++k) {
+            distance += magnitude(event->state[k] - start[k]);
+        }
+        if (!period || distance * magnitude(2U) < nearest) {
+            period = event->time;
+            nearest = distance;
+        }
+    }
+    if (!period) {
+        throw error(error_kind::undecided, "solution", "", "does not return to the section of its start");
+    }
+    const ball gone = *period - constant_value<ball>::of(system.point());
+    rational result;
+    const mpfr middle = midpoint_of(gone);
+    mpfr_get_q(result.backend().data(), handle(middle));
+    return number(result);
+}
+
+}  // namespace
+
+periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits) {
+    const first_order_form form(system);
+    for (const expression& each : form.slopes) {
+        if (each.has_variable()) {
+            throw error(error_kind::argument, "problem", system.variable(),
+                        "stands in the equation: periodic orbits are those of autonomous ones");
+        }
+    }
+    std::vector<number> guess = form.starts;
+    std::size_t held = 0;
+    {
+        const precision_scope scope(decimal_digits(first_bits));
+        held = fastest(form);
+        guess.push_back(guessed_period(system, form, held));
+    }
+    guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
+    const closing closed(system, form, held);
+    auto values =
+        proved_root([&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
+                    guess, digits);
+    const precision_scope scope(digits + 20);
+    const auto fixed = to_proved_decimal(constant_value<ball>::of(form.starts[held]), digits);
+    periodic_orbit orbit{form.names, std::move(values), {}};
+    orbit.period = orbit.start.back();
+    orbit.start.pop_back();
+    orbit.start.insert(orbit.start.begin() + static_cast<std::ptrdiff_t>(held), fixed.value());
+    return orbit;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,215 @@
+#include "libration/ode/proved/proved_root.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+#include "needed_bits.hpp"
+
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
+#include <arb_mat.h>
+#endif
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long first_bits = 160;
+constexpr int most_newton_steps = 60;
+constexpr int most_boxes = 6;
+constexpr int most_proofs = 12;
+
+[[noreturn]] void refuse_root(const std::string& reason) { throw error(error_kind::undecided, "solution", "", reason); }
+
+ball exact_midpoint(const ball& x) {
+    ball result;
+    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
+    return result;
+}
+
+// Near the inverse of the midpoint: exact numbers, no enclosure. Nothing where it is singular.
+std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
+    const auto size = static_cast<slong>(a.size());
+    arb_mat_t from;
+    arb_mat_t to;
+    arb_mat_init(from, size, size);
+    arb_mat_init(to, size, size);
+    for (slong i = 0; i < size; ++i) {
+        for (slong j = 0; j < size; ++j) {
+            const ball& entry = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+            arf_set(arb_midref(arb_mat_entry(from, i, j)), arb_midref(entry.handle()));
+        }
+    }
+    const bool regular = arb_mat_inv(to, from, ball::working_bits()) != 0;
+    ball_matrix result(a.size());
+    for (slong i = 0; i < size && regular; ++i) {
+        for (slong j = 0; j < size; ++j) {
+            ball entry;
+            arf_set(arb_midref(entry.handle()), arb_midref(arb_mat_entry(to, i, j)));
+            result[static_cast<std::size_t>(i)].push_back(entry);
+        }
+    }
+    arb_mat_clear(from);
+    arb_mat_clear(to);
+    return regular ? std::optional(result) : std::nullopt;
+}
+
+std::vector<ball> times(const ball_matrix& a, const std::vector<ball>& x) {
+    std::vector<ball> result;
+    for (const auto& row : a) {
+        ball sum(0);
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            sum += row[j] * x[j];
+        }
+        result.push_back(sum);
+    }
+    return result;
+}
+
+class root_search {
+public:
+    root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits) : f_(f), bits_(digits) {
+        const precision_scope scope(decimal_digits(first_bits));
+        for (const number& each : guess) {
+            x_.push_back(exact_midpoint(constant_value<ball>::of(each)));
+        }
+    }
+
+    std::vector<proved_decimal> result() {
+        long bits = first_bits;
+        settle(bits);
+        for (int proof = 0; proof < most_proofs; ++proof) {
+            while (bits < bits_.now()) {
+                bits = std::min(bits * 2, bits_.now());
+                improve(bits);
+            }
+            if (auto decimals = proved(bits)) {
+                return *std::move(decimals);
+            }
+            if (bits_.now() <= bits) {
+                bits_.raise_to(bits + bits / 2, "solution", "");
+            }
+        }
+        refuse_root("is not proved at any precision: it may not be alone there");
+    }
+
+private:
+    enclosed_map at(const std::vector<ball>& x, long bits, long error_bits) {
+        auto map = f_(x, bits, error_bits);
+        if (!map) {
+            refuse_root("is not reached with " + std::to_string(bits) + " bits: give a nearer first guess");
+        }
+        return *std::move(map);
+    }
+
+    // Newton's method until the steps are below the precision; its first steps may be long.
+    void settle(long bits) {
+        magnitude before;
+        for (int i = 0; i < most_newton_steps; ++i) {
+            const magnitude step = improve(bits);
+            if (step <= magnitude::of(1, -bits / 2)) {
+                return;
+            }
+        }
+        refuse_root("does not settle by Newton's method: give a nearer first guess");
+    }
+
+    // One step; its length relative to x.
+    magnitude improve(long bits) {
+        const precision_scope scope(decimal_digits(bits));
+        const long error_bits = std::max(proved_march::usual_error_bits, bits / 2 + 48);
+        const enclosed_map map = at(x_, bits, error_bits);
+        const auto inverse = inverse_near(map.derivative);
+        if (!inverse) {
+            refuse_root("is not isolated: the derivative of the conditions is singular");
+        }
+        const auto step = times(*inverse, map.value);
+        magnitude longest;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            if (!is_finite(step[i])) {
+                refuse_root("is lost by Newton's method: give a nearer first guess");
+            }
+            x_[i] = exact_midpoint(x_[i] - step[i]);
+            longest =
+                std::max(longest, magnitude(exact_midpoint(step[i])) / (magnitude(x_[i]) + magnitude::of(1, -20)));
+        }
+        return longest;
+    }
+
+    // The test of Krawczyk, and the digits of what it proves.
+    std::optional<std::vector<proved_decimal>> proved(long bits) {
+        const precision_scope scope(decimal_digits(bits));
+        const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
+        const auto inverse = inverse_near(here.derivative);
+        if (!inverse) {
+            refuse_root("is not isolated: the derivative of the conditions is singular");
+        }
+        const auto step = times(*inverse, here.value);
+        std::vector<magnitude> radii;
+        for (const ball& each : step) {
+            radii.push_back(magnitude(each) * magnitude(2U) + magnitude::of(1, -2 * bits));
+        }
+        for (int box = 0; box < most_boxes; ++box) {
+            if (const auto root = krawczyk(*inverse, step, radii)) {
+                return printed(*root);
+            }
+            for (magnitude& each : radii) {
+                each *= magnitude(16U);
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::optional<std::vector<ball>> krawczyk(const ball_matrix& inverse, const std::vector<ball>& step,
+                                              const std::vector<magnitude>& radii) {
+        std::vector<ball> box;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            box.push_back(widened(x_[i], radii[i]));
+        }
+        const auto over_box = f_(box, 2 * proved_march::usual_error_bits, proved_march::usual_error_bits);
+        if (!over_box) {
+            return std::nullopt;
+        }
+        const ball_matrix map = product(inverse, over_box->derivative);
+        std::vector<ball> root;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            magnitude rest;
+            for (std::size_t j = 0; j < x_.size(); ++j) {
+                rest += magnitude(ball(i == j ? 1 : 0) - map[i][j]) * radii[j];
+            }
+            const magnitude reach = magnitude(step[i]) + rest;
+            if (!(reach < radii[i])) {
+                return std::nullopt;
+            }
+            root.push_back(widened(x_[i] - step[i], rest));
+        }
+        return root;
+    }
+
+    std::optional<std::vector<proved_decimal>> printed(const std::vector<ball>& root) {
+        std::vector<proved_decimal> decimals;
+        for (const ball& each : root) {
+            auto decimal = bits_.printed(each, "solution", "");
+            if (!decimal) {
+                return std::nullopt;
+            }
+            decimals.push_back(*std::move(decimal));
+        }
+        return decimals;
+    }
+
+    const map_of_unknowns& f_;
+    std::vector<ball> x_;
+    needed_bits bits_;
+};
+
+}  // namespace
+
+std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits) {
+    return root_search(f, guess, digits).result();
+}
+
+}  // namespace libration::ode

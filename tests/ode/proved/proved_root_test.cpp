@@ -1,0 +1,106 @@
+// Krawczyk's test against closed forms, published digits, and maps that have no zero or two near each other.
+#include "libration/ode/proved/proved_root.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/blasius_infinity.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/error.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_proved_root_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+bool within_a_unit(const proved_decimal& printed, const ball& number, long digits) {
+    const precision_scope scope(digits + 30);
+    mpfr value;
+    mpfr_set_str(handle(value), printed.text.c_str(), 10, MPFR_RNDN);
+    return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
+}
+
+// x^2 = c by balls.
+map_of_unknowns square_is(int c) {
+    return [c](const std::vector<ball>& x, long, long) {
+        return std::optional(enclosed_map{{x[0] * x[0] - c}, {{x[0] * 2}}});
+    };
+}
+
+}  // namespace
+
+TEST_CASE("a square root is proved, and none of a negative number", "[ode][proved]") {
+    const auto root = proved_root(square_is(2), {number(rational(3, 2))}, 200);
+    const precision_scope scope(240);
+    CHECK(within_a_unit(root[0], sqrt(ball(2)), 200));
+    CHECK_THROWS_AS(proved_root(square_is(-2), {number(rational(3, 2))}, 20), error);
+    CHECK_THROWS_AS(proved_root(square_is(0), {number(rational(3, 2))}, 20), error);  // a double zero
+}
+
+// y = k sin t: k = 2/sin 1. And y' = y (1 - y/c), y(0) = s: two unknowns from y(1) = 1/2, y(2) = 1 in closed form:
+// u = 1/y solves u' = 1/c - u, u = 1/c + (1/s - 1/c) e^-t.
+TEST_CASE("unknown parameters and starts with conditions in closed form", "[ode][proved]") {
+    const precision_scope scope(90);
+    const auto one = proved_unknowns(parse("y'' = -y; y(0) = 0; y'(0) = k; k = 1"), {"k"},
+                                     {{"y", 0, number(rational(1)), number(rational(2))}}, 60);
+    CHECK(within_a_unit(one[0], ball(2) / sin(ball(1)), 60));
+    const auto start = proved_unknowns(parse("y'' = -y; y(0) = 0; y'(0) = 1"), {"y'(0)"},
+                                       {{"y", 1, number(rational(1)), number(rational(2))}}, 60);
+    CHECK(within_a_unit(start[0], ball(2) / cos(ball(1)), 60));
+    const auto two = proved_unknowns(
+        parse("y' = y*(1 - y/c); y(0) = s; c = 2; s = 1/4"), {"c", "s"},
+        {{"y", 0, number(rational(1)), number(rational(1, 2))}, {"y", 0, number(rational(2)), number(rational(1))}},
+        40);
+    // 2 = a + b/e, 1 = a + b/e^2 with a = 1/c, b = 1/s - a.
+    const ball e = exp(ball(1));
+    const ball b = e * e / (e - 1);
+    const ball a = ball(2) - b / e;
+    CHECK(within_a_unit(two[0], ball(1) / a, 40));
+    CHECK(within_a_unit(two[1], ball(1) / (a + b), 40));
+}
+
+TEST_CASE("conditions on both sides of the start", "[ode][proved]") {
+    const precision_scope scope(70);
+    const auto found = proved_unknowns(
+        parse("y'' = y; y(0) = a; y'(0) = b; a = 1; b = 0"), {"a", "b"},
+        {{"y", 0, number(rational(-1)), number(rational(0))}, {"y", 0, number(rational(1)), number(rational(3))}}, 40);
+    CHECK(within_a_unit(found[0], ball(3) / (cosh(ball(1)) * 2), 40));
+    CHECK(within_a_unit(found[1], ball(3) / (sinh(ball(1)) * 2), 40));
+}
+
+// OEIS A256522.
+TEST_CASE("the shear of the Blasius layer has the published digits", "[ode][proved]") {
+    const precision_scope scope(60);
+    CHECK(to_proved_decimal(blasius_shear(ball(1)), 32)->text == "0.33205733621519629893718006201058");
+}
+
+// D. Viswanath, Physica D 190 (2004) 115-128: the orbit AB of Lorenz's system, z = 27. Van der Pol's cycle: its period
+// 6.66328685932313018969968 and amplitude 2.00861986087484313651 of many tables.
+TEST_CASE("periodic orbits have the published digits", "[ode][proved]") {
+    const auto lorenz =
+        proved_periodic_orbit(explicit_system(parse("x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z; "
+                                                    "x(0) = -13.7636; y(0) = -19.5788; z(0) = 27")),
+                              40);
+    CHECK(lorenz.start[0].text.starts_with("-13.76361068213420052501"));
+    CHECK(lorenz.start[1].text.starts_with("-19.57875194245179553883"));
+    CHECK(lorenz.period.text.starts_with("1.55865221071617472756"));
+    const auto van_der_pol =
+        proved_periodic_orbit(explicit_system(parse("x'' = (1 - x^2)*x' - x; x(0) = 2; x'(0) = 0")), 30);
+    CHECK(van_der_pol.start[0].text.starts_with("2.00861986087484313"));
+    CHECK(van_der_pol.period.text.starts_with("6.66328685932313018"));
+}
+
+TEST_CASE("orbits in families are refused, and what never returns", "[ode][proved]") {
+    CHECK_THROWS_AS(proved_periodic_orbit(explicit_system(parse("x'' = -sin(x); x(0) = 1; x'(0) = 0")), 20), error);
+    CHECK_THROWS_WITH(proved_periodic_orbit(explicit_system(parse("y' = y^2; y(0) = 1")), 20),
+                      Catch::Matchers::Contains("does not return"));
+    CHECK_THROWS_WITH(proved_periodic_orbit(explicit_system(parse("y' = cos(t); y(0) = 1")), 20),
+                      Catch::Matchers::Contains("autonomous"));
+}
+
+}  // namespace ode_proved_proved_root_test
