@@ -15,8 +15,8 @@ namespace libration {
 /// which says up to which time the solution is proved to exist.
 table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits);
 
-/// time,<unknown and its lower derivatives>...,digits,rigour,count: the events of a problem (ode::proved_events), the first
-/// of them in the first row.
+/// time,<unknown and its lower derivatives>...,digits,rigour,count: the events of a problem (ode::proved_events), the
+/// first of them in the first row.
 table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits);
 
 /// The same for people: each time a paragraph, each column a line.

@@ -47,7 +47,8 @@ public:
     /// function inside its domain at the start. A factor t^k or (t - t0)^k on the highest derivative is a regular
     /// singular start; one beyond that, irregular, is refused.
     explicit explicit_system(const equation_system& given);
-    /// y_k' = right_k in the unknowns y_k, without starts: for expansions about points that are given with their states.
+    /// y_k' = right_k in the unknowns y_k, without starts: for expansions about points that are given with their
+    /// states.
     static explicit_system first_order(const std::vector<expression>& unknowns, std::vector<expression> right,
                                        const number& point);
 

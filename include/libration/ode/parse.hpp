@@ -28,8 +28,8 @@ equation_system parse(std::string_view text);
 /// what the system does not have.
 equation_system changed(equation_system system, std::string_view text);
 
-/// left - right of a condition such as x' = 1/2 on the unknowns of a system, their lower derivatives and the variable, its
-/// parameters replaced by their values. Throws error as parse().
+/// left - right of a condition such as x' = 1/2 on the unknowns of a system, their lower derivatives and the variable,
+/// its parameters replaced by their values. Throws error as parse().
 expression parse_condition(const equation_system& of, std::string_view text);
 
 /// A condition f'(5) = 1: an unknown of the system or a lower derivative, at a constant time, a constant value. Throws

@@ -32,8 +32,8 @@ bool holds(const error_frame& set, const std::vector<ball>& x) {
 
 }  // namespace
 
-// Corners of the box are carried along exactly while the set is moved in 64 bits, through maps that stretch, turn, press
-// flat and mirror.
+// Corners of the box are carried along exactly while the set is moved in 64 bits, through maps that stretch, turn,
+// press flat and mirror.
 TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
     std::mt19937 random(20'261'123);
     for (int run = 0; run < 200; ++run) {

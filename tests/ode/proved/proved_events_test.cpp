@@ -54,7 +54,8 @@ TEST_CASE("the zeros of sine are the multiples of pi, all of them, in their orde
     CHECK(half[0].values[0].text.substr(0, 6) == "0.5000");
 }
 
-// x'^2/2 + 1 - cos x = E: a quarter period is the time of the first zero; `reference --theta0 2 --omega0 0 --time T/4,3T/4`.
+// x'^2/2 + 1 - cos x = E: a quarter period is the time of the first zero; `reference --theta0 2 --omega0 0 --time
+// T/4,3T/4`.
 TEST_CASE("the quarter periods of the pendulum are events of its equation", "[ode][proved]") {
     const auto found = events_of("x'' = -sin(x); x(0) = 2; x'(0) = 0", "x = 0", 2, 40);
     CHECK(found[0].time.text == "2.087438231729623683601592911475967535995");

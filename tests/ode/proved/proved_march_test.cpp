@@ -106,8 +106,8 @@ TEST_CASE("the pendulum by its equation agrees with its elliptic functions", "[o
     CHECK(states[0][1].text == "0.14422584732196296800772446969044274801215475475728");
 }
 
-// Digits of the literature for (1, 0, 0) are those of other starts; here two precisions and the reversed flow judge: back
-// from t = 4 the start has to be enclosed.
+// Digits of the literature for (1, 0, 0) are those of other starts; here two precisions and the reversed flow judge:
+// back from t = 4 the start has to be enclosed.
 TEST_CASE("there and back again", "[ode][proved]") {
     const std::string flow = "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z; ";
     proved_march there(explicit_system(parse(flow + "x(0) = 1; y(0) = 0; z(0) = 0")), 200);
@@ -128,7 +128,8 @@ TEST_CASE("there and back again", "[ode][proved]") {
     proved_march back(explicit_system(parse(flow + state.substr(2))), 420);
     const auto start = back.at(number(rational(0)));
     REQUIRE(start.has_value());
-    // The start is rounded to 110 digits, and backwards distances grow by e^(4 * 13.7) <= 10^24 (the trace of the flow).
+    // The start is rounded to 110 digits, and backwards distances grow by e^(4 * 13.7) <= 10^24 (the trace of the
+    // flow).
     const ball allowed = pow(ball(10), -80L);
     CHECK(certainly_less(abs((*start)[0] - 1), allowed));
     CHECK(certainly_less(abs((*start)[1]), allowed));
@@ -158,8 +159,8 @@ TEST_CASE("a set that grows too wide asks for more bits", "[ode][proved]") {
     CHECK(march.end() == march_end::precision);
 }
 
-// Every problem of the catalogue whose start is regular, a little way, in two precisions: the enclosures meet, the finer
-// one is narrow.
+// Every problem of the catalogue whose start is regular, a little way, in two precisions: the enclosures meet, the
+// finer one is narrow.
 TEST_CASE("every problem of the catalogue is proved, and twice the same", "[ode][proved][problem]") {
     int proved = 0;
     for (const catalogue_entry& each : catalogue()) {

@@ -69,9 +69,9 @@ void check_bound(const bounded& of, const magnitude& radius, const std::function
 
 }  // namespace
 
-// All coefficients are positive, so that at t = +rho nothing cancels; the first error is rho^(N+1)/(N+1)! (1 + rho/(N+2)
-// + ..), and the bound has rho/(N+2) in each term: for rho much below N it is the truth up to (rho/N)^2, which shows any
-// other denominator.
+// All coefficients are positive, so that at t = +rho nothing cancels; the first error is rho^(N+1)/(N+1)! (1 +
+// rho/(N+2) + ..), and the bound has rho/(N+2) in each term: for rho much below N it is the truth up to (rho/N)^2,
+// which shows any other denominator.
 TEST_CASE("theorem T is sharp for the exponential", "[ode][proved]") {
     const int order = GENERATE(1, 2, 3, 8, 20);
     const precision_scope scope(60);

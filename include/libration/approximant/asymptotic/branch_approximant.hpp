@@ -3,9 +3,9 @@
 //     f(t) = (1 - (t/T)^k)^p sum_{n=0}^{N} A_n t^n,
 //
 // k = 2 for an even f, as the collapse of an empty bubble, p = 2/5 [Harkin2021]. The A_n are the Taylor coefficients of
-// g = f (1 - (t/T)^k)^-p. Where f ~ (T - t)^p (g_0 + g_1 (T - t)^q + ..) with a q that is no whole number, those of f fall
-// like n^-(1+p) T^-n and the A_n like n^-(1+q) T^-n: the largest error on [0, T], like N^-p for the series, is like
-// N^-(p+q) for the approximant.
+// g = f (1 - (t/T)^k)^-p. Where f ~ (T - t)^p (g_0 + g_1 (T - t)^q + ..) with a q that is no whole number, those of f
+// fall like n^-(1+p) T^-n and the A_n like n^-(1+q) T^-n: the largest error on [0, T], like N^-p for the series, is
+// like N^-(p+q) for the approximant.
 #pragma once
 
 #include <utility>

@@ -3,8 +3,9 @@
 //     f(t) = f_inf + e^(-a t) (1 + t)^-s P(t)/Q(t),   deg P = deg Q = M,
 //
 // the modified symmetric Pade approximant, published with s = 0 for ln S of SEIR [Weinstein2020]. s = 1/2 gives the far
-// behaviour of the modified Bessel function K_0, that of a decaying solution of the equation of Flierl and Petviashvili:
-// published for it is another form [Barlow2017], which predicts f(0) too. P/Q tends to a constant, which is free.
+// behaviour of the modified Bessel function K_0, that of a decaying solution of the equation of Flierl and
+// Petviashvili: published for it is another form [Barlow2017], which predicts f(0) too. P/Q tends to a constant, which
+// is free.
 #pragma once
 
 #include <optional>

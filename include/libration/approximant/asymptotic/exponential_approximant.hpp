@@ -10,9 +10,9 @@
 //     P = sum_{k<N} c_k z^k + (f_inf - sum_{k<N} c_k) z^N,
 //
 // the Taylor polynomial of f at z = 0 with one term more, which is right at z = 1, t = infinity. The c_k are positive
-// combinations of n! f_n/a^n: k! c_k = D (D+1) .. (D+k-1) f at t = 0, D = d/d(a t). What happens as N grows follows: where
-// f(z) is analytic in |z| < rho, rho > 1, and at z = 1, the largest error on [0, infinity) falls like rho^-N; where
-// rho < 1 it grows. rho is the least of |1 - e^(-a s)| over the singularities s of f.
+// combinations of n! f_n/a^n: k! c_k = D (D+1) .. (D+k-1) f at t = 0, D = d/d(a t). What happens as N grows follows:
+// where f(z) is analytic in |z| < rho, rho > 1, and at z = 1, the largest error on [0, infinity) falls like rho^-N;
+// where rho < 1 it grows. rho is the least of |1 - e^(-a s)| over the singularities s of f.
 #pragma once
 
 #include <cmath>
@@ -45,8 +45,8 @@ series::power_series<R> series_in_decay(const series::power_series<R>& f, const 
     return c;
 }
 
-/// A_1 .. A_N by the published Vandermonde system, from f_0 .. f_(N-1). O(N^2), over any field. It loses the digits that
-/// vandermonde_condition says.
+/// A_1 .. A_N by the published Vandermonde system, from f_0 .. f_(N-1). O(N^2), over any field. It loses the digits
+/// that vandermonde_condition says.
 template <field R>
 std::vector<R> exponential_sum(const series::power_series<R>& f, const R& limit, const R& a) {
     std::vector<R> nodes;

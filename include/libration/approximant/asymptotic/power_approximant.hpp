@@ -2,11 +2,12 @@
 //
 //     f(t) = far(t) + c (1 + sum_{n=1}^{N} A_n t^n)^p,   c = f(0) - far(0),
 //
-// for p = -1 and far(t) = t + B that of the boundary layers of Blasius [Barlow2017] and of Falkner and Skan [Belden2020];
-// for p = -q/N what decays like t^-q. The A_n are the Taylor coefficients of h = ((f - far)/c)^(1/p), so that no system is
-// solved. For p = -1 what happens as N grows follows from that. Let r be the radius of convergence of h. Where t < r, the
-// approximants converge; where t > r and |A_n t^n| -> infinity, they tend to far(t). The largest error on [0, infinity) of
-// an f that comes nearer to far(t) with t does not vanish, therefore, but tends to |f(r) - far(r)|.
+// for p = -1 and far(t) = t + B that of the boundary layers of Blasius [Barlow2017] and of Falkner and Skan
+// [Belden2020]; for p = -q/N what decays like t^-q. The A_n are the Taylor coefficients of h = ((f - far)/c)^(1/p), so
+// that no system is solved. For p = -1 what happens as N grows follows from that. Let r be the radius of convergence of
+// h. Where t < r, the approximants converge; where t > r and |A_n t^n| -> infinity, they tend to far(t). The largest
+// error on [0, infinity) of an f that comes nearer to far(t) with t does not vanish, therefore, but tends to |f(r) -
+// far(r)|.
 #pragma once
 
 #include <utility>
@@ -71,7 +72,8 @@ public:
     /// 1, A_1, .., A_N.
     const series::power_series<T>& bracket() const { return bracket_; }
 
-    /// Value and slope at t. O(N). Where p is no whole number the bracket has to be positive: the value is NaN elsewhere.
+    /// Value and slope at t. O(N). Where p is no whole number the bracket has to be positive: the value is NaN
+    /// elsewhere.
     series::jet<T> operator()(const T& t) const {
         using std::exp;
         using std::log;

@@ -19,13 +19,13 @@ struct proved_event {
 };
 
 /// The zeros of g(t, y(t)) after the start, in their order, none left out. On a piece of a step either the ball of g
-/// excludes 0, or that of its derivative along the solution, Dg(y) f(y) on the enclosure of y, does, and the signs at the
-/// ends decide; else the piece is halved. A zero is then narrowed by Newton's method on balls: m - g(m)/g'(S) holds it
-/// for m in S. A zero where the derivative vanishes too is not told from none: precision_exhausted.
+/// excludes 0, or that of its derivative along the solution, Dg(y) f(y) on the enclosure of y, does, and the signs at
+/// the ends decide; else the piece is halved. A zero is then narrowed by Newton's method on balls: m - g(m)/g'(S) holds
+/// it for m in S. A zero where the derivative vanishes too is not told from none: precision_exhausted.
 class event_search {
 public:
-    /// g in unknowns, their lower derivatives and the variable of the system. A march from the start of the system in so
-    /// many bits, in the direction of time (< 0: backwards).
+    /// g in unknowns, their lower derivatives and the variable of the system. A march from the start of the system in
+    /// so many bits, in the direction of time (< 0: backwards).
     event_search(const explicit_system& system, const expression& g, long bits, int direction = 1);
 
     static constexpr long most_steps_between = 100'000;

@@ -25,8 +25,8 @@ struct printed_event {
     std::vector<proved_decimal> values;
 };
 
-/// Events with `digits` proved digits each. Throws error of the kind undecided where the solution ends before (it says up
-/// to where it exists), where `before` comes first, and where more bits do not tell a touching zero from none.
+/// Events with `digits` proved digits each. Throws error of the kind undecided where the solution ends before (it says
+/// up to where it exists), where `before` comes first, and where more bits do not tell a touching zero from none.
 std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits);
 
 }  // namespace libration::ode

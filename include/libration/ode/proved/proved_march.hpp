@@ -23,11 +23,11 @@ enum class march_end {
     steps       ///< the steps become too small: a singularity of the solution is near, in real time or beside it
 };
 
-/// Theorem V. The solution stays in c + Q [-r, r], c exact, from step to step: Phi, the flow over a step h, takes c into
-/// c' + [-tau, tau] by theorem T from the exact point (tau holds the tail, the radii of its balls, the rounding of c'),
-/// and A, from theorem T for the system with its variations over the whole set, holds the derivative of Phi at every
-/// point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau] (error_frame::moved).
-/// Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
+/// Theorem V. The solution stays in c + Q [-r, r], c exact, from step to step: Phi, the flow over a step h, takes c
+/// into c' + [-tau, tau] by theorem T from the exact point (tau holds the tail, the radii of its balls, the rounding of
+/// c'), and A, from theorem T for the system with its variations over the whole set, holds the derivative of Phi at
+/// every point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau]
+/// (error_frame::moved). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
 ///
 /// The unknowns are those of the given system with their lower derivatives; what theorem T needs besides
 /// (lifted_system) is computed from them in each step. The precision falls as the set grows: what is below it is noise.
@@ -38,8 +38,8 @@ public:
 
     /// From the start, in so many bits. Throws error where the start is singular.
     proved_march(const explicit_system& system, long bits, march_watch watch = {});
-    /// The same from every start of a box of balls, the given unknowns at the point of the system; the maps of errors in
-    /// so many bits, which is what derivative_at() is worth.
+    /// The same from every start of a box of balls, the given unknowns at the point of the system; the maps of errors
+    /// in so many bits, which is what derivative_at() is worth.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
                  long error_bits = usual_error_bits, march_watch watch = {});
     ~proved_march();

@@ -51,9 +51,9 @@ struct periodic_orbit {
     proved_decimal period;
 };
 
-/// The periodic orbit near the start of an autonomous system: the unknown that changes fastest there, relative to its size,
-/// is held, the period is guessed from the nearest return among the first ones. Throws error as proved_root; for orbits
-/// in families, as where a first integral exists, dF/dx is singular.
+/// The periodic orbit near the start of an autonomous system: the unknown that changes fastest there, relative to its
+/// size, is held, the period is guessed from the nearest return among the first ones. Throws error as proved_root; for
+/// orbits in families, as where a first integral exists, dF/dx is singular.
 periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits);
 
 }  // namespace libration::ode
