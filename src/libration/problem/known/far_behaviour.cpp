@@ -59,7 +59,7 @@ mpfr meet(const equation_system& given, const std::string& free, const far_condi
     const auto off = [&](const mpfr& x) {
         return condition(state_at(with_parameter(given, free, x), distance), distance);
     };
-    mpfr before = value + (abs(value) + 1) * ten_to(-12);  // what grows like e^20 keeps near, too
+    mpfr before = value + (abs(value) + 1) * ten_to(-static_cast<long>(working_digits()) / 2);
     mpfr off_before = off(before);
     for (int step = 0; step < most_steps; ++step) {
         const mpfr off_now = off(value);
@@ -120,9 +120,14 @@ far_behaviour of_blasius(const equation_system& given, long digits) {
 }
 
 far_behaviour of_falkner_skan(const equation_system& given, const std::string& free, long digits) {
+    // Reversed profiles begin with a long way at rest: the guess itself says how far.
+    mpfr first(9);
+    while (first < 60 && abs(state_at(given, first)[2]) * 100 > 1) {
+        first = first * 3 / 2;
+    }
     const auto found = reach(
         given, free, [](const std::vector<mpfr>& f, const mpfr& /*t*/) { return mpfr(f[1] - 1); },
-        [](const std::vector<mpfr>& f, const mpfr& /*t*/) { return mpfr(abs(f[2])); }, mpfr(9), digits + 4);
+        [](const std::vector<mpfr>& f, const mpfr& /*t*/) { return mpfr(abs(f[2])); }, first, digits + 4);
     const mpfr offset = found.state[0] - found.distance;
     return {"falkner_skan",
             "f",

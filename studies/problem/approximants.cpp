@@ -1,0 +1,462 @@
+// Do asymptotic approximants converge, and what do the systems lose from which they are computed?
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "libration/approximant/asymptotic/asymptotic.hpp"
+#include "libration/approximant/difference_norm.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/taylor_expansion.hpp"
+#include "libration/ode/trajectory.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/problem/known/far_behaviour.hpp"
+#include "published_numbers.hpp"
+#include "sweep/study.hpp"
+#include "text/input_error.hpp"
+
+namespace libration::studies {
+
+namespace approximants_study {
+
+using series::power_series;
+
+namespace {
+
+constexpr int points = 401;
+constexpr long printed = 12;
+
+// A norm on [0, end] of one way to go on from a series.
+struct norm_row {
+    std::string problem, unknown;
+    int order;
+    std::string method;
+    std::optional<norm_at<mpfr>> found;
+    std::optional<mpfr> predicted;
+};
+
+const column_list<norm_row>& columns() {
+    using row = norm_row;
+    static const column_list<row> all{
+        {"problem", "of the catalogue", [](const row& r) { return r.problem; }},
+        {"order", "N, last power of the series at the start that is used", [](const row& r) { return r.order; }},
+        {"method", "series | pade: [N - m, m] with the largest m <= N/2 that there is | asymptotic",
+         [](const row& r) { return r.method; }},
+        {"norm",
+         "largest |method - solution| at 401 Chebyshev points from the start to where the solution is its far "
+         "behaviour, in the unit of the unknown; empty where there is no Pade approximant",
+         [](const row& r) { return r.found ? decimal_cell(r.found->norm, printed) : cell(); }},
+        {"time_of_maximum", "which of the points, in the unit of the variable",
+         [](const row& r) { return r.found ? decimal_cell(r.found->place, printed) : cell(); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return r.found ? log10_cell(r.found->norm) : cell(); }},
+        {"rigour", "two-method: the solution is what two marches agree on, the approximant in as many digits",
+         [](const row& /*r*/) { return "two-method"; }},
+        {"predicted",
+         "what the form says of its norm as N grows, but for a factor: the distance of the solution from its "
+         "far behaviour at the radius of the bracket (power), rho^-N (exponential), N^-(8/5) (branch)",
+         [](const row& r) { return decimal_cell(r.predicted, printed); }},
+        {"log10_predicted", "log10 of predicted", [](const row& r) { return log10_cell(r.predicted); }},
+        {"unknown", "of the problem", [](const row& r) { return r.unknown; }},
+    };
+    return all;
+}
+
+// What double loses in the published form of the exponential approximants.
+struct loss_row {
+    std::string problem;
+    int terms;
+    mpfr condition, amplitudes, vandermonde, decay;
+};
+
+const column_list<loss_row>& loss_columns() {
+    using row = loss_row;
+    static const column_list<row> all{
+        {"problem", "of the catalogue", [](const row& r) { return r.problem; }},
+        {"terms", "number of the exponentials, as many as coefficients", [](const row& r) { return r.terms; }},
+        {"log10_condition", "log10 of the condition number of the Vandermonde system in the maximum norm",
+         [](const row& r) { return log10_cell(r.condition); }},
+        {"log10_amplitudes", "log10 of sum |A_j|: digits that are lost where the exponentials are summed at the start",
+         [](const row& r) { return log10_cell(r.amplitudes); }},
+        {"log10_vandermonde",
+         "log10 of the largest error of double with the A_j of that system, beside the same sum exactly",
+         [](const row& r) { return log10_cell(r.vandermonde); }},
+        {"log10_decay", "the same of the polynomial in 1 - e^(-a t), in double",
+         [](const row& r) { return log10_cell(r.decay); }},
+        {"lost_digits", "digits of double, 15.95 of them, that the system lost",
+         [](const row& r) {
+             const mpfr lost = log(mpfr(r.vandermonde / widen(epsilon<double>()))) / log(mpfr(10));
+             return decimal_cell(lost < 0 ? mpfr(0) : lost, 4);
+         }},
+    };
+    return all;
+}
+
+// A printed number and ours.
+struct verdict_row {
+    published_number number;
+    mpfr ours;
+    bool decided;
+};
+
+mpfr unit_in_last_place(const std::string& decimal) {
+    const auto point = decimal.find('.');
+    return pow(mpfr(10), -static_cast<int>(decimal.size() - 1 - point));
+}
+
+const column_list<verdict_row>& verdict_columns() {
+    using row = verdict_row;
+    const auto units = [](const row& r) {
+        return mpfr((from_exact<mpfr>(read_exact(r.number.printed)) - r.ours) / unit_in_last_place(r.number.printed));
+    };
+    static const column_list<row> all{
+        {"problem", "of the catalogue", [](const row& r) { return r.number.problem; }},
+        {"changes", "parameters and starts, those sought as a first guess",
+         [](const row& r) {
+             std::string text;
+             for (const std::string& each : r.number.changes) {
+                 text += (text.empty() ? "" : "; ") + each;
+             }
+             return cell(text);
+         }},
+        {"quantity", "what is printed", [](const row& r) { return r.number.quantity; }},
+        {"coefficients", "that the approximant predicts it from; empty: of the solution itself",
+         [](const row& r) { return r.number.known > 0 ? cell(r.number.known) : cell(); }},
+        {"published", "as printed", [](const row& r) { return cell(r.number.printed); }},
+        {"ours", "two runs with other digits and other distances agree on it",
+         [](const row& r) { return decimal_cell(r.ours, static_cast<long>(r.number.printed.size()) + 2); }},
+        {"units", "(published - ours) in units of the last printed place",
+         [units](const row& r) { return decimal_cell(units(r), 3); }},
+        {"verdict", "holds: within a unit of the last printed place | fails | undecided",
+         [units](const row& r) { return !r.decided           ? "undecided"
+                                        : abs(units(r)) <= 1 ? "holds"
+                                                             : "fails"; }},
+        {"source", "of the printed number", [](const row& r) { return r.number.source; }},
+    };
+    return all;
+}
+
+ode::equation_system system_of(const std::string& problem, const std::vector<std::string>& changes) {
+    auto system = ode::parse(problem_text(problem));
+    for (const std::string& each : changes) {
+        system = ode::changed(system, each);
+    }
+    return system;
+}
+
+// A problem with its truth at the points and its series, in the precision of the scope.
+struct solved_problem {
+    far_behaviour far;
+    std::vector<mpfr> times, truth;
+    power_series<mpfr> f;
+};
+
+solved_problem solve(const std::string& problem, int highest, long digits) {
+    solved_problem result{far_behaviour_of(problem, system_of(problem, {}), digits), {}, {}, {}};
+    const far_behaviour& far = result.far;
+    std::vector<ode::number> at;
+    for (const double x : chebyshev_points(points)) {
+        const double t = x * static_cast<double>(far.end);
+        if (x < 1 || far.form != far_form::branch) {  // the branch point itself is not reached
+            at.push_back(ode::number(rational(t)));
+            result.times.emplace_back(t);
+        }
+    }
+    const auto unknown = static_cast<std::size_t>(far.index());
+    for (const auto& state : ode::trajectory(far.system, at, digits)) {
+        result.truth.push_back(state[unknown][0]);
+    }
+    const ode::tape tape = ode::tape::about_start(far.system);
+    ode::taylor_expansion<mpfr> expansion(tape, highest);
+    expansion.about_start();
+    result.f = expansion.series_of(far.index());
+    return result;
+}
+
+using function_of_time = std::function<mpfr(const mpfr&)>;
+
+norm_at<mpfr> norm_of(const solved_problem& of, const function_of_time& method) {
+    norm_at<mpfr> largest{mpfr(0), mpfr(0)};
+    for (std::size_t i = 0; i < of.times.size(); ++i) {
+        const mpfr off = abs(mpfr(method(of.times[i]) - of.truth[i]));
+        if (!(off <= largest.norm)) {
+            largest = {off, of.times[i]};
+        }
+    }
+    return largest;
+}
+
+// The series whose radius decides: that of the bracket in t, or of the polynomial in 1 - e^(-rate t).
+std::optional<power_series<mpfr>> deciding_series(const solved_problem& of) {
+    switch (of.far.form) {
+        case far_form::power: return bracket_of_power(of.f, of.far.line, mpfr(-1));
+        case far_form::exponential: return series_in_decay(of.f, of.far.rate);
+        case far_form::reciprocal_exponential: {
+            auto limit = power_series<mpfr>::zero(of.f.order());
+            limit[0] = of.far.line[0];
+            return series_in_decay(limit / of.f, of.far.rate);
+        }
+        default: return std::nullopt;
+    }
+}
+
+// The radius of convergence from the slope of log |a_n| between the largest coefficients of the middle and of
+// the last third, a phase of complex singularities aside: some per cent off, nothing is known of the singularities here.
+mpfr radius_of(const power_series<mpfr>& a, int count) {
+    const auto log_of = [&](int n) { return a[n] == 0 ? mpfr(-1'000'000) : mpfr(log(mpfr(abs(a[n])))); };
+    const mpfr rough = log_of(count) / std::max(count, 1);
+    const auto highest_of = [&](int first, int end) {
+        int best = first;
+        for (int n = first; n < end; ++n) {
+            best = log_of(n) - rough * n > log_of(best) - rough * best ? n : best;
+        }
+        return best;
+    };
+    const int lower = highest_of(count / 3, count * 2 / 3);
+    const int upper = highest_of(count * 2 / 3, count + 1);
+    return exp(mpfr((log_of(lower) - log_of(upper)) / std::max(upper - lower, 1)));
+}
+
+// The solution at a time between two of its points, on the line between their logarithms.
+mpfr distance_from_far_at(const solved_problem& of, const mpfr& t) {
+    for (std::size_t i = 1; i < of.times.size(); ++i) {
+        if (of.times[i] >= t) {
+            const auto off = [&](std::size_t k) {
+                return mpfr(log(mpfr(abs(mpfr(of.truth[k] - evaluate_value(of.far.line, of.times[k]))))));
+            };
+            const mpfr part = (t - of.times[i - 1]) / (of.times[i] - of.times[i - 1]);
+            return exp(mpfr(off(i - 1) * (1 - part) + off(i) * part));
+        }
+    }
+    return mpfr(0);
+}
+
+// Of each order; empty where the form says nothing.
+std::function<std::optional<mpfr>(int)> prediction(const solved_problem& of) {
+    if (of.far.form == far_form::branch) {
+        return [](int order) { return std::optional(mpfr(exp(mpfr(log(mpfr(order)) * -8 / 5)))); };
+    }
+    const auto decides = deciding_series(of);
+    if (!decides) {
+        return [](int /*order*/) { return std::optional<mpfr>(); };
+    }
+    int count = decides->order();
+    while (of.far.form != far_form::power && count > 0 && abs((*decides)[count]) < pow(mpfr(10), -20)) {
+        --count;  // below is the rounding of the start
+    }
+    const mpfr radius = radius_of(*decides, count);
+    if (of.far.form == far_form::power) {
+        return [limit = distance_from_far_at(of, radius)](int /*order*/) { return std::optional(limit); };
+    }
+    return [radius](int order) { return std::optional(mpfr(pow(radius, -order))); };
+}
+
+// [N - m, m] with the largest m <= N/2 for which there is one: gaps of the series leave some out.
+std::optional<pade_approximant<mpfr>> largest_pade(const power_series<mpfr>& f) {
+    for (int m = f.order() / 2; m >= 0; --m) {
+        if (auto found = pade(f, f.order() - m, m)) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<norm_row> norms_of(const solved_problem& of, const std::vector<int>& orders) {
+    const auto predicted = prediction(of);
+    std::vector<norm_row> rows;
+    for (const int order : orders) {
+        const auto f = of.f.truncated(order);
+        const auto add = [&](const std::string& method, const std::optional<function_of_time>& found) {
+            norm_row row{of.far.problem, of.far.unknown, order, method, {}, {}};
+            if (found) {
+                row.found = norm_of(of, *found);
+            }
+            row.predicted = method == "asymptotic" ? predicted(order) : std::nullopt;
+            rows.push_back(std::move(row));
+        };
+        add("series", [&](const mpfr& t) { return evaluate_value(f, t); });
+        const auto rational_function = largest_pade(f);
+        add("pade", rational_function
+                        ? std::optional<function_of_time>([&](const mpfr& t) { return (*rational_function)(t).value; })
+                        : std::nullopt);
+        add("asymptotic", asymptotic_approximant(of.far, f));
+    }
+    return rows;
+}
+
+// The sum of exponentials in double beside the same polynomial exactly, both of f or of limit/f.
+loss_row loss_of(const solved_problem& of, int order) {
+    power_series<mpfr> g = of.f.truncated(order);
+    mpfr limit = of.far.line[0];
+    if (of.far.form == far_form::reciprocal_exponential) {
+        auto numerator = power_series<mpfr>::zero(order);
+        numerator[0] = limit;
+        g = numerator / g;
+        limit = 1;
+    }
+    std::vector<double> rounded;
+    std::vector<mpfr> nodes;
+    for (int n = 0; n <= order; ++n) {
+        rounded.push_back(static_cast<double>(g[n]));
+        nodes.emplace_back(n + 1);
+    }
+    const power_series<double> in_double(rounded);
+    const auto rate = static_cast<double>(of.far.rate);
+    const auto a = exponential_sum(in_double, static_cast<double>(limit), rate);
+    const exponential_approximant<double> decaying(in_double, static_cast<double>(limit), rate);
+    const exponential_approximant<mpfr> exact(g, limit, of.far.rate);
+    loss_row row{of.far.problem, order + 1, vandermonde_condition(nodes), mpfr(0), mpfr(0), mpfr(0)};
+    for (const mpfr& each : exponential_sum(g, limit, of.far.rate)) {
+        row.amplitudes += abs(each);
+    }
+    for (const mpfr& t : of.times) {
+        const auto time = static_cast<double>(t);
+        double sum = 0;
+        for (std::size_t j = a.size(); j-- > 0;) {
+            sum = (sum + a[j]) * std::exp(-rate * time);
+        }
+        const mpfr value = exact.value(t);
+        const auto keep = [](mpfr& largest, const mpfr& off) {
+            largest = isnan(off) ? std::numeric_limits<mpfr>::infinity() : std::max(largest, off);  // beyond double
+        };
+        keep(row.vandermonde, abs(mpfr(widen(sum) + limit - value)));
+        keep(row.decay, abs(mpfr(widen(decaying.value(time)) - value)));
+    }
+    return row;
+}
+
+std::vector<loss_row> losses_of(const solved_problem& of, const std::vector<int>& orders) {
+    std::vector<loss_row> rows;
+    if (of.far.form == far_form::exponential || of.far.form == far_form::reciprocal_exponential) {
+        for (const int order : orders) {
+            rows.push_back(loss_of(of, order));
+        }
+    }
+    return rows;
+}
+
+mpfr value_of(const published_number& number, long digits) {
+    const auto system = system_of(number.problem, number.changes);
+    if (number.known == 0) {
+        return far_behaviour_of(number.problem, system, digits, number.free).values.at(number.quantity);
+    }
+    const precision_scope scope(2 * digits + 20);
+    const auto found = predicted_sakiadis(system, number.known);
+    return number.quantity == "G" ? found.amplitude : number.quantity == "f(inf)" ? found.limit : found.wall_shear;
+}
+
+std::vector<verdict_row> verdicts_of(const std::string& problem) {
+    std::vector<verdict_row> rows;
+    for (const published_number& each : published_numbers(problem)) {
+        const auto digits = static_cast<long>(each.printed.size());
+        const mpfr ours = value_of(each, digits);
+        const mpfr again = value_of(each, digits + 6);
+        rows.push_back({each, again, abs(mpfr(ours - again)) * 10 <= unit_in_last_place(each.printed)});
+    }
+    return rows;
+}
+
+std::vector<table> tables_of_problem(const std::string& problem, const std::vector<int>& orders, long digits) {
+    const int highest = *std::max_element(orders.begin(), orders.end());
+    const precision_scope scope(digits + 20 + 3L * highest);
+    const solved_problem of = solve(problem, highest, digits);
+    return {make_table(columns(), norms_of(of, orders)), make_table(loss_columns(), losses_of(of, orders)),
+            make_table(verdict_columns(), verdicts_of(problem))};
+}
+
+study_plan plan(const study_request& request) {
+    std::vector<std::string> problems;
+    for (const exact& each : request.values.of("problem")) {
+        problems.push_back(each.text);
+    }
+    std::vector<int> orders = request.orders();
+    if (orders.front() < 1) {
+        throw input_error("--orders", "0", "is no order of an approximant", "write orders from 1 on");
+    }
+    const auto all_digits = request.digits();
+    const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(all_digits.begin(), all_digits.end())};
+    return plan_of_cells(
+        {head_of("", scalar, columns()), head_of("digits", scalar, loss_columns()),
+         head_of("published", scalar, verdict_columns())},
+        {"problem"}, problems.size(),
+        [problems](std::size_t i) {
+            return cell_inputs{{"problem", problems[i]}};
+        },
+        [problems, orders, digits = scalar.digits](std::size_t i) {
+            return tables_of_problem(problems[i], orders, digits);
+        });
+}
+
+const problem& problems_of_study() {
+    static const problem result{
+        .name = "problems with a known far behaviour",
+        .axes = {{.name = "problem",
+                  .option = "--problems",
+                  .help = "problems of the catalogue whose far behaviour is known: LIST",
+                  .unit = "",
+                  .form = axis_form::words,
+                  .remedy = "write names such as blasius,sir",
+                  .check =
+                      [](const exact& each) {
+                          const auto& known = problems_with_far_behaviour();
+                          if (std::find(known.begin(), known.end(), each.text) == known.end()) {
+                              std::string names;
+                              for (const std::string& name : known) {
+                                  names += (names.empty() ? "" : ", ") + name;
+                              }
+                              throw error(
+                                  error_kind::argument, "list", "",
+                                  "has '" + each.text + "', whose far behaviour is not known: it is of " + names);
+                          }
+                      },
+                  .coordinate = "problem",
+                  .to_coordinate = {}}}};
+    return result;
+}
+
+}  // namespace
+}  // namespace approximants_study
+
+const study& approximants() {
+    using namespace approximants_study;
+    static const study result{
+        .name = "approximants",
+        .title = "Asymptotic approximants",
+        .label = "",
+        .question = "Do asymptotic approximants converge, and how many digits are lost on the way to them?",
+        .reading =
+            "Solid: the largest error of the asymptotic approximant from the start to where the solution has become "
+            "its "
+            "far behaviour, against the order N of the series; dashed the series itself, dash-dotted its Pade "
+            "approximants, dotted what the form of the approximant predicts. The sums of exponentials are polynomials "
+            "in "
+            "z = 1 - e^(-a t): they converge geometrically where what they stand for is analytic in |z| < rho with "
+            "rho > 1, as for sakiadis and sir, and they do not for sir_japan, where rho < 1: its error is least, "
+            "{{min norm of approximants where problem=sir_japan method=asymptotic to 2}}, at a moderate N. The "
+            "published "
+            "Vandermonde system takes {{the lost_digits of approximants_digits where problem=sir terms=21 to 2}} of "
+            "the "
+            "16 digits of double at 21 terms of sir and {{the lost_digits of approximants_digits where problem=sir "
+            "terms=81 to 2}} at 81; in powers of z nothing is lost. The approximants of Blasius and of Falkner and "
+            "Skan "
+            "do not converge on the whole axis either: for blasius the least error, "
+            "{{min norm of approximants where problem=blasius method=asymptotic to 2}}, belongs to a moderate N, and "
+            "beyond it the error goes to the distance of the solution from its far behaviour at the radius of "
+            "convergence of the bracket, {{max predicted of approximants where problem=blasius to 2}}. For the "
+            "collapse "
+            "of a bubble the branch point takes the error from N^-(2/5) to N^-(8/5). The damped Pade approximants of "
+            "seir and flierl_petviashvili converge here, not evenly, and nothing is predicted of them. The table of "
+            "published numbers says of each whether it holds.",
+        .of = &problems_of_study(),
+        .parameters = {{"--problems", "blasius,falkner_skan,flierl_petviashvili,rayleigh,sakiadis,seir,sir,sir_japan",
+                        "problems of the catalogue"},
+                       {"--orders", "4:60:15,80:200:7", "N, last power of the series"},
+                       {"--digits", "24", "digits of the solution; of a list the largest"}},
+        .quick = {{"--problems", "rayleigh,sir", ""}, {"--orders", "4,10,20", ""}, {"--digits", "12", ""}},
+        .seconds = 16,
+        .excluded = {},
+        .plan = plan};
+    return result;
+}
+
+}  // namespace libration::studies
