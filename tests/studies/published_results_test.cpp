@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 
 #include "claims/claim.hpp"
@@ -49,8 +50,13 @@ TEST_CASE("the published claims are measured again byte for byte", "[paper][clai
     CHECK(to_csv(claims_table(judge(claims, 2))) == published("claims.csv"));
 }
 
-TEST_CASE("every study is published, with its figure", "[studies][results]") {
+// Those of the set `problems` are made on demand: results/ holds the paper's.
+TEST_CASE("every study of the paper is published, with its figure", "[studies][results]") {
+    const std::set<std::string> of_problems{"approximants"};
     for (const study* each : all_studies()) {
+        if (of_problems.contains(each->name)) {
+            continue;
+        }
         INFO(each->name);
         for (const std::string extension : {".csv", ".tex", ".json", ".svg", ".png", ".pdf"}) {
             CHECK(
