@@ -1,12 +1,36 @@
-// The tape of any equation beside recurrences written by hand for one, 100 coefficients in mpfr of 50 digits.
+// The tape of any equation beside recurrences written by hand for one, 100 coefficients in mpfr of 50 digits; then
+// solutions to an end beside those of Boost.odeint, GSL and mpmath. Each of the others is given the largest tolerance
+// 10^-k with which it reaches the error that is asked, 1e-25 in mpfr of 50 digits and 1e-13 in double, relative to the
+// largest component at the end, against a value with more digits by two marches that agree. Ours has no tolerance: it
+// takes the order of its arithmetic. The errors that were reached stand beside the times. GSL, which may not be linked
+// here, and mpmath time themselves in programs of their own. Ends with 1 where a side does not reach its error.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <boost/numeric/odeint.hpp>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
+#include "equation_peers.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/step.hpp"
+#include "libration/ode/trajectory.hpp"
 #include "libration/pendulum/pendulum.hpp"
+#include "ratio_table.hpp"
+#include "rounds.hpp"
+#include "run/child_program.hpp"
+
+// A number of Boost.Multiprecision has a value_type of its own, which odeint takes for that of the state.
+template <>
+struct boost::numeric::odeint::norm_result_type<std::vector<libration::mpfr>, void> {
+    using type = libration::mpfr;
+};
 
 namespace {
 
@@ -123,6 +147,229 @@ BENCHMARK_CAPTURE(blocks_in_balls, blasius_from_the_wall_1000_digits, blasius_te
 BENCHMARK_CAPTURE(terms_in_mpfr, lorenz_1000_digits, lorenz_text)->Arg(1000)->Arg(4000);
 BENCHMARK_CAPTURE(blocks_in_mpfr, lorenz_1000_digits, lorenz_text)->Arg(1000)->Arg(4000);
 
+constexpr int digits_of_truth = 60;
+
+// The value of a decimal in T.
+template <class T>
+T value_of(const std::string& decimal) {
+    return from_exact<T>(read_exact(decimal));
+}
+
+// A problem with its solution at the end.
+struct solved_problem {
+    bench::initial_value_problem problem;
+    ode::explicit_system system;
+    std::vector<std::size_t> places;  // of the state x, x', y, ... in the order of the system
+    std::vector<mpfr> truth;          // in the order of the state
+    mpfr largest;
+
+    // In the order of the state.
+    template <class T>
+    std::vector<T> flat(const ode::solution_state<T>& state) const {
+        std::vector<T> values(places.size());
+        std::size_t next = 0;
+        for (const auto& of_unknown : state) {
+            for (const T& value : of_unknown) {
+                values[places[next++]] = value;
+            }
+        }
+        return values;
+    }
+
+    template <class T>
+    mpfr error_of(const std::vector<T>& values) const {
+        const precision_scope scope(digits_of_truth);
+        mpfr worst(0);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            worst = std::max(worst, mpfr(abs(mpfr(widen(values[i]) - truth[i])) / largest));
+        }
+        return worst;
+    }
+};
+
+solved_problem solve(const bench::initial_value_problem& problem) {
+    const precision_scope scope(digits_of_truth);
+    solved_problem result{problem, ode::explicit_system(ode::parse(problem.text())), {}, {}, mpfr(0)};
+    const auto derivatives = static_cast<std::size_t>(problem.order);
+    for (const auto& each : result.system.unknowns()) {
+        const auto found = std::find(problem.unknowns.begin(), problem.unknowns.end(), each.name);
+        for (std::size_t j = 0; j < derivatives; ++j) {
+            result.places.push_back(static_cast<std::size_t>(found - problem.unknowns.begin()) * derivatives + j);
+        }
+    }
+    const ode::number end = as_expression(read_exact(problem.end));
+    result.truth = result.flat(ode::trajectory(result.system, {end}, digits_of_truth).front());
+    for (const mpfr& each : result.truth) {
+        result.largest = std::max(result.largest, mpfr(abs(each)));
+    }
+    return result;
+}
+
+// Adds a way to the end, whose error has to be at most what is asked.
+void add(std::vector<bench::contender>& all, const std::string& name, std::function<double()> pass, const mpfr& error,
+         const mpfr& asked) {
+    if (!(error <= asked)) {
+        throw std::runtime_error(name + " is off by " + to_decimal(error, 3));
+    }
+    all.push_back({name, std::move(pass), to_decimal(error, 2)});
+}
+
+// The tape and the arrays are made once, and each pass starts over; a pass of ours makes them too where `anew`.
+template <class T>
+void add_ours(std::vector<bench::contender>& all, const std::string& name, const solved_problem& of, const mpfr& asked,
+              bool anew) {
+    const T end = value_of<T>(of.problem.end);
+    const auto march = std::make_shared<ode::taylor_march<T>>(of.system);
+    const mpfr error = of.error_of(of.flat(march->advance_to(end)));
+    auto pass = bench::timed(1, [march, end, &of, anew] {
+        if (anew) {
+            ode::taylor_march<T> fresh(of.system);
+            benchmark::DoNotOptimize(fresh.advance_to(end));
+        } else {
+            march->advance_to(T(0));
+            benchmark::DoNotOptimize(march->advance_to(end));
+        }
+    });
+    add(all, name, std::move(pass), error, asked);
+}
+
+template <class T>
+std::vector<T> by_odeint(const solved_problem& of, const T& tolerance) {
+    namespace odeint = boost::numeric::odeint;
+    using state = std::vector<T>;
+    using plain = odeint::runge_kutta_fehlberg78<state, T, state, T>;
+    state x;
+    for (const std::string& each : of.problem.start) {
+        x.push_back(value_of<T>(each));
+    }
+    static const plain stepper;  // static: GCC warns of the state that copies copy
+    const auto controlled = odeint::make_controlled(tolerance, tolerance, stepper);
+    odeint::integrate_adaptive(controlled, bench::slope_of<T>(of.problem.name), x, T(0), value_of<T>(of.problem.end),
+                               value_of<T>("0.001"));
+    return x;
+}
+
+// The largest 10^-k, k >= first, with which `errors` is at most what is asked.
+template <class Error>
+int least_tolerance(int first, int last, const mpfr& asked, const Error& error) {
+    for (int k = first; k < last; ++k) {
+        if (error(k) <= asked) {
+            return k;
+        }
+    }
+    return last;
+}
+
+template <class T>
+void add_odeint(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked, int first, int last) {
+    const auto tolerance = [](int k) { return value_of<T>("1e-" + std::to_string(k)); };
+    const int k =
+        least_tolerance(first, last, asked, [&](int i) { return of.error_of(by_odeint<T>(of, tolerance(i))); });
+    const mpfr error = of.error_of(by_odeint<T>(of, tolerance(k)));
+    auto pass = bench::timed(1, [&of, at = tolerance(k)] { benchmark::DoNotOptimize(by_odeint<T>(of, at)); });
+    add(all, fmt::format("Boost.odeint RKF78, tolerance 1e-{}", k), std::move(pass), error, asked);
+}
+
+// What a program of its own measured, and its values.
+template <class T>
+struct peer_answer {
+    double nanoseconds = 0;
+    std::vector<T> values;
+};
+
+template <class T>
+peer_answer<T> ask_peer(const char* program, const std::string& input, std::size_t count) {
+    std::istringstream answer(output_of_program(program, input));
+    peer_answer<T> result;
+    answer >> result.nanoseconds;
+    std::string word;
+    for (std::size_t i = 0; i < count && answer >> word; ++i) {
+        if constexpr (std::is_same_v<T, double>) {
+            result.values.push_back(std::strtod(word.c_str(), nullptr));
+        } else {
+            result.values.push_back(value_of<T>(word));
+        }
+    }
+    return result;
+}
+
+#ifdef LIBRATION_GSL_EQUATIONS
+void add_gsl(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked, int first, int last) {
+    const auto ask = [&of](int k, int passes) {
+        std::string input =
+            fmt::format("{} 1e-{} {} {} {}\n", of.problem.name, k, passes, of.problem.end, of.problem.start.size());
+        for (const std::string& each : of.problem.start) {
+            input += each + "\n";
+        }
+        return ask_peer<double>(LIBRATION_GSL_EQUATIONS, input, of.problem.start.size());
+    };
+    const int k = least_tolerance(first, last, asked, [&](int i) { return of.error_of(ask(i, 1).values); });
+    add(
+        all, fmt::format("GSL rk8pd, tolerance 1e-{}", k), [ask, k] { return ask(k, 20).nanoseconds; },
+        of.error_of(ask(k, 1).values), asked);
+}
+#endif
+
+// Where Python or mpmath is missing, nothing.
+void add_mpmath(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked) {
+    constexpr int digits = 27;
+    std::string input = fmt::format("{} {} {} {}\n", of.problem.name, digits, of.problem.end, of.problem.start.size());
+    for (const std::string& each : of.problem.start) {
+        input += each + "\n";
+    }
+    try {
+        const auto found = ask_peer<mpfr>(LIBRATION_MPMATH_EQUATIONS, input, of.problem.start.size());
+        add(
+            all, fmt::format("mpmath odefun, {} digits, once", digits), [ns = found.nanoseconds] { return ns; },
+            of.error_of(found.values), asked);
+    } catch (const std::runtime_error& problem) {
+        fmt::print("(mpmath: {})\n", problem.what());
+    }
+}
+
+void compare_in_mpfr(const solved_problem& of) {
+    const precision_scope scope(50);
+    const mpfr asked = pow(mpfr(10), -25);
+    std::vector<bench::contender> all;
+    add_ours<mpfr>(all, "libration taylor_march<mpfr>", of, asked, false);
+    add_odeint<mpfr>(all, of, asked, 24, 32);
+    add_mpmath(all, of, asked);
+    bench::run_rounds(all, 3);
+    bench::print_ratios(
+        fmt::format("{} to t = {}, mpfr of 50 digits, error at most 1e-25", of.problem.name, of.problem.end), "error",
+        all);
+}
+
+void compare_in_double(const solved_problem& of) {
+    const mpfr asked = pow(mpfr(10), -13);
+    std::vector<bench::contender> all;
+    add_ours<double>(all, "libration taylor_march<double>", of, asked, false);
+    add_ours<double>(all, "libration taylor_march<double>, with its tape", of, asked, true);
+    add_odeint<double>(all, of, asked, 11, 18);
+#ifdef LIBRATION_GSL_EQUATIONS
+    add_gsl(all, of, asked, 11, 18);
+#else
+    fmt::print("(GSL was not found when this was configured)\n");
+#endif
+    bench::run_rounds(all, 15);
+    bench::print_ratios(fmt::format("{} to t = {}, double, error at most 1e-13", of.problem.name, of.problem.end),
+                        "error", all);
+}
+
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** words) {
+    return libration::bench::exit_code_of("equations", [&] {
+        benchmark::Initialize(&count, words);
+        if (benchmark::ReportUnrecognizedArguments(count, words)) {
+            return 2;
+        }
+        benchmark::RunSpecifiedBenchmarks();
+        for (const auto& each : libration::bench::problems_with_peers()) {
+            const solved_problem solved = solve(each);
+            compare_in_double(solved);
+            compare_in_mpfr(solved);
+        }
+        return 0;
+    });
+}

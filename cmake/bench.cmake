@@ -21,5 +21,16 @@ if(TARGET libration-gsl-trajectory)
         LIBRATION_GSL_TRAJECTORY="$<TARGET_FILE:libration-gsl-trajectory>")
 endif()
 
+# The one whose peers solve differential equations, GSL's and mpmath's in programs of their own.
+target_sources(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/run/child_program.cpp)
+target_include_directories(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_compile_definitions(libration-bench-equations PRIVATE
+    LIBRATION_MPMATH_EQUATIONS="${PROJECT_SOURCE_DIR}/peers/mpmath_equations.py")
+if(TARGET libration-gsl-equations)
+    add_dependencies(libration-bench-equations libration-gsl-equations)
+    target_compile_definitions(libration-bench-equations PRIVATE
+        LIBRATION_GSL_EQUATIONS="$<TARGET_FILE:libration-gsl-equations>")
+endif()
+
 # The one that runs the engine of the studies.
 target_link_libraries(libration-bench-journal PRIVATE libration-studies libration-sweep)

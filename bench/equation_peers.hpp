@@ -1,0 +1,133 @@
+// Initial value problems that others solve too: as text for ours, as functions for theirs.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace libration::bench {
+
+/// A problem with the state x1, x1', x2, x2', ... of its unknowns in this order.
+struct initial_value_problem {
+    std::string name;  ///< as the peers know it
+    std::string equations;
+    std::vector<std::string> unknowns;
+    int order;  ///< of all of them
+    std::vector<std::string> start;
+    std::string end;
+
+    /// The equations with their starts, as text.
+    std::string text() const {
+        std::string all = equations;
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            const auto q = static_cast<std::size_t>(order);
+            all += "; " + unknowns[i / q] + std::string(i % q, '\'') + "(0) = " + start[i];
+        }
+        return all;
+    }
+};
+
+/// Bodies 1 to 4 of mass 1 in a plane: x_i'' = sum (x_j - x_i)/r_ij^3, each distance written once.
+inline std::string four_body_equations() {
+    const auto cube = [](int i, int j) {
+        const std::string a = std::to_string(i);
+        const std::string b = std::to_string(j);
+        return "((x" + b + " - x" + a + ")^2 + (y" + b + " - y" + a + ")^2)^(3/2)";
+    };
+    std::string all;
+    for (int i = 1; i <= 4; ++i) {
+        for (const std::string axis : {"x", "y"}) {
+            all += (all.empty() ? "" : "; ") + axis + std::to_string(i) + "'' = 0";
+            for (int j = 1; j <= 4; ++j) {
+                if (j != i) {
+                    const int low = i < j ? i : j;
+                    const int high = i < j ? j : i;
+                    all += (i < j ? " + (" : " - (") + axis + std::to_string(high) + " - " + axis +
+                           std::to_string(low) + ")/" + cube(low, high);
+                }
+            }
+        }
+    }
+    return all;
+}
+
+inline std::vector<initial_value_problem> problems_with_peers() {
+    return {
+        {"lorenz", "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z", {"x", "y", "z"}, 1, {"1", "0", "0"}, "2"},
+        {"kepler",
+         "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)",
+         {"x", "y"},
+         2,
+         {"0.4", "0", "0", "2"},
+         "10"},
+        {"pendulum", "x'' = -sin(x)", {"x"}, 2, {"2.5", "-0.3"}, "20"},
+        {"four_body",
+         four_body_equations(),
+         {"x1", "y1", "x2", "y2", "x3", "y3", "x4", "y4"},
+         2,
+         {"1", "0", "0", "0.9", "0", "-1", "1.1", "0", "-0.9", "0", "0", "-0.8", "0", "1.1", "-1", "0"},
+         "3"}};
+}
+
+/// The slope of a state, for solvers of first order.
+template <class T>
+using slope_function = void (*)(const std::vector<T>& x, std::vector<T>& slope, const T& t);
+
+template <class T>
+void slope_of_lorenz(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
+    slope[0] = 10 * (x[1] - x[0]);
+    slope[1] = x[0] * (28 - x[2]) - x[1];
+    slope[2] = x[0] * x[1] - 8 * x[2] / 3;
+}
+
+template <class T>
+void slope_of_kepler(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
+    using std::sqrt;
+    const T square = x[0] * x[0] + x[2] * x[2];
+    const T cube = square * sqrt(square);
+    slope[0] = x[1];
+    slope[1] = -x[0] / cube;
+    slope[2] = x[3];
+    slope[3] = -x[2] / cube;
+}
+
+template <class T>
+void slope_of_pendulum(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
+    using std::sin;
+    slope[0] = x[1];
+    slope[1] = -sin(x[0]);
+}
+
+template <class T>
+void slope_of_four_bodies(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
+    using std::sqrt;
+    for (std::size_t i = 0; i < 16; i += 2) {
+        slope[i] = x[i + 1];
+        slope[i + 1] = T(0);
+    }
+    for (std::size_t i = 0; i < 16; i += 4) {
+        for (std::size_t j = i + 4; j < 16; j += 4) {
+            const T dx = x[j] - x[i];
+            const T dy = x[j + 2] - x[i + 2];
+            const T square = dx * dx + dy * dy;
+            const T cube = square * sqrt(square);
+            const T fx = dx / cube;
+            const T fy = dy / cube;
+            slope[i + 1] += fx;
+            slope[i + 3] += fy;
+            slope[j + 1] -= fx;
+            slope[j + 3] -= fy;
+        }
+    }
+}
+
+template <class T>
+slope_function<T> slope_of(const std::string& name) {
+    return name == "lorenz"     ? slope_of_lorenz<T>
+           : name == "kepler"   ? slope_of_kepler<T>
+           : name == "pendulum" ? slope_of_pendulum<T>
+                                : slope_of_four_bodies<T>;
+}
+
+}  // namespace libration::bench
