@@ -61,7 +61,8 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
         }
         start = *root;
         at.push_back(*root);
-        exponents.push_back({exponent_at(q, *root, form, stride)});
+        complex_number<mpfr> exponent{exponent_at(q, *root, form, stride)};
+        exponents.push_back(std::move(exponent));
     }
     return fitted_singularity{at[0], exponents[0].re, left_after(at, s), left_after(exponents, s).likely};
 }

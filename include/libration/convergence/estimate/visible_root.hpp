@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -134,13 +135,11 @@ inline bool amplitude_stays(const wide_series& series, const std::vector<root_wi
     }
     const int terms = std::clamp(last / 3 / columns, 1, 8);
     const auto now = amplitude_of_first(series, roots, last, terms);
-    for (const int back : {1, std::max(2, last / 8), std::max(3, last / 4)}) {
-        const auto carried = now ? carried_amplitude(series, roots, last, back, terms) : std::nullopt;
-        if (!carried || !(abs(*carried - *now) * 4 < *now)) {
-            return false;
-        }
-    }
-    return true;
+    const std::array<int, 3> ways_back{1, std::max(2, last / 8), std::max(3, last / 4)};
+    return now && std::ranges::all_of(ways_back, [&](int back) {
+               const auto carried = carried_amplitude(series, roots, last, back, terms);
+               return carried && abs(*carried - *now) * 4 < *now;
+           });
 }
 
 /// Whether the first root is a singularity that the coefficients show, the others being those near it: nothing speaks
