@@ -45,7 +45,7 @@ explicit_system with_variations(const lifted_system& of);
 template <field R>
 class expression_values {
 public:
-    expression_values(const std::vector<expression>& leaves, const R& variable) : variable_(variable) {
+    expression_values(const std::vector<expression>& leaves, R variable) : variable_(std::move(variable)) {
         for (std::size_t k = 0; k < leaves.size(); ++k) {
             indices_.emplace(leaves[k].name(), k);
         }

@@ -72,7 +72,7 @@ private:
     void run_singular();
     void set_newest(int unknown, int n, const R& value);
     R solved(int unknown, int n) const;
-    void step(int index, int n);
+    void step(int index, int at);
     void linear_step(const tape_step& s, int index, int n);
     void function_step(const tape_step& s, int index, int n);
     void set_centre(const tape_step& s, int index);

@@ -130,11 +130,11 @@ private:
         if (first.kind == token_kind::numeral) {
             ++next_;
             const auto behind = unit_behind();
-            const expression raised = raised_by_exponent(behind.value_or(expression(first.value)), first.at);
+            expression raised = raised_by_exponent(behind.value_or(expression(first.value)), first.at);
             juxtaposed_ = behind.has_value();
             return behind ? expression(first.value) * raised : raised;
         }
-        const expression raised = raised_by_exponent(primary(), first.at);
+        expression raised = raised_by_exponent(primary(), first.at);
         juxtaposed_ = false;
         return raised;
     }

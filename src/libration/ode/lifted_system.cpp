@@ -152,7 +152,7 @@ private:
         return sum;
     }
 
-    expression slope(const expression w, const expression leaf) {
+    expression slope(const expression& w, const expression& leaf) {
         if (w.kind() == node_kind::quotient) {
             return -(leaf * leaf * slope_of(w.right()));
         }

@@ -115,7 +115,7 @@ private:
 long lag_of(const expression& e, int root) {
     switch (e.kind()) {
         case node_kind::unknown: return static_cast<long>(e.derivative()) * root;
-        case node_kind::function: return lag_of(e.left(), root);
+        case node_kind::function:
         case node_kind::power: return lag_of(e.left(), root);
         case node_kind::product: {
             const expression& left = e.left();

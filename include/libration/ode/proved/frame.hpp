@@ -11,6 +11,9 @@ namespace libration::ode {
 /// Rows of a square matrix.
 using ball_matrix = std::vector<std::vector<ball>>;
 
+/// The midpoint, rounded to the working precision, as an exact ball.
+ball exact_midpoint(const ball& x);
+
 /// a b.
 ball_matrix product(const ball_matrix& a, const ball_matrix& b);
 

@@ -23,7 +23,7 @@ public:
     void add_middle(ball* sums, int count, const ball* a, int length, const ball* b, int terms) const override {
         const auto c = middle_product(a, length, b, terms, count, ball::working_bits());
         for (int i = 0; i < count; ++i) {
-            sums[i] += c[static_cast<std::size_t>(length + i)];
+            sums[i] += c[static_cast<std::size_t>(length) + static_cast<std::size_t>(i)];
         }
     }
     int least_length() const override { return least_length_at(ball::working_bits()); }
@@ -38,7 +38,9 @@ public:
         const auto c = middle_product(left.data(), length, right.data(), terms, count, ball::working_bits() + 32);
         mpfr term;
         for (int i = 0; i < count; ++i) {
-            arf_get_mpfr(handle(term), arb_midref(c[static_cast<std::size_t>(length + i)].handle()), MPFR_RNDN);
+            arf_get_mpfr(handle(term),
+                         arb_midref(c[static_cast<std::size_t>(length) + static_cast<std::size_t>(i)].handle()),
+                         MPFR_RNDN);
             sums[i] += term;
         }
     }

@@ -14,12 +14,6 @@ namespace {
 
 using column = std::vector<ball>;
 
-ball exact_midpoint(const ball& x) {
-    ball result;
-    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
-    return result;
-}
-
 ball dot(const column& a, const column& b) {
     ball sum(0);
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -118,6 +112,12 @@ ball_matrix inverse(const std::vector<column>& q) {
 }
 
 }  // namespace
+
+ball exact_midpoint(const ball& x) {
+    ball result;
+    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
+    return result;
+}
 
 ball_matrix product(const ball_matrix& a, const ball_matrix& b) {
     ball_matrix result(a.size());

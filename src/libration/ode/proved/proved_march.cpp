@@ -1,6 +1,7 @@
 #include "libration/ode/proved/proved_march.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,7 +20,7 @@ constexpr long widest_set = -24;
 // Of the bits of the map of errors, those that its truncation need not keep.
 constexpr long bits_below_truncation = 40;
 // R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
-constexpr int tried_parts[] = {92, 85, 75, 60, 45, 30, 15};
+constexpr std::array<unsigned long, 7> tried_parts{92, 85, 75, 60, 45, 30, 15};
 // Then halves of the last one: the last coefficients say too much where the solution is nearly a polynomial.
 constexpr int tried_halves = 16;
 // log2 of how much shorter the map of errors makes a step.
@@ -73,8 +74,8 @@ double estimated_radius(const taylor_expansion<ball>& of, std::size_t unknowns, 
 std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<ball>& expansion, const ball& point,
                                     double log_of_radius) {
     magnitude radius;
-    for (const int part : tried_parts) {
-        radius = power_of_two(log_of_radius) * magnitude::of(static_cast<unsigned long>(part) * 328, -15);
+    for (const unsigned long part : tried_parts) {
+        radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
         if (auto bound = bounded_tail(of, expansion, point, radius)) {
             return bound;
         }
@@ -141,12 +142,6 @@ std::vector<ball> enclosed_start(const explicit_system& system, long bits) {
     return values;
 }
 
-ball exact_midpoint(const ball& x) {
-    ball result;
-    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
-    return result;
-}
-
 }  // namespace
 
 // What a step needs: made again where the precision changes.
@@ -185,7 +180,7 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
     std::vector<magnitude> widths;
     for (const ball& each : start) {
         centre_.push_back(exact_midpoint(each));
-        widths.push_back(magnitude(each - centre_.back()));
+        widths.emplace_back(each - centre_.back());
     }
     errors_ = error_frame(std::move(widths));
 }

@@ -191,7 +191,7 @@ far_behaviour of_flierl_petviashvili(const equation_system& given, long digits) 
 mpfr left_of_epidemic(const mpfr& ratio, const mpfr& s0, const mpfr& rest) {
     mpfr s = s0 * exp(mpfr(-(s0 + rest) / ratio));
     for (;;) {
-        const mpfr next = s - (ratio * log(mpfr(s / s0)) + s0 + rest - s) / (ratio / s - 1);
+        mpfr next = s - (ratio * log(mpfr(s / s0)) + s0 + rest - s) / (ratio / s - 1);
         if (!(next > s) || next - s <= s * epsilon<mpfr>()) {
             return next;
         }
