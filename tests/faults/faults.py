@@ -286,7 +286,7 @@ FAULTS = [
         ("the tail of a step forgotten", "values.push_back(widened(state[i][0], now_->tail->at(i, magnitude(distance))));",
          "values.push_back(state[i][0]);"),
         ("the errors left behind at a time", "values[i] = widened(values[i], errors_.reach(map, i));", ""),
-        ("the start as its midpoint", "widths.push_back(magnitude(each - centre_.back()));", "widths.emplace_back();"),
+        ("the start as its midpoint", "widths.emplace_back(each - centre_.back());", "widths.emplace_back();"),
         ("the map of the centre for the set", "widened(centre_[i] + 0, errors_.reach(i))", "centre_[i] + 0"),
     ),
     *in_file(

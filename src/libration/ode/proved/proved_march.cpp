@@ -110,19 +110,19 @@ std::vector<ball> varied_values(const lifted_system& of, const ball& time, const
         values.push_back(each);
     }
     for (std::size_t j = 0; j < of.given; ++j) {
-        std::vector<ball> column;
+        std::vector<ball> derivatives;
         for (std::size_t i = 0; i < count; ++i) {
             if (i < of.given) {
-                column.emplace_back(i == j ? 1 : 0);
+                derivatives.emplace_back(i == j ? 1 : 0);
                 continue;
             }
             ball sum(0);
             for (const auto& [k, by] : of.gradients[i - of.given]) {
-                sum += values.of(by) * column[k];
+                sum += values.of(by) * derivatives[k];
             }
-            column.push_back(sum);
+            derivatives.push_back(sum);
         }
-        result.insert(result.end(), column.begin(), column.end());
+        result.insert(result.end(), derivatives.begin(), derivatives.end());
     }
     return result;
 }

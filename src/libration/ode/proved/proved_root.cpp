@@ -17,8 +17,8 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long first_bits = 160;
-constexpr int most_newton_steps = 60;
+constexpr long first_root_bits = 160;
+constexpr int most_root_steps = 60;
 constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
 
@@ -72,14 +72,14 @@ std::vector<ball> times(const ball_matrix& a, const std::vector<ball>& x) {
 class root_search {
 public:
     root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits) : f_(f), bits_(digits) {
-        const precision_scope scope(decimal_digits(first_bits));
+        const precision_scope scope(decimal_digits(first_root_bits));
         for (const number& each : guess) {
             x_.push_back(exact_midpoint(constant_value<ball>::of(each)));
         }
     }
 
     std::vector<proved_decimal> result() {
-        long bits = first_bits;
+        long bits = first_root_bits;
         settle(bits);
         for (int proof = 0; proof < most_proofs; ++proof) {
             while (bits < bits_.now()) {
@@ -108,7 +108,7 @@ private:
     // Newton's method until the steps are below the precision; its first steps may be long.
     void settle(long bits) {
         magnitude before;
-        for (int i = 0; i < most_newton_steps; ++i) {
+        for (int i = 0; i < most_root_steps; ++i) {
             const magnitude step = improve(bits);
             if (step <= magnitude::of(1, -bits / 2)) {
                 return;

@@ -131,13 +131,10 @@ private:
     std::vector<step_norm> all_;
 };
 
-}  // namespace
-
 template <field R>
-std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
-                                       const magnitude& radius) {
-    const norms_of_steps<R> norms(of, expansion, point, radius);
-    const auto order = static_cast<unsigned long>(expansion.order());
+std::optional<tail_bound> tail_by_norms(const tape& of, const norms_of_steps<R>& norms, int last,
+                                        const magnitude& radius) {
+    const auto order = static_cast<unsigned long>(last);
     std::vector<magnitude> defect;
     for (const int output : of.outputs()) {
         defect.push_back(norms.rest(output) * radius / (order + 1));
@@ -158,13 +155,21 @@ std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>
             return std::nullopt;
         }
         if (std::ranges::equal(next, s, [](const magnitude& a, const magnitude& b) { return a <= b; })) {
-            return tail_bound{radius, expansion.order(), image(image(next))};
+            return tail_bound{radius, last, image(image(next))};
         }
         for (std::size_t i = 0; i < s.size(); ++i) {
             s[i] = next[i] * inflation;
         }
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+template <field R>
+std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
+                                       const magnitude& radius) {
+    return tail_by_norms(of, norms_of_steps<R>(of, expansion, point, radius), expansion.order(), radius);
 }
 
 template std::optional<tail_bound> bounded_tail(const tape&, const taylor_expansion<ball>&, const ball&,
