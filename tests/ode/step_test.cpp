@@ -79,6 +79,26 @@ TEST_CASE("the length of a step is the least of the last roots over e^2", "[ode]
     CHECK(taylor_order(53) == 21);
 }
 
+TEST_CASE("steps of less accuracy are longer, and as accurate as they say", "[ode][step]") {
+    CHECK(ode::step_accuracy::of<double>(40).order == 22);
+    CHECK(ode::step_accuracy::of<mpfr>(100).order == ode::taylor_order(100));
+    const precision_scope scope(50);
+    // y = 1/(1 - t), all coefficients 1: steps of 2^(-bits/order) of the distance from the pole.
+    const ode::explicit_system system(ode::parse("y' = y^2; y(0) = 1"));
+    ode::taylor_march<mpfr> full(system);
+    ode::taylor_march<mpfr> rough(system, ode::step_accuracy{80, 20});
+    CHECK(abs(mpfr(full.length() - exp(mpfr(-2)))) < 0.01);
+    CHECK(abs(mpfr(rough.length() - 1 / mpfr(16))) < 0.001);
+    ode::taylor_march<mpfr> best(system, ode::step_accuracy::of<mpfr>(80));
+    const mpfr t = mpfr(99) / 100;
+    CHECK(abs(mpfr(full.advance_to(t)[0][0] - 100)) < mpfr("1e-46"));
+    // Some 40 steps, each with an error of 2^-80 = 8e-25 of y, which grows by y/y_before at most 100 times.
+    const mpfr error = abs(mpfr(best.advance_to(t)[0][0] - 100));
+    CHECK(error < mpfr("1e-19"));
+    CHECK(error > mpfr("1e-30"));
+    CHECK(best.steps() <= full.steps());
+}
+
 TEST_CASE("trajectories have the digits that were asked for", "[ode][trajectory]") {
     const precision_scope scope(60);
     // Lorenz' system loses four digits up to t = 10.

@@ -28,9 +28,24 @@ struct coefficient_size {
     long exponent = 0;
 };
 
+/// How accurate the steps of a march are to be: the last term of each is about 2^-bits of the size of the solution.
+struct step_accuracy {
+    int bits = 0;
+    int order = 1;
+
+    /// With the order that costs least: taylor_order where products of series take the time, as they do in mpfr; some
+    /// more, and longer steps with it, in a fixed scalar, where what is done once a coefficient takes as long.
+    template <class T>
+    static step_accuracy of(int bits) {
+        return {bits, scalar_traits<T>::fixed ? bits * 11 / 20 : taylor_order(bits)};
+    }
+};
+
 /// The least of (size / |c_n|)^(1/n) / e^2 over the last coefficients: R/e^2, at which they fall below epsilon times
 /// the size of the solution, within a factor of 2^(2/n); mantissa 0 where they all are 0. The same for every scalar.
 step_length taylor_step(long size, const std::vector<coefficient_size>& last);
+/// The same with R 2^(-bits/order) in place of R/e^2.
+step_length taylor_step(long size, const std::vector<coefficient_size>& last, const step_accuracy& accuracy);
 
 /// A march through real time in the arithmetic of T. Errors: some epsilon of the largest component a step, grown by the
 /// flow; nothing is proved. A step ends where the next expansion begins; between, the polynomial is the solution (dense
@@ -42,10 +57,17 @@ public:
 
     /// Throws error where the start has no series (tape::about_start). A fast product serves at many digits.
     explicit taylor_march(const explicit_system& system, const series::block_product<T>* fast = nullptr)
+        : taylor_march(system, step_accuracy{0, taylor_order(digits<T>())}, fast) {}
+
+    /// With steps of a chosen accuracy, less than that of the scalar: shorter series and longer steps. 0 bits stand for
+    /// steps of R/e^2.
+    taylor_march(const explicit_system& system, const step_accuracy& accuracy,
+                 const series::block_product<T>* fast = nullptr)
         : start_(tape::about_start(system)),
           points_(tape::about_points(system)),
-          first_(start_, taylor_order(digits<T>()), fast),
-          other_(points_, taylor_order(digits<T>()), fast),
+          accuracy_(accuracy),
+          first_(start_, accuracy.order, fast),
+          other_(points_, accuracy.order, fast),
           origin_(constant_value<T>::of(system.point())) {
         first_.about_start();
         restart();
@@ -105,7 +127,8 @@ private:
         for (int n = order - window + 1; n <= order; ++n) {
             last.push_back({n, size_of(n)});
         }
-        const step_length h = taylor_step(std::max(1L, size_of(0)), last);
+        const long size = std::max(1L, size_of(0));
+        const step_length h = accuracy_.bits == 0 ? taylor_step(size, last) : taylor_step(size, last, accuracy_);
         using std::ldexp;
         unlimited_ = h.mantissa == 0;
         length_ = unlimited_ ? T(0) : T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
@@ -148,6 +171,7 @@ private:
     }
 
     tape start_, points_;
+    step_accuracy accuracy_;
     taylor_expansion<T> first_, other_;
     T origin_;
     T centre_ = T(0);

@@ -4,7 +4,10 @@
 
 namespace libration::ode {
 
-step_length taylor_step(long size, const std::vector<coefficient_size>& last) {
+namespace {
+
+// The least of (size / |c_n|)^(1/n) 2^-shortening.
+step_length shortened_radius(long size, const std::vector<coefficient_size>& last, double shortening) {
     constexpr int bits = 10;
     bool found = false;
     double least = 0;
@@ -19,9 +22,19 @@ step_length taylor_step(long size, const std::vector<coefficient_size>& last) {
     if (!found) {
         return {};
     }
-    const double exponent = least - 2 * std::log2(std::exp(1.0));
+    const double exponent = least - shortening;
     const double whole = std::floor(exponent);
     return {static_cast<int>(std::exp2(exponent - whole + bits)), static_cast<long>(whole) - bits};
+}
+
+}  // namespace
+
+step_length taylor_step(long size, const std::vector<coefficient_size>& last) {
+    return shortened_radius(size, last, 2 * std::log2(std::exp(1.0)));
+}
+
+step_length taylor_step(long size, const std::vector<coefficient_size>& last, const step_accuracy& accuracy) {
+    return shortened_radius(size, last, static_cast<double>(accuracy.bits) / accuracy.order);
 }
 
 template class taylor_march<double>;
