@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,23 @@ private:
     }
     bool due(const tape_step& step, int n) const;
 
+    // A step or a derivative with the places of its arrays, for fixed scalars of the hardware about any other point: there
+    // the search for them takes as long as the sums.
+    struct placed_step {
+        const tape_step* step;
+        int index;
+        R* result;
+        const R* a;
+        const R* b;
+    };
+    struct placed_state {
+        R* here;
+        const R* above;
+    };
+    void place();
+    void run_placed(int steps_until);
+    static void placed(taylor_expansion& self, const placed_step& each, int n);
+
     void clear();
     void run();
     void run_singular();
@@ -88,6 +106,8 @@ private:
     std::vector<std::vector<int>> states_;  // steps of the derivatives of each unknown
     std::vector<R> arrays_;
     series::blocked_sums<R> sums_;
+    std::vector<placed_step> placed_steps_;
+    std::vector<placed_state> placed_states_;
     R point_ = R(0);
 };
 
@@ -184,6 +204,12 @@ void taylor_expansion<R>::run() {
     for (const int q : tape_->orders()) {
         lowest = std::min(lowest, q);
     }
+    if constexpr (std::is_floating_point_v<R>) {
+        if (stride_ == 1 && !exact_) {
+            run_placed(order_ - lowest);
+            return;
+        }
+    }
     const int count = static_cast<int>(tape_->steps().size());
     for (int n = 0; n < order_; ++n) {
         for (int i = 0; i < count && n + lowest <= order_; ++i) {
@@ -199,6 +225,98 @@ void taylor_expansion<R>::run() {
                 above = here;
             }
         }
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::place() {
+    placed_steps_.clear();
+    placed_states_.clear();
+    for (int i = 0; i < static_cast<int>(tape_->steps().size()); ++i) {
+        const tape_step& s = tape_->steps()[static_cast<std::size_t>(i)];
+        if (s.kind != operation::state && s.kind != operation::companion) {
+            placed_steps_.push_back(
+                {&s, i, array(i), s.left < 0 ? nullptr : array(s.left), s.right < 0 ? nullptr : array(s.right)});
+        }
+    }
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        const R* above = array(tape_->outputs()[i]);
+        for (std::size_t j = states_[i].size(); j-- > 0;) {
+            placed_states_.push_back({array(states_[i][j]), above});
+            above = array(states_[i][j]);
+        }
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::run_placed(int steps_until) {
+    place();
+    for (int n = 0; n < order_; ++n) {
+        if (n <= steps_until) {
+            for (const placed_step& each : placed_steps_) {
+                placed(*this, each, n);
+            }
+        }
+        for (const placed_state& each : placed_states_) {
+            each.here[n + 1] = each.above[n] / (n + 1);
+        }
+    }
+}
+
+// sum_{k=first}^{last} a_k b_{n-k} in four partial sums, which do not wait for each other.
+template <field R>
+R sum_in_fours(const R* a, const R* b, int n, int first, int last) {
+    R sums[4]{R(0), R(0), R(0), R(0)};
+    int k = first;
+    for (; k + 3 <= last; k += 4) {
+        sums[0] += a[k] * b[n - k];
+        sums[1] += a[k + 1] * b[n - k - 1];
+        sums[2] += a[k + 2] * b[n - k - 2];
+        sums[3] += a[k + 3] * b[n - k - 3];
+    }
+    for (; k <= last; ++k) {
+        sums[0] += a[k] * b[n - k];
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+template <field R>
+void taylor_expansion<R>::placed(taylor_expansion& self, const placed_step& each, int n) {
+    const R* const a = each.a;
+    const R* const b = each.b;
+    switch (each.step->kind) {
+        case operation::sum: each.result[n] = a[n] + b[n]; return;
+        case operation::difference: each.result[n] = a[n] - b[n]; return;
+        case operation::product: each.result[n] = sum_in_fours(a, b, n, 0, n); return;
+        case operation::square: {
+            const R half = sum_in_fours(a, a, n, 0, (n + 1) / 2 - 1);
+            each.result[n] = n % 2 == 0 ? half + half + a[n / 2] * a[n / 2] : half + half;
+            return;
+        }
+        case operation::quotient: each.result[n] = (a[n] - sum_in_fours(b, each.result, n, 1, n)) / b[0]; return;
+        case operation::slope: series::slope_kernel(a, each.result, n); return;
+        case operation::power:
+            if (n > 0) {
+                const R& r = self.constants_[static_cast<std::size_t>(each.step->constant)];
+                R* const slope = self.array(each.index + 1);
+                const R rising = sum_in_fours(b, each.result, n - 1, 0, n - 1) * r;
+                const R falling = sum_in_fours(a, slope, n - 1, 1, n - 1);
+                each.result[n] = (rising - falling) / (a[0] * n);
+                slope[n - 1] = each.result[n] * n;
+                return;
+            }
+            break;
+        case operation::constant:
+            if (n > 0) {
+                return;
+            }
+            break;
+        default: break;
+    }
+    if (each.step->kind < operation::product) {
+        self.linear_step(*each.step, each.index, n);
+    } else {
+        self.function_step(*each.step, each.index, n);
     }
 }
 
