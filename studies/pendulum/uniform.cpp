@@ -70,8 +70,7 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
         const precision_scope scope(uniform_digits_below(m, order) + 2 * printed_digits);
         arc_errors errors(m);
         const auto f = uniform_from_top<mpfr>(m, order);
-        const sampled_error exact = errors.error_of(f, arc_errors::points_for(order));
-        const norm_at<mpfr>& found = exact.largest;
+        const norm_at<mpfr> found = errors.norm_of(f, order);
         const mpfr other = errors.second_opinion_of(f, found.place);
         const bool agreed = abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
         const mpfr bound = f.bounds().norm(order);
@@ -81,7 +80,7 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
             {at, count, order, found.norm, mpfr(found.place * effective_period), "mpfr", agreed, bound, rate});
         const auto rounded = uniform_from_top<double>(m, order);
         const auto value = [&](double x) { return widen(rounded.value(x)); };
-        const auto rough = errors.rounded_norm(value, narrow<double>(found.place), &exact);
+        const auto rough = errors.rounded_norm(value, narrow<double>(found.place));
         in_double.push_back(
             {at, count, order, rough.norm, mpfr(rough.place * effective_period), "double", false, bound, rate});
     }
