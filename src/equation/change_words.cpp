@@ -22,7 +22,7 @@ std::string left_side_of(const std::string& change) {
     return left;
 }
 
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // f, f', f'', ... of f''(0); nothing for another form.
 std::string started_in(const std::string& left) {
@@ -31,7 +31,7 @@ std::string started_in(const std::string& left) {
         return "";
     }
     const std::string name = left.substr(0, bracket);
-    return std::ranges::all_of(name, [](char c) { return is_letter(c) || c == '\''; }) ? name : "";
+    return std::ranges::all_of(name, [](char c) { return is_of_name(c) || c == '\''; }) ? name : "";
 }
 
 [[noreturn]] void refuse(const std::string& change, const std::string& left, const char* what,
@@ -49,7 +49,7 @@ void require_changeable(const ode::equation_system& system, const std::string& c
     if (!whole || left.empty()) {
         return;
     }
-    if (std::ranges::all_of(left, is_letter) && system.parameter_of(left) == nullptr) {
+    if (std::ranges::all_of(left, is_of_name) && system.parameter_of(left) == nullptr) {
         std::vector<std::string> own;
         std::ranges::transform(system.parameters, std::back_inserter(own), &ode::definition::name);
         refuse(change, left, "parameter", own);

@@ -23,11 +23,11 @@ const std::vector<column> radius_columns{{"method", ""},      {"radius", ""},   
 constexpr long uncertainty_digits = 3;
 
 // floor(log10 |x|).
-long magnitude(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
+long exponent_of_ten(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
 
 // The digits of x down to the last place of its uncertainty as that is printed; 0 or less where x is below it.
 long supported_digits(const mpfr& x, const mpfr& uncertainty) {
-    return magnitude(x) - magnitude(uncertainty) + uncertainty_digits;
+    return exponent_of_ten(x) - exponent_of_ten(uncertainty) + uncertainty_digits;
 }
 
 // x with the digits that its uncertainty supports, and no more than asked.
@@ -53,7 +53,7 @@ mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
     if (supported_digits(*estimate.radius, estimate.uncertainty) <= digits) {
         return estimate.uncertainty;
     }
-    const int last_place = static_cast<int>(magnitude(*estimate.radius) - digits + 1);
+    const int last_place = static_cast<int>(exponent_of_ten(*estimate.radius) - digits + 1);
     return estimate.uncertainty + pow(mpfr(10), last_place);
 }
 
