@@ -40,20 +40,21 @@ std::string text_of_catalogue(const std::string& name) {
 
 }  // namespace
 
+problem_source problem_named(const std::string& words) {
+    if (words.find('=') != std::string::npos) {
+        return {"typed", words};
+    }
+    if (words.find('/') != std::string::npos || words.ends_with(".ode")) {
+        return {std::filesystem::path(words).stem().string(), text_of_file(words)};
+    }
+    return {words, text_of_catalogue(words)};
+}
+
 void problem_options::add_to(CLI::App& command) {
     command.add_option("--problem", problem_, "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
         ->type_name("P");
     command.add_option("--set", changes_, "another parameter or start of the problem: k=1/3, \"f'(0)=1\"")
         ->type_name("X=VALUE");
-}
-
-// Text if it has =, a file if it has / or ends in .ode, else a name.
-std::string problem_options::text() const {
-    if (problem_->find('=') != std::string::npos) {
-        return *problem_;
-    }
-    const bool file = problem_->find('/') != std::string::npos || problem_->ends_with(".ode");
-    return file ? text_of_file(*problem_) : text_of_catalogue(*problem_);
 }
 
 void problem_options::require_problem() const {
@@ -64,7 +65,7 @@ void problem_options::require_problem() const {
 
 ode::equation_system problem_options::equations() const {
     require_problem();
-    const std::string written = text();
+    const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
     for (const std::string& each : changes_) {
         require_changeable(system, each);

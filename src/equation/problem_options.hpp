@@ -27,6 +27,15 @@ auto naming_option(const std::string& option, const Read& read) {
     }
 }
 
+/// What --problem names: the name of the catalogue, a file's without folder and ending, or "typed"; and the text.
+struct problem_source {
+    std::string name;
+    std::string text;
+};
+
+/// Text if it has =, a file if it has / or ends in .ode, else a name of the catalogue. Throws input_error.
+problem_source problem_named(const std::string& words);
+
 /// --problem NAME | FILE.ode | 'TEXT; WITH; SEMICOLONS' and --set k=1/3, --set "f'(0)=1", any number of them.
 class problem_options {
 public:
@@ -38,10 +47,11 @@ public:
     ode::equation_system equations() const;
     /// Refuses --set without --problem.
     void require_problem() const;
+    /// The words as they were given.
+    const std::optional<std::string>& problem() const { return problem_; }
+    const std::vector<std::string>& changes() const { return changes_; }
 
 private:
-    std::string text() const;
-
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
 };

@@ -68,6 +68,9 @@ study_cells::study_cells(const study_order& order) : order_(order), plan_(order.
     const journal_stamp own = stamp();
     common_ = own.study + between_words + own.version + between_words + own.library +
               common_inputs(order.request, plan_.axes);
+    if (order.what->equation) {
+        common_ += between_words + order.what->equation->text;
+    }
 }
 
 journal_stamp study_cells::stamp() const {

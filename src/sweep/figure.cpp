@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "option/subcommand.hpp"
+#include "sweep/equation_study.hpp"
 #include "sweep/study_files.hpp"
 
 namespace libration {
@@ -18,7 +19,7 @@ subcommand figure_command(CLI::App& program) {
         ->type_name("DIR")
         ->capture_default_str();
     return {command, [options] {
-                draw_study(study_named("figure", options->name), options->out);
+                draw_study(*study_in("figure", options->name, options->out), options->out);
                 return 0;
             }};
 }

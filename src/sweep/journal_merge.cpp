@@ -9,6 +9,7 @@
 
 #include "option/options.hpp"
 #include "run/progress.hpp"
+#include "sweep/equation_study.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_journal.hpp"
 #include "text/input_error.hpp"
@@ -35,24 +36,6 @@ std::vector<fs::path> journals_in(const std::string& folder) {
         throw input_error("DIR", folder, "holds no journal NAME/NAME.journal", "name the --out of a study");
     }
     return {found.begin(), found.end()};
-}
-
-study_order order_from(const std::string& command, int jobs) {
-    constexpr std::string_view opening = "libration study ";
-    if (!command.starts_with(opening)) {
-        throw std::runtime_error("the command '" + command + "' of a journal cannot be read");
-    }
-    const std::string rest = command.substr(opening.size());
-    const std::size_t end_of_name = std::min(rest.find(" --"), rest.size());
-    study_words words;
-    for (std::size_t begin = end_of_name; begin < rest.size();) {
-        const std::size_t end = std::min(rest.find(" --", begin + 1), rest.size());
-        const std::string item = rest.substr(begin + 1, end - begin - 1);
-        const std::size_t between = item.find_first_of(" =");
-        words[item.substr(0, between)] = between == std::string::npos ? "" : item.substr(between + 1);
-        begin = end;
-    }
-    return order_of(study_named("the study of a journal", rest.substr(0, end_of_name)), words, jobs);
 }
 
 namespace {

@@ -12,9 +12,6 @@ namespace libration {
 /// Throws input_error where there is none.
 std::vector<std::filesystem::path> journals_in(const std::string& folder);
 
-/// The order of a command that a journal keeps (study_order::command).
-study_order order_from(const std::string& command, int jobs);
-
 /// Writes the cells of the journals in these folders into DIR/NAME/NAME.journal, one for each study, and the tables and
 /// figures of the command that they are shards of, as the whole run would. Throws input_error for cells of another
 /// version or of several commands and for cells that differ; std::runtime_error where cells are missing: the merged

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "equation/swept_problem.hpp"
 #include "libration/problem/problem.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_plan.hpp"
@@ -53,6 +54,10 @@ struct study {
     int version = 1;
     arithmetics offers = arithmetics::rounding;  ///< proved_too where it has proofs
     bool alone = false;                          ///< it measures times: nothing is to run beside it
+    std::string script = {};   ///< of its figures, studies/SCRIPT.gp; empty: NAME.gp beside its NAME.cpp
+    std::string command = {};  ///< what stands behind `libration study` before its parameters; empty: its name
+    /// The equation that it is about, which is an input of every cell; nothing for the pendulum.
+    shared_problem equation = {};
 };
 
 /// All studies, by name (generated at build time from the files in studies/).

@@ -12,8 +12,8 @@
 #include "option/subcommand.hpp"
 #include "run/grid.hpp"
 #include "run/progress.hpp"
+#include "sweep/equation_study.hpp"
 #include "sweep/study_files.hpp"
-#include "sweep/study_order.hpp"
 #include "sweep/study_run.hpp"
 #include "text/input_error.hpp"
 
@@ -24,7 +24,8 @@ namespace {
 struct study_options {
     std::string name;
     std::map<std::string, std::optional<std::string>> words;  // by option
-    std::optional<std::string> columns, out, jobs, shard;
+    std::optional<std::string> columns, out, jobs, shard, problem;
+    std::vector<std::string> sets;
     bool fresh = false;
 
     study_words said() const {
@@ -35,6 +36,14 @@ struct study_options {
             }
         }
         return result;
+    }
+
+    // --problem with --set, which says nothing without it.
+    std::optional<equation_words> equation() const {
+        if (!problem && !sets.empty()) {
+            throw input_error("--set", sets.front(), "changes a problem and there is none", "give --problem too");
+        }
+        return problem ? std::optional(equation_words{*problem, sets}) : std::nullopt;
     }
 };
 
@@ -112,36 +121,46 @@ study_run run_of(const study_options& options) {
     return how;
 }
 
+int run_order(study_order order, const study_options& options) {
+    if (!order.left_out.empty()) {
+        fmt::print(stderr, "libration: left out {}\n", order.left_out);
+    }
+    order.columns = options.columns;
+    const study_run how = run_of(options);
+    const failures_found failures = options.out ? make_study(order, *options.out, how) : print_tables(order);
+    if (options.out && !how.shard) {
+        say_line(fmt::format("wrote {}/{}", *options.out, order.what->name));
+    }
+    if (failures.count > 0) {
+        say_line(message_of(failures));
+    }
+    return failures.count > 0 ? 1 : 0;
+}
+
+// What the library says of a value, as a complaint about the study.
+[[noreturn]] void refuse(const error& problem, const study_options& options) {
+    if (problem.kind() == error_kind::undecided) {
+        throw;
+    }
+    if (problem.kind() == error_kind::range) {
+        throw input_error(
+            "--scalar", options.words.at("--scalar").value_or("double"),
+            fmt::format("cannot hold {} ({})", options.problem ? "a number of the study" : "an energy of the list",
+                        problem.what()),
+            "use --scalar mpfr:DIGITS");
+    }
+    const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
+    const bool names_option = problem.subject().starts_with("--");
+    throw input_error("study", options.name, reason,
+                      "leave that value out" + (names_option ? " of " + problem.subject() : ""));
+}
+
 int run_study(const study_options& options) {
-    const study& what = study_named("study", options.name);
+    const int jobs = jobs_of(options.jobs);
     try {
-        study_order order = order_of(what, options.said(), jobs_of(options.jobs));
-        if (!order.left_out.empty()) {
-            fmt::print(stderr, "libration: left out {}\n", order.left_out);
-        }
-        order.columns = options.columns;
-        const study_run how = run_of(options);
-        const failures_found failures = options.out ? make_study(order, *options.out, how) : print_tables(order);
-        if (options.out && !how.shard) {
-            say_line(fmt::format("wrote {}/{}", *options.out, what.name));
-        }
-        if (failures.count > 0) {
-            say_line(message_of(failures));
-        }
-        return failures.count > 0 ? 1 : 0;
+        return run_order(order_asked("study", options.name, options.equation(), options.said(), jobs), options);
     } catch (const error& problem) {
-        if (problem.kind() == error_kind::undecided) {
-            throw;
-        }
-        if (problem.kind() == error_kind::range) {
-            throw input_error("--scalar", options.words.at("--scalar").value_or("double"),
-                              std::string("cannot hold an energy of the list (") + problem.what() + ")",
-                              "use --scalar mpfr:DIGITS");
-        }
-        const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
-        const bool names_option = problem.subject().starts_with("--");
-        throw input_error("study", what.name, reason,
-                          "leave that value out" + (names_option ? " of " + problem.subject() : ""));
+        refuse(problem, options);
     }
 }
 
@@ -154,6 +173,14 @@ subcommand study_command(CLI::App& program) {
     for (const study_option& each : options_of(all_studies())) {
         command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
     }
+    command
+        ->add_option("--problem", options->problem,
+                     "any equation in place of the pendulum: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
+        ->type_name("P");
+    command->add_option("--set", options->sets, "values of a parameter or a start of --problem, an axis of the study")
+        ->type_name("X=LIST");
+    command->add_option("--unknowns", options->words["--unknowns"], "unknowns of --problem; all without it")
+        ->type_name("NAMES");
     command
         ->add_option("--columns", options->columns,
                      "of the tables for LaTeX, and of the CSV on stdout, these columns alone: NAME,NAME,...")

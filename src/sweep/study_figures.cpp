@@ -33,11 +33,14 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-// NAME.gp, in one of the folders of studies/.
+// NAME.gp beside NAME.cpp; the studies of any equation name their own.
 fs::path script_of(const study& what) {
+    if (!what.script.empty()) {
+        return fs::path(studies_folder()) / (what.script + ".gp");
+    }
     for (const auto& folder : fs::directory_iterator(studies_folder())) {
         const fs::path script = folder.path() / (what.name + ".gp");
-        if (fs::exists(script)) {
+        if (folder.path().filename() != "equation" && fs::exists(script)) {
             return script;
         }
     }
@@ -59,7 +62,8 @@ std::vector<fs::path> figures_in(const std::string& folder) {
 void run_gnuplot(const study& what, const std::string& folder) {
     const fs::path script = script_of(what);
     const std::string setting =
-        fmt::format("cd {}; data = '.'; target = '.'; scripts = {}", quoted(folder), quoted(studies_folder()));
+        fmt::format("cd {}; data = '.'; target = '.'; scripts = {}; stem = {}; equation = {}", quoted(folder),
+                    quoted(studies_folder()), quoted(what.name), quoted(what.equation ? what.equation->name : ""));
     const int code = run_program({"gnuplot", "-e", setting, script.string()});
     if (code == 127) {
         throw input_error("gnuplot is not installed: install the Debian package gnuplot-nox");

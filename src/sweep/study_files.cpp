@@ -38,6 +38,9 @@ nlohmann::ordered_json description_of(const study_order& order, const gathered_t
     description["study"] = order.what->name;
     description["question"] = order.what->question;
     description["command"] = order.command;
+    if (order.what->equation) {
+        description["problem"] = order.what->equation->text;
+    }
     if (!order.left_out.empty()) {
         description["left out"] = order.left_out;
     }

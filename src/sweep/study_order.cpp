@@ -266,7 +266,7 @@ int jobs_of(const std::optional<std::string>& words) {
 
 study_order order_of(const study& what, const study_words& words, int jobs) {
     require_own(what, words);
-    study_order order{&what, {}, "libration study " + what.name, ""};
+    study_order order{&what, {}, "libration study " + (what.command.empty() ? what.name : what.command), ""};
     order.request.jobs = jobs;
     for (const study_parameter& own : what.parameters) {
         if (const auto said = words.find(own.option); said != words.end()) {

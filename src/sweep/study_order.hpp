@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct study_order {
     /// The columns of the tables for LaTeX, and of what goes to stdout: a,b,c; all where there is nothing. A table
     /// without some of them has the others.
     std::optional<std::string> columns = {};
+    /// `what`, where it was made for an equation and lives with the order.
+    std::shared_ptr<const study> made = {};
 };
 
 /// Those of the columns a,b,c that a table has; the whole table where it has none of them.

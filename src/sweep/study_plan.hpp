@@ -67,4 +67,11 @@ study_plan plan_of_cells(std::vector<study_table> tables, std::vector<std::strin
                          std::function<cell_inputs(std::size_t)> inputs,
                          std::function<std::vector<table>(std::size_t)> rows);
 
+/// The inputs with one more.
+cell_inputs with_input(cell_inputs inputs, std::string axis, std::string words);
+
+/// The rows of tables in which each of `count` cells has as many rows as the others, one cell after the other. Throws
+/// std::logic_error where they do not come out even.
+std::vector<cell_rows> equal_parts(const std::vector<table>& tables, std::size_t count);
+
 }  // namespace libration

@@ -1,10 +1,12 @@
 // `libration table` in words, and the file that they make: what the command writes, and what reproduce publishes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "option/option_words.hpp"
+#include "table/problem_table.hpp"
 #include "text/table.hpp"
 
 namespace libration {
@@ -14,6 +16,7 @@ struct table_order {
     std::string what;
     option_words said;
     long digits = 50;
+    std::optional<table_problem> problem = {};  ///< in place of what, where it is given
 
     /// The command that asks for it, without --out and --jobs.
     std::string command() const;

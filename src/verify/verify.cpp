@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "equation/problem_options.hpp"
 #include "motion/motion_cells.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -12,6 +13,7 @@
 #include "sweep/study_order.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
+#include "verify/problem_questions.hpp"
 #include "verify/row_target.hpp"
 #include "verify/verify_layout.hpp"
 #include "verify/verify_summary.hpp"
@@ -24,6 +26,7 @@ namespace {
 
 struct verify_options {
     motion_options motion;
+    problem_options problem;
     std::string file;
     std::optional<std::string> tolerance, relative, ulps, columns;
     bool modulo_turn = false;
@@ -134,26 +137,59 @@ void check_motion(const motion_options& motion) {
     }
 }
 
-int run_verify(const verify_options& options) {
-    const compare_rules rules = rules_of(options);
-    check_motion(options.motion);
-    const int jobs = jobs_of(options.jobs);
-    input_stream source("FILE", options.file);
-    column_file records(source.in());
-    const column_names names(source.name(), records.names(), records.count(), options.columns, known_columns());
-    const verify_layout layout(names, options.motion, rules);
-    const row_writer writer(options.format == "json", records.between(), names.own(), added_columns(layout.compared()));
+// A file whose columns are known.
+struct opened_file {
+    const std::string& name;
+    column_file& records;
+    const column_names& names;
+};
+
+int compare_file(const verify_options& options, const opened_file& file, const compare_rules& rules,
+                 const std::vector<compared_column>& compared, const make_reader& reader) {
+    const auto& [name, records, names] = file;
+    const row_writer writer(options.format == "json", records.between(), names.own(), added_columns(compared));
     if (!records.has_records()) {
-        throw input_error(fmt::format("{} has no row to compare: write one below its names", source.name()));
+        throw input_error(fmt::format("{} has no row to compare: write one below its names", name));
     }
     row_target target(options.out);
     target.write(writer.head());
-    verify_summary summary(source.name());
-    compare_all(records, {names, rules, writer, layout.reader(), jobs}, target, summary);
+    verify_summary summary(name);
+    compare_all(records, {names, rules, writer, reader, jobs_of(options.jobs)}, target, summary);
     target.write(writer.tail());
     target.finish();
     summary.print();
     return summary.exit_code();
+}
+
+int verify_problem(const verify_options& options, const compare_rules& rules) {
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    if (options.modulo_turn) {
+        throw input_error("--modulo-2pi has no meaning for --problem: leave it out");
+    }
+    problem_layout layout(options.problem.choose());
+    input_stream source("FILE", options.file);
+    column_file records(source.in());
+    const column_names names(source.name(), records.names(), records.count(), options.columns, layout.known());
+    layout.read(names);
+    return compare_file(options, {source.name(), records, names}, rules, layout.compared(),
+                        [&layout, &rules] { return std::make_unique<problem_questions>(layout, rules); });
+}
+
+int run_verify(const verify_options& options) {
+    const compare_rules rules = rules_of(options);
+    jobs_of(options.jobs);  // complains before a file is read
+    options.problem.require_problem();
+    if (options.problem.given()) {
+        return verify_problem(options, rules);
+    }
+    check_motion(options.motion);
+    input_stream source("FILE", options.file);
+    column_file records(source.in());
+    const column_names names(source.name(), records.names(), records.count(), options.columns, known_columns());
+    const verify_layout layout(names, options.motion, rules);
+    return compare_file(options, {source.name(), records, names}, rules, layout.compared(), layout.reader());
 }
 
 }  // namespace
@@ -169,6 +205,7 @@ subcommand verify_command(CLI::App& program) {
                      "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin")
         ->required();
     options->motion.add_to(*command);
+    options->problem.add_to(*command);
     command
         ->add_option("--columns", options->columns,
                      "the names of your columns: t=time,E=energy, - for none of these; without a header all in order")

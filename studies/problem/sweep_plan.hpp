@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,11 +30,6 @@ inline cell_inputs inputs_of(const sweep_energy& at) {
     return inputs;
 }
 
-inline cell_inputs with_input(cell_inputs inputs, std::string axis, std::string words) {
-    inputs.push_back({std::move(axis), std::move(words)});
-    return inputs;
-}
-
 /// A cell for each energy: rows(at) gives one table for each of the plan's.
 template <class Rows>
 study_plan plan_by_energy(std::vector<study_table> tables, const shared_sweep& sweep, const Rows& rows) {
@@ -55,23 +49,6 @@ study_plan plan_by_point(std::vector<study_table> tables, const shared_sweep& sw
             return with_input(inputs_of(sweep->energies[i / points]), "point", sweep->points[i % points].text);
         },
         [sweep, points, rows](std::size_t i) { return rows(sweep->energies[i / points], sweep->points[i % points]); });
-}
-
-/// The rows of tables in which each of `count` cells has as many rows as the others, one cell after the other. Throws
-/// std::logic_error where they do not come out even.
-inline std::vector<cell_rows> equal_parts(const std::vector<table>& tables, std::size_t count) {
-    std::vector<cell_rows> parts(count);
-    for (const table& each : tables) {
-        const std::size_t size = each.rows().size() / count;
-        if (size * count != each.rows().size()) {
-            throw std::logic_error("the cells of a study have different numbers of rows");
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto first = each.rows().begin() + static_cast<std::ptrdiff_t>(i * size);
-            parts[i].emplace_back(first, first + static_cast<std::ptrdiff_t>(size));
-        }
-    }
-    return parts;
 }
 
 inline std::string input_words(int order) { return std::to_string(order); }

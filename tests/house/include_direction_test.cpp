@@ -64,9 +64,9 @@ std::map<std::string, rooms> order_of_rooms() {
         library = pendulum + problem + rooms{"problem/known"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
-        journal = option + rooms{"src/journal"}, sweep = journal + rooms{"src/sweep"}, study = sweep + library,
-        list_command = study + rooms{"src/list"}, equation = list_command + rooms{"src/equation"},
-        command = equation + rooms{"src/motion"};
+        equation = option + rooms{"src/equation"}, journal = equation + rooms{"src/journal"},
+        sweep = journal + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
+        command = list_command + rooms{"src/motion"};
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
@@ -107,18 +107,19 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/text", problem},
         {"src/run", text},
         {"src/option", run},
-        {"src/journal", option},
+        {"src/equation", option},
+        {"src/journal", equation},
         {"src/sweep", journal},
         {"src/claims", study},
         {"src/list", study},
-        {"src/equation", list_command},
-        {"src/motion", equation},
+        {"src/motion", list_command},
         {"src/table", command},
         {"src/verify", command + rooms{"src/table"}},
         {"src/report", command + rooms{"src/claims", "src/table"}},
         {"src", command + rooms{"src/claims", "src/table", "src/verify", "src/report"}},
         {"src/mpi", study + rooms{"src"}},
-        {"studies/problem", study},
+        {"studies/equation", sweep},
+        {"studies/problem", study + rooms{"studies/equation"}},
         {"studies/pendulum", study + rooms{"studies/problem"}},
     };
 }

@@ -1,0 +1,26 @@
+// A table of the solution of any differential equation at times.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "table/motion_table.hpp"
+
+namespace libration {
+
+/// The equation of a table.
+struct table_problem {
+    ode::explicit_system system;
+    std::string text;   ///< as it was read
+    std::string words;  ///< " --problem P --set X=VALUE": what names it in a command
+};
+
+/// What is said of the digits of such a table.
+inline constexpr const char* rigour_of_problems = "two-method: two marches of other orders and precisions agree";
+
+/// time,<unknown and its lower derivatives>..., and in the typed style digits,rigour,time_typed. In the style for
+/// programs derivative j of x is x_dj. Throws input_error for a time that is not reached.
+table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style);
+
+}  // namespace libration

@@ -1,0 +1,159 @@
+#include "verify/problem_questions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "libration/ode/taylor_expansion.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_cells.hpp"
+#include "text/csv_records.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr long first_guard = 20;
+constexpr long second_guard = 45;
+
+bool is_start(const ode::explicit_system& system, const exact& time) {
+    const auto plain = (as_expression(time) - system.point()).plain();
+    return plain && plain->coefficient == 0;
+}
+
+}  // namespace
+
+problem_layout::problem_layout(ode::explicit_system system) : system_(std::move(system)) {
+    for (std::size_t i = 0; i < system_.unknowns().size(); ++i) {
+        const auto& unknown = system_.unknowns()[i];
+        for (int j = 0; j < unknown.order; ++j) {
+            names_.push_back(ode::primed(unknown.name, j));
+            all_.push_back({i, static_cast<std::size_t>(j)});
+        }
+    }
+}
+
+std::vector<known_column> problem_layout::known() const {
+    std::vector<known_column> columns{{"time", {"time", system_.variable()}}};
+    for (const std::string& name : names_) {
+        columns.push_back({name});
+    }
+    return columns;
+}
+
+void problem_layout::read(const column_names& names) {
+    time_ = names.find("time");
+    if (!time_) {
+        throw input_error(
+            fmt::format("{} has no column time: its columns are {}: {}", names.file(), names.listed(), mapping_remedy));
+    }
+    own_time_ = names.own(*time_);
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+        if (const auto at = names.find(names_[i])) {
+            compared_.push_back({names_[i], *at});
+            components_.push_back(all_[i]);
+        }
+    }
+    if (compared_.empty()) {
+        throw input_error(fmt::format("{} has none of the columns {} of the problem: its columns are {}: {}",
+                                      names.file(), listed(names_), names.listed(), mapping_remedy));
+    }
+}
+
+exact problem_layout::time(const std::vector<std::string>& cells, bool as_double) const {
+    return reading_cell({trimmed(cells[*time_]), own_time_}, [&](const std::string& text) {
+        const exact time = time_in(text);
+        if (time.has_periods()) {
+            throw error(error_kind::argument, "time", text, "is a multiple of a period, which a problem has not");
+        }
+        return as_double ? nearest_double(time) : time;
+    });
+}
+
+// Two marches, and where they are.
+struct problem_questions::march_pair {
+    long digits;
+    std::unique_ptr<ode::taylor_march<mpfr>> first;
+    std::unique_ptr<ode::taylor_march<mpfr>> second;
+
+    march_pair(const ode::explicit_system& system, long printed) : digits(printed) {
+        first = made(system, first_guard);
+        second = made(system, second_guard);
+    }
+
+    std::unique_ptr<ode::taylor_march<mpfr>> made(const ode::explicit_system& system, long guard) const {
+        const precision_scope scope(digits + guard);
+        return std::make_unique<ode::taylor_march<mpfr>>(system);
+    }
+
+    ode::solution_state<mpfr> state(ode::taylor_march<mpfr>& march, const exact& time, long guard) const {
+        const precision_scope scope(digits + guard);
+        return march.advance_to(ode::constant_value<mpfr>::of(as_expression(time)));
+    }
+};
+
+problem_questions::march_pair& problem_questions::marches(long digits) {
+    auto& made = by_digits_[digits];
+    if (!made) {
+        made = std::make_shared<march_pair>(layout_.system(), digits);
+    }
+    return *made;
+}
+
+std::vector<true_value> problem_questions::truths_at(const exact& time, long digits) {
+    const auto& system = layout_.system();
+    std::vector<true_value> truths;
+    if (is_start(system, time)) {
+        for (const auto& [unknown, derivative] : layout_.components()) {
+            const ode::number& value = system.starts()[unknown][derivative];
+            truths.push_back({ode::constant_value<ball>::of(value), value.fraction()});
+        }
+        return truths;
+    }
+    march_pair& pair = marches(digits);
+    const auto a = pair.state(*pair.first, time, first_guard);
+    const auto b = pair.state(*pair.second, time, second_guard);
+    const precision_scope scope(digits + second_guard);
+    const mpfr last = pow(mpfr(10), static_cast<int>(-digits));
+    for (const auto& [unknown, derivative] : layout_.components()) {
+        const mpfr& here = b[unknown][derivative];
+        const mpfr apart = abs(mpfr(a[unknown][derivative] - here)) * 16 + abs(here) * last;
+        truths.push_back({enclose(narrow<ball>(here), narrow<ball>(apart))});
+    }
+    return truths;
+}
+
+// |t y'|/max(1, |y|) of the first column.
+std::string problem_questions::condition_at(const exact& time, long digits) {
+    const auto& system = layout_.system();
+    const auto [unknown, derivative] = layout_.components().front();
+    if (time.is_zero()) {
+        return "0";
+    }
+    if (is_start(system, time) && system.singular()) {
+        return "inf";
+    }
+    march_pair& pair = marches(digits);
+    const auto state = pair.state(*pair.second, time, second_guard);
+    const precision_scope scope(digits + second_guard);
+    const mpfr t = ode::constant_value<mpfr>::of(as_expression(time));
+    const ode::tape tape = ode::tape::about_points(system);
+    ode::taylor_expansion<mpfr> there(tape, 1);
+    there.about(t, state);
+    const mpfr slope = there.coefficients(static_cast<int>(unknown), static_cast<int>(derivative))[1];
+    const mpfr size = abs(state[unknown][derivative]);
+    return to_decimal(mpfr(abs(mpfr(t * slope)) / (size > 1 ? size : mpfr(1))), 3);
+}
+
+row_question problem_questions::read(const std::vector<std::string>& cells) {
+    const exact time = layout_.time(cells, rules_.inputs_are_doubles);
+    row_question question;
+    question.first_digits = [](long places) { return (places + 29) / 10 * 10; };
+    question.truths = [this, time](long digits) { return truths_at(time, digits); };
+    question.condition = [this, time](long digits) { return condition_at(time, digits); };
+    return question;
+}
+
+}  // namespace libration

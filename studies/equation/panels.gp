@@ -1,0 +1,30 @@
+# What the scripts of studies of any equation ask of their tables: the axes of --set stand before the study's own
+# columns, and a row is of the unknown that its column `unknown` names. They are called with `stem`, the name of the
+# study's files, and `equation`, that of the problem, besides what style.gp needs.
+load scripts.'/style.gp'
+
+called = system(sprintf("printf '%%s' '%s' | tr _ ' '", equation))
+table_of(suffix) = data.'/'.stem.suffix.'.csv'
+main = table_of('')
+place(f, c) = system(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | cut -d: -f1", f, c)) + 0
+header(f, i) = system(sprintf("head -n 1 '%s' | cut -d, -f%d", f, i))
+# The values of the first k columns, one word "a,b," each; '-' where there is no axis.
+cases(f, k) = k == 0 ? '-' : system(sprintf("awk -F, 'NR > 1 { s = \"\"; for (i = 1; i <= %d; ++i) s = s $i \",\"; if (!n[s]++) print s }' '%s'", k, f))
+in_case(c) = c eq '-' ? '1' : sprintf('index($0, "%s") == 1', c)
+case_name(f, k, c) = c eq '-' ? '' : system(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i <= NF; ++i) s = s (i > 1 ? \", \" : \"\") $i \" = \" sprintf(\"%%.6g\", v[i]); print s }'", f, k, c))
+of_unknown(f, u) = sprintf('$%d == "%s"', place(f, 'unknown'), u)
+with_word(f, c, w) = sprintf('$%d == "%s"', place(f, c), w)
+both(a, b) = '('.a.') && ('.b.')'
+# The unknowns that are drawn, six at most, and a grid of a panel for each.
+all_unknowns = seen(main, place(main, 'unknown'), '1')
+drawn = smaller(words(all_unknowns), 6)
+drawn_unknown(i) = word(all_unknowns, i)
+left_out = words(all_unknowns) > 6 ? sprintf(' (the first 6 of %d unknowns)', words(all_unknowns)) : ''
+unit_name(u) = 'unit of '.u
+panel_w = drawn == 1 ? 900 : 520
+panel_h = 440
+# A figure of a panel for each unknown. Curves are of the combinations of the parameters; with none of them, of what
+# else differs.
+text_of_column(f, c) = sprintf('%d', place(f, c))
+span(f, c, where, otherwise, sign) = sign < 0 ? least(f, text_of_column(f, c), where, otherwise) : greatest(f, text_of_column(f, c), where, otherwise)
+single_panel = 'set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6; unset key'

@@ -1,0 +1,164 @@
+// Studies of any equation: each runs on its example, keeps the contract of its columns, and its rows follow from the
+// inputs of a cell alone. A new one is in here by itself.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "studies/study_rows.hpp"
+#include "sweep/equation_study.hpp"
+#include "text/input_error.hpp"
+
+namespace studies_equation_studies_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+study_order quick_order(const equation_study& what, int jobs) {
+    return order_asked("study", what.name, what.example, what.quick, jobs);
+}
+
+std::vector<table_row> rows_about(const std::string& name, const equation_words& asked, const study_words& words,
+                                  std::size_t table = 0) {
+    return rows_of_table(tables_of(order_asked("study", name, asked, words, 2)).at(table));
+}
+
+std::string header_of(const study_table& part) { return to_csv(table(part.data.columns())); }
+
+}  // namespace
+
+TEST_CASE("each NAME.cpp in studies/equation is a study of any equation with a figure", "[studies][equation]") {
+    std::set<std::string> sources;
+    std::set<std::string> scripts;
+    for (const auto& entry : std::filesystem::directory_iterator(LIBRATION_SOURCE_DIR "/studies/equation")) {
+        if (entry.path().extension() == ".cpp") {
+            sources.insert(entry.path().stem().string());
+        } else if (entry.path().extension() == ".gp") {
+            scripts.insert(entry.path().stem().string());
+        }
+    }
+    std::set<std::string> names;
+    for (const equation_study* each : all_equation_studies()) {
+        INFO(each->name);
+        names.insert(each->name);
+        CHECK(scripts.contains(each->name));
+        CHECK(each->question.ends_with("?"));
+        CHECK(each->reading.ends_with("."));
+        CHECK_FALSE(each->title.empty());
+        CHECK(each->seconds > 0);
+        CHECK_NOTHROW(example_of(*each, 1));
+        CHECK(order_from(example_of(*each, 1).command, 1).command == example_of(*each, 1).command);
+    }
+    CHECK(names == sources);
+}
+
+TEST_CASE("each study of any equation makes tables that depend on its inputs alone", "[studies][equation]") {
+    for (const equation_study* each : all_equation_studies()) {
+        INFO(each->name);
+        const auto tables = tables_of(quick_order(*each, 1));
+        const auto again = tables_of(quick_order(*each, 2));
+        std::set<std::string> suffixes;
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            const study_table& part = tables[i];
+            INFO(part.suffix);
+            suffixes.insert(part.suffix);
+            CHECK_FALSE(part.data.rows().empty());
+            std::set<std::string> columns;
+            for (const column& c : part.data.columns()) {
+                columns.insert(c.name);
+                CHECK_FALSE(c.meaning.empty());
+            }
+            CHECK(columns.size() == part.data.columns().size());
+            CHECK(columns.contains("unknown"));
+            CHECK((part.timed || to_csv(part.data) == to_csv(again.at(i).data)));
+        }
+        CHECK(suffixes.size() == tables.size());
+        CHECK(suffixes.contains(""));
+    }
+}
+
+TEST_CASE("the rows of a cell of an equation do not depend on what is computed with it", "[studies][equation]") {
+    for (const equation_study* each : all_equation_studies()) {
+        if (each->alone) {
+            continue;  // its rows are times
+        }
+        const study_order order = quick_order(*each, 1);
+        const study_cells of(order);
+        std::set<cell_key> keys;
+        std::size_t cells = 0;
+        for (std::size_t i = 0; i < of.plan().groups; ++i) {
+            const cell_group group = of.plan().group(i);
+            group_work all{i, {}};
+            for (std::size_t which = 0; which < group.cells.size(); ++which) {
+                all.cells.push_back(which);
+                keys.insert(of.key(group.cells[which]));
+                ++cells;
+            }
+            const auto together = of.compute(all);
+            for (std::size_t which = 0; all.cells.size() > 1 && which < all.cells.size(); ++which) {
+                INFO(each->name << ": " << together[which].inputs << ": " << together[which].content);
+                CHECK_FALSE(together[which].failed);
+                CHECK(of.compute({i, {which}}).front().content == together[which].content);
+            }
+        }
+        CHECK(keys.size() == cells);
+    }
+}
+
+TEST_CASE("parameters and starts of an equation are axes in front of the columns", "[studies][equation]") {
+    const equation_words asked{"y'' = -w^2*y; y(0) = 1; y'(0) = 0; w = 1; n = 2; order = 1",
+                               {"y'(0)=0,1/3", "order=1", "w=1:2:3"}};
+    const auto tables =
+        tables_of(order_asked("study", "error_norm", asked, {{"--times", "0:1:3"}, {"--orders", "4"}}, 1));
+    const std::string header = header_of(tables.front());
+    CHECK(header.starts_with("w,set_order,y'(0),order,method,norm,"));
+    CHECK(header.ends_with(",unknown,y'(0)_typed\n"));
+    const auto rows = rows_of_table(tables.front());
+    REQUIRE(rows.size() == 18);
+    CHECK(rows.front().at("w") == "1");
+    CHECK(rows.back().at("w") == "2");
+    CHECK(rows.back().at("y'(0)_typed") == "1/3");
+    CHECK(rows.back().at("y'(0)").starts_with("0.33333333"));
+}
+
+TEST_CASE("norms of an equation with a closed solution are those of the closed form", "[studies][equation]") {
+    // y = 1/(2 - t): the rest of the geometric series at t = 1 is 2^-(N+1); its Pade approximant is exact.
+    const equation_words asked{"y' = y^2; y(0) = 1/2", {}};
+    for (const table_row& row : rows_about("error_norm", asked, {{"--times", "0:1:5"}, {"--orders", "3,8"}})) {
+        INFO(row.at("method") << " " << row.at("order"));
+        if (row.at("method") == "series") {
+            CHECK(number_of(row.at("norm")) == (row.at("order") == "3" ? mpfr(1) / 16 : mpfr(1) / 512));
+            CHECK(row.at("time_of_maximum") == "1");
+            CHECK(row.at("rigour") == "two-method");
+        } else if (row.at("method") == "pade") {
+            CHECK(row.at("norm") == "0");
+            CHECK(row.at("rigour") == "heuristic");
+        } else {
+            // y - p = (t - 1)^2 t^(N+1) r(t) with the pole's residue: r = c/(2 - t), c (2 - 1)^2 2^(N+1) = 1 at t = 2.
+            const bool low = row.at("order") == "3";
+            const precision_scope scope(30);
+            mpfr largest(0);
+            for (int i = 0; i <= 4; ++i) {
+                const mpfr t = mpfr(i) / 4;
+                const mpfr error = pow(t, low ? 4 : 9) * (1 - t) * (1 - t) / ((2 - t) * (low ? 16 : 512));
+                largest = error > largest ? error : largest;
+            }
+            CHECK(abs(number_of(row.at("norm")) - largest) <= last_place(row.at("norm")));
+        }
+    }
+}
+
+TEST_CASE("a parameter without a solution fails its cell alone", "[studies][equation]") {
+    const equation_words asked{"y' = log(y); y(0) = c; c = 1", {"c=0,2"}};
+    const auto answers =
+        answers_of(order_asked("study", "error_norm", asked, {{"--times", "0:1:3"}, {"--orders", "4"}}, 1));
+    CHECK(answers.failures.count == 2);  // the norms and the radii of c = 0
+    CHECK(answers.failures.first.front().inputs.starts_with("c=0 "));
+    CHECK(rows_of_table(answers.tables.front()).size() == 3);
+}
+
+}  // namespace studies_equation_studies_test
