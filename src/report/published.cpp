@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "sweep/equation_study.hpp"
+
 namespace libration {
 
 namespace fs = std::filesystem;
@@ -89,7 +91,11 @@ std::string text_of(const std::string& path) {
 
 published read_published(const std::string& folder) {
     published result{folder, {}, {}, {}};
-    for (const study* each : all_studies()) {
+    std::vector<const study*> studies = all_studies();
+    for (const study_order& each : example_orders()) {
+        studies.push_back(each.what);
+    }
+    for (const study* each : studies) {
         if (fs::exists(fs::path(folder) / each->name / (each->name + ".json"))) {
             try {
                 result.studies.push_back(read_study(folder, *each));

@@ -56,19 +56,29 @@ void make_claims(const std::string& folder, int jobs) {
     write_into((fs::path(folder) / place_of_part(claims_name)).string(), to_csv(claims_table(judge(claims, jobs))));
 }
 
+// A study with the parameters of its order.
+part part_of(const study_order& order, const std::string& out, int jobs) {
+    const study& what = *order.what;
+    return {what.name, what.seconds, what.alone, [order, out, jobs](const progress_context& shown) {
+                study_order own = order;
+                own.request.jobs = jobs;
+                own.request.shown = shown;
+                const auto failures =
+                    make_study(own, out, {.earlier = earlier_cells::taken_or_replaced, .part_of_more = true});
+                if (failures.count > 0) {
+                    throw std::runtime_error(message_of(failures));
+                }
+            }};
+}
+
 // All parts, the longest first, so that short ones fill the cores at the end.
 std::vector<part> parts_of(const reproduce_set& set, const std::string& out, int jobs) {
     std::vector<part> parts;
     for (const study* each : set.studies) {
-        parts.push_back({each->name, each->seconds, each->alone, [each, out, jobs](const progress_context& shown) {
-                             study_order order = order_of(*each, {}, jobs);
-                             order.request.shown = shown;
-                             const auto failures = make_study(
-                                 order, out, {.earlier = earlier_cells::taken_or_replaced, .part_of_more = true});
-                             if (failures.count > 0) {
-                                 throw std::runtime_error(message_of(failures));
-                             }
-                         }});
+        parts.push_back(part_of(order_of(*each, {}, jobs), out, jobs));
+    }
+    for (const study_order* each : set.examples) {
+        parts.push_back(part_of(*each, out, jobs));
     }
     if (set.claims) {
         parts.push_back({claims_name, seconds_of_claims, false,

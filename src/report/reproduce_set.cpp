@@ -48,6 +48,27 @@ std::vector<const study*> studies_where(const Belongs& belongs) {
     return studies;
 }
 
+std::vector<const study_order*> all_examples() {
+    std::vector<const study_order*> all;
+    for (const study_order& each : example_orders()) {
+        all.push_back(&each);
+    }
+    return all;
+}
+
+const study_order* example_named(const std::string& name) {
+    for (const study_order* each : all_examples()) {
+        if (each->what->name == name) {
+            return each;
+        }
+    }
+    return nullptr;
+}
+
+bool is_empty(const reproduce_set& set) {
+    return set.studies.empty() && set.examples.empty() && !set.claims && !set.references;
+}
+
 reproduce_set names_of(const char* option, const std::string& list) {
     reproduce_set result;
     std::istringstream names(list);
@@ -56,11 +77,13 @@ reproduce_set names_of(const char* option, const std::string& list) {
             result.claims = true;
         } else if (name == references_name) {
             result.references = true;
+        } else if (const study_order* const example = example_named(name)) {
+            result.examples.push_back(example);
         } else {
             result.studies.push_back(&study_named(option, name));
         }
     }
-    if (result.studies.empty() && !result.claims && !result.references) {
+    if (is_empty(result)) {
         throw input_error(option, list, "names no study", "write names with commas between them");
     }
     return result;
@@ -82,16 +105,12 @@ reproduce_set set_named(const std::string& name) {
         return {studies_where([](const study& each) { return each.offers == arithmetics::proved_too; }), false, true};
     }
     if (name == "all") {
-        return {all_studies(), true, true};
+        return {all_studies(), true, true, all_examples()};
     }
     if (name != "problems") {
         throw input_error("set", name, "is no set", "write paper, problems, proved or all");
     }
-    reproduce_set result{studies_where([](const study& each) { return !is_of_paper(each); }), false, false};
-    if (result.studies.empty()) {
-        throw input_error("set", name, "holds no study in this version", "write paper, proved or all");
-    }
-    return result;
+    return {studies_where([](const study& each) { return !is_of_paper(each); }), false, false, all_examples()};
 }
 
 reproduce_set chosen_of(reproduce_set set, const std::optional<std::string>& only,
@@ -104,9 +123,12 @@ reproduce_set chosen_of(reproduce_set set, const std::optional<std::string>& onl
     for (const study* each : left_out.studies) {
         std::erase(result.studies, each);
     }
+    for (const study_order* each : left_out.examples) {
+        std::erase(result.examples, each);
+    }
     result.claims = result.claims && !left_out.claims;
     result.references = result.references && !left_out.references;
-    if (result.studies.empty() && !result.claims && !result.references) {
+    if (is_empty(result)) {
         throw input_error("--skip", *skip, "leaves nothing to make", "name fewer");
     }
     return result;

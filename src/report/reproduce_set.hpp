@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "sweep/study.hpp"
+#include "sweep/equation_study.hpp"
 
 namespace libration {
 
-/// What is made again: studies, and whether the claims are judged and the reference values made.
+/// What is made again: studies, examples of studies of any equation, and whether the claims are judged and the reference values made.
 struct reproduce_set {
     std::vector<const study*> studies;
     bool claims = false;
     bool references = false;
+    std::vector<const study_order*> examples = {};
 };
 
 /// The names of claims and reference values beside those of the studies.
@@ -28,7 +29,7 @@ std::string description_of_part(const std::string& part);
 
 /// A set by its name:
 ///   paper      the paper's studies, its claims and the reference values; studies that come later are not in it
-///   problems   the studies of other problems
+///   problems   the studies of other problems, and those of any equation on their examples
 ///   proved     what has proofs: the studies that offer balls, and the reference values
 ///   all        everything
 /// Throws input_error for another name, and for a set that holds nothing.

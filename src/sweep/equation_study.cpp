@@ -28,6 +28,18 @@ bool is_study(const std::string& name) {
     return std::ranges::any_of(all, [&](const study* each) { return each->name == name; });
 }
 
+// A study whose own axis are problems of the catalogue, to which --problem is one of them.
+const study* study_of_catalogue(const std::string& name) {
+    for (const study* each : all_studies()) {
+        const bool takes_names =
+            std::ranges::any_of(each->parameters, [](const study_parameter& p) { return p.option == "--problems"; });
+        if (each->name == name && takes_names) {
+            return each;
+        }
+    }
+    return nullptr;
+}
+
 std::string names_for_equations() {
     std::string names;
     for (const equation_study* each : all_equation_studies()) {
@@ -96,6 +108,11 @@ study_order order_asked(const std::string& option, const std::string& name, cons
         }
         return order_of(study_named(option, name), words, jobs);
     }
+    if (const study* const of_catalogue = study_of_catalogue(name); of_catalogue != nullptr && asked->sets.empty()) {
+        study_words all = words;
+        all["--problems"] = asked->problem;
+        return order_of(*of_catalogue, all, jobs);
+    }
     const equation_study& what = for_equation(option, name, *asked);
     auto about = study_about(what, sweep_problem(asked->problem, asked->sets));
     study_order order = order_of(*about, words, jobs);
@@ -128,6 +145,17 @@ study_order order_from(const std::string& command, int jobs) {
 
 study_order example_of(const equation_study& what, int jobs) {
     return order_asked("study", what.name, what.example, what.example_words, jobs);
+}
+
+const std::vector<study_order>& example_orders() {
+    static const std::vector<study_order> all = [] {
+        std::vector<study_order> orders;
+        for (const equation_study* each : all_equation_studies()) {
+            orders.push_back(example_of(*each, 1));
+        }
+        return orders;
+    }();
+    return all;
 }
 
 std::shared_ptr<const study> study_in(const std::string& option, const std::string& name, const std::string& folder) {

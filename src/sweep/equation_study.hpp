@@ -52,6 +52,9 @@ study_order order_from(const std::string& command, int jobs);
 /// The example of a study of any equation as an order.
 study_order example_of(const equation_study& what, int jobs);
 
+/// All of them; they live as long as the program.
+const std::vector<study_order>& example_orders();
+
 /// The study of DIR/NAME: one of all_studies(), or that of the command which NAME.json holds. Throws input_error.
 std::shared_ptr<const study> study_in(const std::string& option, const std::string& name, const std::string& folder);
 

@@ -9,7 +9,7 @@
 
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "sweep/study.hpp"
+#include "sweep/equation_study.hpp"
 #include "sweep/study_files.hpp"
 #include "text/input_error.hpp"
 
@@ -25,6 +25,18 @@ std::string text_of(const study& each) {
                             parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
     }
     return text + fmt::format("    {:<12} {:.1f} s on two cores\n", "cost", each.seconds);
+}
+
+// A study as one of any equation, with the parameters that it has then.
+std::string text_of(const equation_study& each) {
+    std::string text = fmt::format("{} --problem P\n    {}\n", each.name, each.question);
+    for (const study_parameter& parameter : each.parameters) {
+        text += fmt::format("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
+                            parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
+    }
+    return text + fmt::format("    {:<12} libration {}\n    {:<12} {:.1f} s on two cores\n", "example",
+                              example_of(each, 1).command.substr(std::string("libration ").size()), "cost",
+                              each.seconds);
 }
 
 // What else there is to say of one.
@@ -66,9 +78,26 @@ struct studies_options {
     std::string format = "text";
 };
 
+// Those of any equation: all, or that of the name.
+std::vector<const equation_study*> chosen_for_equations(const std::optional<std::string>& name) {
+    auto all = all_equation_studies();
+    std::erase_if(all, [&](const equation_study* each) { return name && each->name != *name; });
+    return all;
+}
+
+// Those of the pendulum. Throws input_error for a name of neither.
+std::vector<const study*> chosen_for_pendulum(const std::optional<std::string>& name) {
+    if (!name) {
+        return all_studies();
+    }
+    auto all = all_studies();
+    std::erase_if(all, [&](const study* each) { return each->name != *name; });
+    return all.empty() && chosen_for_equations(name).empty() ? std::vector<const study*>{&study_named("studies", *name)}
+                                                             : all;
+}
+
 int list_studies(const studies_options& options) {
-    const auto chosen =
-        options.name ? std::vector<const study*>{&study_named("studies", *options.name)} : all_studies();
+    const auto chosen = chosen_for_pendulum(options.name);
     if (options.format == "json") {
         auto list = nlohmann::ordered_json::array();
         for (const study* each : chosen) {
@@ -83,6 +112,9 @@ int list_studies(const studies_options& options) {
     std::string text;
     for (const study* each : chosen) {
         text += text_of(*each) + (options.name ? more_text_of(*each) : "");
+    }
+    for (const equation_study* each : chosen_for_equations(options.name)) {
+        text += text_of(*each);
     }
     write_to_stdout(text);
     return 0;

@@ -150,6 +150,9 @@ int run_order(study_order order, const study_options& options) {
             "use --scalar mpfr:DIGITS");
     }
     const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
+    if (options.problem && problem.subject() == "problem") {
+        throw input_error("--problem", *options.problem, reason, "choose another problem or start");
+    }
     const bool names_option = problem.subject().starts_with("--");
     throw input_error("study", options.name, reason,
                       "leave that value out" + (names_option ? " of " + problem.subject() : ""));

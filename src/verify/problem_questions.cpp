@@ -120,7 +120,7 @@ std::vector<true_value> problem_questions::truths_at(const exact& time, long dig
     for (const auto& [unknown, derivative] : layout_.components()) {
         const mpfr& here = b[unknown][derivative];
         const mpfr apart = abs(mpfr(a[unknown][derivative] - here)) * 16 + abs(here) * last;
-        truths.push_back({enclose(narrow<ball>(here), narrow<ball>(apart))});
+        truths.push_back({enclose(ball(here), ball(apart))});
     }
     return truths;
 }

@@ -16,7 +16,7 @@ struct agreed_number {
 
 /// The numbers of compute(guard), which works with `digits` and `guard` digits: a run more while two have not agreed on
 /// all, at most six. What is smaller than 10^-(digits + guard/2) in both of the last two is 0, without a word that it
-/// agreed; inf agrees with inf.
+/// agreed; inf agrees with inf, and an exact 0 with another.
 template <class Compute>
 std::vector<agreed_number> agreed_numbers(long digits, const Compute& compute) {
     constexpr long guards[]{20, 45, 90, 180, 360, 720};
@@ -24,14 +24,14 @@ std::vector<agreed_number> agreed_numbers(long digits, const Compute& compute) {
     std::vector<agreed_number> found;
     for (const long guard : guards) {
         const std::vector<mpfr> now = compute(guard);
-        const precision_scope scope(20);
+        const precision_scope scope(digits + guard);
         const mpfr negligible = pow(mpfr(10), static_cast<int>(-digits - guard / 2));
         bool all = !before.empty();
         found.resize(now.size());
         for (std::size_t i = 0; i < now.size(); ++i) {
             const bool infinite = mpfr_number_p(handle(now[i])) == 0;
-            const bool same = !before.empty() && (infinite ? mpfr_number_p(handle(before[i])) == 0
-                                                           : now[i] != 0 && agree(before[i], now[i], digits));
+            const bool same = !before.empty() &&
+                              (infinite ? mpfr_number_p(handle(before[i])) == 0 : agree(before[i], now[i], digits));
             if (!found[i].agreed) {
                 found[i] = {now[i], same};
             }

@@ -14,7 +14,7 @@ constexpr long digits_of_logs = 12;
 
 struct coefficient_row {
     int n;
-    const mpfr& value;
+    mpfr value;
     std::optional<mpfr> log10_fitted;
     int root;
     long digits;
@@ -51,7 +51,7 @@ std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, con
     for (int n = (list.order() + 1) / 2; found.radius && n <= list.order(); ++n) {
         if (list[n] != 0) {
             const mpfr here = log10(mpfr(abs(list[n]))) + inverse_envelope(found, n);
-            height = height && *height > here ? height : here;
+            height = height ? std::max(*height, here) : here;
         }
     }
     std::vector<coefficient_row> rows;

@@ -6,7 +6,7 @@ load scripts.'/equation/panels.gp'
 k = place(main, 'n') - 1
 all = cases(main, k)
 n = words(all)
-x = place(main, 'n')
+place_x = place(main, 'n')
 tone(c) = n == 1 ? shade[5] : colour(c, n)
 curve(c, u) = both(in_case(word(all, c)), of_unknown(main, u))
 eval grid(drawn, 3)
@@ -23,8 +23,8 @@ do for [kind in terminals] {
         set ylabel 'log_{10} |a_n|'
         eval rising('x', 0, span(main, 'n', of_unknown(main, u), 1, 1))
         eval rising('y', span(main, 'log10_abs', of_unknown(main, u), -1, -1), span(main, 'log10_abs', of_unknown(main, u), 1, 1))
-        plot for [c=1:n] rows(main, x, place(main, 'log10_fitted'), curve(c, u)) using 1:2 with lines lw 1.2 lc rgb n == 1 ? '#888888' : tone(c), \
-             for [c=1:n] rows(main, x, place(main, 'log10_abs'), curve(c, u)) using 1:2 with points pt mark_of(c) ps 0.6 lc rgb tone(c)
+        plot for [c=1:n] rows(main, place_x, place(main, 'log10_fitted'), curve(c, u)) using 1:2 with lines lw 1.2 lc rgb n == 1 ? '#888888' : tone(c), \
+             for [c=1:n] rows(main, place_x, place(main, 'log10_abs'), curve(c, u)) using 1:2 with points pt mark_of(c) ps 0.6 lc rgb tone(c)
         eval no_heading
     }
     eval key_strip

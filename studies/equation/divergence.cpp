@@ -5,7 +5,7 @@
 
 #include "agreed_numbers.hpp"
 #include "radius_on_interval.hpp"
-#include "solution_on_interval.hpp"
+#include "unknown_on_interval.hpp"
 
 namespace libration::studies::of_equation {
 

@@ -8,7 +8,7 @@ k = place(main, 'order') - 1
 all = cases(main, k)
 orders = sorted(main, k + 1, '1')
 n = words(orders)
-x = place(main, 'time')
+place_x = place(main, 'time')
 curve(u, o) = both(both(in_case(word(all, 1)), of_unknown(main, u)), sprintf('$%d == %s', k + 1, o))
 eval grid(drawn, 3)
 foot = foot_for(shown_in_key(n) + 2, 12)
@@ -27,9 +27,9 @@ do for [kind in terminals] {
         high = span(main, 'solution', of_unknown(main, u), 1, 1)
         set yrange [low - larger(0.4 * (high - low), 1e-9):high + larger(0.4 * (high - low), 1e-9)]
         r = first_of(radii, place(radii, 'radius'), both(in_case(word(all, 1)), of_unknown(radii, u)))
-        if (strlen(r) > 0) { do for [sign in '-1 1'] { set arrow int(sign + 2) from (sign + 0) * number(r), graph 0 to (sign + 0) * number(r), graph 1 nohead lc rgb '#888888' dt 3 lw 1.5 } }
-        plot rows(main, x, place(main, 'solution'), curve(u, word(orders, 1))) using 1:2 with lines lw 3 lc rgb '#000000', \
-             for [i=1:n] rows(main, x, place(main, 'value'), curve(u, word(orders, i))) using 1:2 with lines lw 1.8 lc rgb n <= 5 ? shade[i] : colour(i, n)
+        if (strlen(r) > 0) { do for [sign in '-1 1'] { if ((sign + 0) * number(r) >= span(main, 'time', '1', 0, -1) && (sign + 0) * number(r) <= span(main, 'time', '1', 1, 1)) { set arrow int(sign + 2) from (sign + 0) * number(r), graph 0 to (sign + 0) * number(r), graph 1 nohead lc rgb '#888888' dt 3 lw 1.5 } } }
+        plot rows(main, place_x, place(main, 'solution'), curve(u, word(orders, 1))) using 1:2 with lines lw 3 lc rgb '#000000', \
+             for [i=1:n] rows(main, place_x, place(main, 'value'), curve(u, word(orders, i))) using 1:2 with lines lw 1.8 lc rgb n <= 5 ? shade[i] : colour(i, n)
         unset arrow
         eval no_heading
     }

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "agreed_numbers.hpp"
-#include "solution_on_interval.hpp"
+#include "libration/scalar/dispatch.hpp"
+#include "unknown_on_interval.hpp"
 
 namespace libration::studies::of_equation {
 

@@ -27,4 +27,6 @@ panel_h = 440
 # else differs.
 text_of_column(f, c) = sprintf('%d', place(f, c))
 span(f, c, where, otherwise, sign) = sign < 0 ? least(f, text_of_column(f, c), where, otherwise) : greatest(f, text_of_column(f, c), where, otherwise)
+# Few tics for the values of a parameter.
+quarters(which, a, b) = b > a ? sprintf("set %stics %.15g, %.15g, %.15g format '%%.4g'", which, a, (b - a) / 4.0, b) : ''
 single_panel = 'set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6; unset key'

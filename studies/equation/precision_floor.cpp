@@ -107,9 +107,8 @@ const equation_study& precision_floor() {
         .reading =
             "The largest error at the times over the order N in double, long double and quad, of the series and of its "
             "Pade approximant; thin without rounding. The short lines at the right are the epsilon of each arithmetic "
-            "times the size of the unknown. A series within its radius follows the exact norm down to a few epsilon "
-            "and stays there; the Pade approximant loses digits in its linear system, and what it loses does not come "
-            "back with more coefficients.",
+            "times the size of the unknown. Each curve follows the norm without rounding down to its floor; how many "
+            "epsilon that is, is the column norm_in_epsilon.",
         .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
                        {"--orders", "4:100:25", "N, last power of the list"},
                        {"--scalar", "double, long-double and quad", "arithmetic"}},

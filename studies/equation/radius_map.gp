@@ -40,10 +40,15 @@ if (planar) {
             set title 'R of '.u offset 0, -0.5
             set xlabel header(main, 1)
             set ylabel header(main, 2)
-            eval rising('x', span(main, header(main, 1), '1', 0, -1), span(main, header(main, 1), '1', 1, 1))
-            eval rising('y', span(main, header(main, 2), '1', 0, -1), span(main, header(main, 2), '1', 1, 1))
+            a1 = span(main, header(main, 1), '1', 0, -1); b1 = span(main, header(main, 1), '1', 1, 1)
+            a2 = span(main, header(main, 2), '1', 0, -1); b2 = span(main, header(main, 2), '1', 1, 1)
+            set xrange [a1 - 0.5 * (b1 - a1) / (values(1) - 1):b1 + 0.5 * (b1 - a1) / (values(1) - 1)]
+            set yrange [a2 - 0.5 * (b2 - a2) / (values(2) - 1):b2 + 0.5 * (b2 - a2) / (values(2) - 1)]
+            eval quarters('x', a1, b1)
+            eval quarters('y', a2, b2)
+            set style fill solid noborder
             set palette defined (0 '#440154', 0.25 '#31688e', 0.5 '#218f8d', 0.75 '#35b779', 1 '#fde725')
-            plot sprintf("< awk -F, 'BEGIN { print \"x,y,z\" } NR > 1 && %s && $%d == %s && $%d != \"\" { print $1 \",\" $2 \",\" $%d } END { print \"\\n1e99,1e99,1\" }' '%s'", of_unknown(main, u), k + 1, last, y, y, main) using 1:2:3 with points pt 5 ps smaller(9, 40.0 / larger(values(1), values(2))) lc palette
+            plot sprintf("< awk -F, 'BEGIN { print \"x,y,z\" } NR > 1 && %s && $%d == %s && $%d != \"\" { print $1 \",\" $2 \",\" $%d } END { print \"\\n1e99,1e99,1\" }' '%s'", of_unknown(main, u), k + 1, last, y, y, main) using 1:2:(0.5 * (b1 - a1) / (values(1) - 1)):(0.5 * (b2 - a2) / (values(2) - 1)):3 with boxxyerror lc palette
             eval no_heading
         }
         unset multiplot
@@ -63,6 +68,7 @@ if (planar) {
             eval single_panel
             set xlabel xname
             eval rising('x', span(main, header(main, abscissa), '1', 0, -1), span(main, header(main, abscissa), '1', 1, 1))
+            eval quarters('x', span(main, header(main, abscissa), '1', 0, -1), span(main, header(main, abscissa), '1', 1, 1))
             eval panel(2 * p - 1)
             set title u offset 0, -0.5
             set ylabel 'radius R / unit of the variable'

@@ -11,7 +11,7 @@ y = place(main, 'log10_difference')
 curve(u, m) = both(both(in_case(word(all, 1)), of_unknown(main, u)), with_word(main, 'method', m))
 tone(i) = i == 1 ? '#000000' : colour(i, larger(n, 7))
 eval grid(drawn, 3)
-foot = foot_for(n, 16)
+foot = foot_for(n, 26)
 bottom = span(main, 'log10_difference', '1', -1, -1)
 do for [kind in terminals] {
     eval figure_of(kind, stem)

@@ -7,7 +7,7 @@ estimates = table_of('_estimates')
 k = place(main, 'n') - 1
 all = cases(main, k)
 n = words(all)
-x = place(main, 'inverse_n')
+place_x = place(main, 'inverse_n')
 tone(c) = n == 1 ? shade[5] : colour(c, n)
 late = sprintf('$%d >= 4', k + 1)
 curve(c, u) = both(late, both(in_case(word(all, c)), of_unknown(main, u)))
@@ -29,8 +29,8 @@ do for [kind in terminals] {
         array level[n]
         do for [c=1:n] { v = verdict(c, u); level[c] = strlen(v) > 0 ? number(v) : NaN }
         plot for [c=1:n] level[c] with lines lw 1.5 lc rgb n == 1 ? '#888888' : tone(c), \
-             for [c=1:n] rows(main, x, place(main, 'root'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt 6 ps 0.6 lc rgb tone(c), \
-             for [c=1:n] rows(main, x, place(main, 'corrected'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt 2 ps 0.5 lc rgb tone(c)
+             for [c=1:n] rows(main, place_x, place(main, 'root'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt 6 ps 0.6 lc rgb tone(c), \
+             for [c=1:n] rows(main, place_x, place(main, 'corrected'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt 2 ps 0.5 lc rgb tone(c)
         eval no_heading
     }
     eval key_strip

@@ -152,7 +152,7 @@ rational length_for(const std::vector<nearest_row>& nearest) {
         return 10;
     }
     const mpfr thousandths = mpfr(*least * times * 1000);
-    return rational(std::max(integer(1), nearest_integer(thousandths)), 1000);
+    return rational(std::max(integer(1), nearest_integer(thousandths))) / 1000;
 }
 
 // Instants on [start, start + length] and the states there; shorter where the steps end before.
@@ -240,7 +240,7 @@ const study& problems() {
         .parameters = {{"--problems", "all", "names of the catalogue"},
                        {"--orders", "80", "N, last power of the lists; the largest is taken"}},
         .quick = {{"--problems", "blasius,riccati,thomas_fermi", ""}, {"--orders", "20", ""}},
-        .seconds = 10,
+        .seconds = 30,
         .excluded = {},
         .plan = plan};
     return result;

@@ -184,14 +184,24 @@ TEST_CASE("the comparison names a part that was not made", "[command][reproduce]
     CHECK(lines_with(done.err, "results does not have yet: claims") == 1);
 }
 
-TEST_CASE("the sets of reproduce: the paper's is fixed, and one that is none is refused", "[command][reproduce]") {
-    {
-        const temporary_folder folder;
-        const finished_process done = run_libration({"reproduce", "nonsense"}, folder.path());
-        CHECK(done.exit_code == 2);
-        CHECK(done.err.starts_with("libration: set 'nonsense'"));
-        CHECK(folder.content().empty());
-    }
+TEST_CASE("the set problems holds studies of any equation, which stand on the page", "[command][reproduce][problem]") {
+    const temporary_folder folder;
+    const finished_process done =
+        run_libration({"reproduce", "problems", "--only", "error_norm-blasius", "--jobs", "2"}, folder.path());
+    INFO(done.err);
+    CHECK(done.exit_code == 0);
+    CHECK(fs::exists(folder.path() / "reproduced" / "error_norm-blasius" / "error_norm-blasius.svg"));
+    const std::string page = text_of_file(folder.path() / "reproduced" / "index.html");
+    CHECK(page.find("id=\"error_norm-blasius\"") != std::string::npos);
+    CHECK(page.find("./run study error_norm --problem blasius --times 0:3:61") != std::string::npos);
+}
+
+TEST_CASE("the sets of reproduce: the paper's is fixed, and one that there is not is refused", "[command][reproduce]") {
+    const temporary_folder empty;
+    const finished_process refused = run_libration({"reproduce", "nonsense"}, empty.path());
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.starts_with("libration: set 'nonsense'"));
+    CHECK(empty.content().empty());
     const temporary_folder folder;
     const finished_process proved =
         run_libration({"reproduce", "proved", "--skip", "error_norm", "--jobs", "2"}, folder.path());
