@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "equation/change_words.hpp"
 #include "equation/problem_options.hpp"
 #include "libration/ode/parse.hpp"
 #include "text/input_error.hpp"
@@ -135,6 +136,7 @@ shared_problem sweep_problem(const std::string& said, const std::vector<std::str
         if (!names.insert(each.name).second) {
             throw input_error("--set", words, "is given twice", "write all values of " + each.name + " in one list");
         }
+        require_changeable(result->system, each.name + "=1");
         naming_option("--set", [&] { return ode::changed(result->system, each.name + " = 1"); });
         result->sets.push_back(std::move(each));
     }
