@@ -1,0 +1,109 @@
+#include "libration/ode/opened_system.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace libration::ode {
+
+namespace {
+
+// f''(0) = value becomes f''(0) = a parameter of that value.
+std::string parameter_for_start(equation_system& made, const std::string& name, std::size_t index) {
+    for (start& each : made.starts) {
+        if (name.starts_with(primed(each.of.name(), each.of.derivative()) + "(")) {
+            const std::string parameter_name = "open number " + std::to_string(index);
+            made.parameters.push_back({parameter_name, each.value, {}});
+            each.value = parameter(parameter_name);
+            return parameter_name;
+        }
+    }
+    refuse(name, {}, "is no start of the problem: choose one of its own");
+}
+
+class opening {
+public:
+    opening(const equation_system& given, std::vector<std::string> names) : made_(given), names_(std::move(names)) {
+        made_.invariants.clear();
+        made_.exact.clear();
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            if (names_[i].find('(') != std::string::npos) {
+                names_[i] = parameter_for_start(made_, names_[i], i);
+            }
+            leaves_.push_back(unknown("y" + std::to_string(i)));
+        }
+        for (const std::string& each : names_) {
+            const definition* const found = made_.parameter_of(each);
+            if (found == nullptr) {
+                refuse(each, {}, "is no parameter and no start of the problem: choose one of its own");
+            }
+            values_.push_back(with_values(found->value, made_).constant());
+        }
+    }
+
+    opened_system result() {
+        equation_system open = made_;
+        for (equation& each : open.equations) {
+            each.left = replaced_numbers(each.left, [&](std::size_t i) { return unknown(names_[i]); });
+            each.right = replaced_numbers(each.right, [&](std::size_t i) { return unknown(names_[i]); });
+        }
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            open.add(derivative(unknown(names_[i])));
+            open.begin(unknown(names_[i]), expression(values_[i]), made_.starts.front().point);
+        }
+        opened_system made{explicit_system(open), values_, {}, leaves_};
+        for (const unknown_function& each : made.system.unknowns()) {
+            for (int j = 0; j < each.order; ++j) {
+                made.starts.push_back(start_of(each.name, j));
+            }
+        }
+        return made;
+    }
+
+private:
+    expression start_of(const std::string& name, int order) const {
+        const auto number_of = std::ranges::find(names_, name);
+        if (number_of != names_.end()) {
+            return leaves_[static_cast<std::size_t>(number_of - names_.begin())];
+        }
+        const auto at = std::ranges::find_if(
+            made_.starts, [&](const start& s) { return s.of.name() == name && s.of.derivative() == order; });
+        return replaced_numbers(at->value, [&](std::size_t i) { return leaves_[i]; });
+    }
+
+    // Parameters by their values, as deep as they go, the open ones by what stands for them.
+    template <class For>
+    expression replaced_numbers(const expression& e, const For& stands_for) const {
+        expression result = e;
+        for (std::size_t depth = 0; depth <= made_.parameters.size() && result.has_parameters(); ++depth) {
+            result = replaced(result, [&](const expression& leaf) -> std::optional<expression> {
+                if (leaf.kind() != node_kind::parameter) {
+                    return std::nullopt;
+                }
+                const auto number_of = std::ranges::find(names_, leaf.name());
+                if (number_of != names_.end()) {
+                    return stands_for(static_cast<std::size_t>(number_of - names_.begin()));
+                }
+                const definition* const found = made_.parameter_of(leaf.name());
+                if (found == nullptr) {
+                    refuse(leaf.name(), {}, "has no value: write " + leaf.name() + " = number");
+                }
+                return found->value;
+            });
+        }
+        return result;
+    }
+
+    equation_system made_;
+    std::vector<std::string> names_;
+    std::vector<number> values_;
+    std::vector<expression> leaves_;
+};
+
+}  // namespace
+
+opened_system opened(const equation_system& given, const std::vector<std::string>& names) {
+    return opening(given, names).result();
+}
+
+}  // namespace libration::ode
