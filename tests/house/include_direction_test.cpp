@@ -121,6 +121,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"studies/equation", sweep},
         {"studies/problem", study + rooms{"studies/equation"}},
         {"studies/pendulum", study + rooms{"studies/problem"}},
+        {"studies/proved", study},
     };
 }
 

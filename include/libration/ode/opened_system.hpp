@@ -20,8 +20,8 @@ struct opened_system {
     std::vector<expression> leaves;
 };
 
-/// Names are of parameters, or of starts, as f''(0). Throws error for others, and where the equation needs a number as a
-/// constant, such as an exponent.
+/// Names are of parameters, or of starts, as f''(0). Throws error for others, and where the equation needs a number as
+/// a constant, such as an exponent.
 opened_system opened(const equation_system& given, const std::vector<std::string>& names);
 
 }  // namespace libration::ode

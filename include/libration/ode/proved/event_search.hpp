@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 
 namespace libration::ode {
@@ -51,8 +52,7 @@ private:
     void add_event(const ball& within);
     bool is_start(const ball& distance) const;
 
-    explicit_system system_;
-    std::vector<expression> leaves_;
+    first_order_form form_;
     expression g_, slope_;
     bool zero_at_start_;
     proved_march march_;

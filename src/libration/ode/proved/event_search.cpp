@@ -16,61 +16,14 @@ constexpr int first_pieces = 4;
 constexpr int deepest = 60;
 constexpr int most_newton_steps = 100;
 
-std::vector<expression> given_leaves(const explicit_system& system) {
-    std::vector<expression> leaves;
-    for (const unknown_function& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            leaves.push_back(unknown("y" + std::to_string(leaves.size())));
-        }
-    }
-    return leaves;
-}
-
-// With y0, y1, .. for the unknowns and their lower derivatives.
-expression in_leaves(const expression& e, const explicit_system& system, const std::vector<expression>& leaves) {
-    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
-        std::size_t first = 0;
-        for (const unknown_function& each : system.unknowns()) {
-            if (leaf.kind() == node_kind::unknown && leaf.name() == each.name) {
-                if (leaf.derivative() >= each.order) {
-                    refuse(primed(leaf.name(), leaf.derivative()), {},
-                           "is no part of the state in a condition: write what the equation has for it");
-                }
-                return leaves[first + static_cast<std::size_t>(leaf.derivative())];
-            }
-            first += static_cast<std::size_t>(each.order);
-        }
-        return std::nullopt;
-    });
-}
-
-// dg/dt along the solution.
-expression slope_along(const expression& g, const explicit_system& system, const std::vector<expression>& leaves) {
-    expression sum = partial(g, variable());
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
-        for (int j = 1; j <= system.unknowns()[i].order; ++j, ++k) {
-            const expression by = partial(g, leaves[k]);
-            if (!by.is(0)) {
-                const bool last = j == system.unknowns()[i].order;
-                sum = sum + by * (last ? in_leaves(system.right()[i], system, leaves) : leaves[k + 1]);
-            }
-        }
-    }
-    return sum;
-}
-
-bool vanishes_at_start(const expression& g, const explicit_system& system, const std::vector<expression>& leaves) {
+bool vanishes_at_start(const expression& g, const first_order_form& form, const number& point) {
     const expression value = replaced(g, [&](const expression& leaf) -> std::optional<expression> {
         if (leaf.kind() == node_kind::variable) {
-            return expression(system.point());
+            return expression(point);
         }
-        std::size_t k = 0;
-        for (const auto& of_unknown : system.starts()) {
-            for (const number& each : of_unknown) {
-                if (same_form(leaf, leaves[k++])) {
-                    return expression(each);
-                }
+        for (std::size_t k = 0; k < form.leaves.size(); ++k) {
+            if (same_form(leaf, form.leaves[k])) {
+                return expression(form.starts[k]);
             }
         }
         return std::nullopt;
@@ -81,16 +34,15 @@ bool vanishes_at_start(const expression& g, const explicit_system& system, const
 }  // namespace
 
 event_search::event_search(const explicit_system& system, const expression& g, long bits, int direction)
-    : system_(system),
-      leaves_(given_leaves(system)),
-      g_(in_leaves(g, system, leaves_)),
-      slope_(slope_along(g_, system, leaves_)),
-      zero_at_start_(vanishes_at_start(g_, system, leaves_)),
+    : form_(system),
+      g_(form_.in_leaves(g)),
+      slope_(form_.slope_of(g_)),
+      zero_at_start_(vanishes_at_start(g_, form_, system.point())),
       march_(system, bits),
       direction_(direction < 0 ? -1 : 1) {}
 
 event_search::sample event_search::sampled(const ball& distance) const {
-    expression_values<ball> values(leaves_, march_.reached() + distance);
+    expression_values<ball> values(form_.leaves, march_.reached() + distance);
     auto state = march_.values_at(distance);
     for (const ball& each : state) {
         values.push_back(each);

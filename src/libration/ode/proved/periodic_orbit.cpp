@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/event_search.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/scalar/ball/decimal.hpp"
@@ -13,52 +14,6 @@ namespace {
 
 constexpr long first_bits = 128;
 constexpr int most_returns = 12;
-
-// The right sides of the first-order form, in y0, y1, ..
-struct first_order_form {
-    explicit first_order_form(const explicit_system& system) {
-        for (const unknown_function& each : system.unknowns()) {
-            for (int j = 0; j < each.order; ++j) {
-                leaves.push_back(unknown("y" + std::to_string(leaves.size())));
-                names.push_back(primed(each.name, j));
-                given.push_back(unknown(each.name, j));
-            }
-        }
-        std::size_t k = 0;
-        for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
-            for (int j = 1; j <= system.unknowns()[i].order; ++j, ++k) {
-                slopes.push_back(j < system.unknowns()[i].order ? leaves[k + 1] : in_leaves(system.right()[i]));
-            }
-        }
-        for (const auto& of_unknown : system.starts()) {
-            starts.insert(starts.end(), of_unknown.begin(), of_unknown.end());
-        }
-    }
-
-    expression in_leaves(const expression& e) const {
-        return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
-            const auto at = std::ranges::find_if(given, [&](const expression& g) { return same_form(g, leaf); });
-            return at == given.end() ? std::nullopt
-                                     : std::optional(leaves[static_cast<std::size_t>(at - given.begin())]);
-        });
-    }
-
-    std::vector<ball> slope_at(const std::vector<ball>& state) const {
-        expression_values<ball> values(leaves, ball(0));
-        for (const ball& each : state) {
-            values.push_back(each);
-        }
-        std::vector<ball> result;
-        for (const expression& each : slopes) {
-            result.push_back(values.of(each));
-        }
-        return result;
-    }
-
-    std::vector<expression> leaves, given, slopes;
-    std::vector<std::string> names;
-    std::vector<number> starts;
-};
 
 // F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its start.
 class closing {
@@ -79,7 +34,7 @@ public:
         }
         enclosed_map result;
         const ball_matrix flow = march.derivative_at(time);
-        const auto slope = form_.slope_at(*state);
+        const auto slope = form_.slopes_at(*state, time);
         for (std::size_t i = 0; i < start.size(); ++i) {
             result.value.push_back((*state)[i] - start[i]);
             auto& row = result.derivative.emplace_back();
@@ -109,7 +64,7 @@ std::vector<ball> start_of(const first_order_form& form) {
 
 std::size_t fastest(const first_order_form& form) {
     const auto start = start_of(form);
-    const auto slope = form.slope_at(start);
+    const auto slope = form.slopes_at(start, ball(0));
     std::size_t best = 0;
     magnitude most;
     for (std::size_t i = 0; i < slope.size(); ++i) {
@@ -128,7 +83,7 @@ std::size_t fastest(const first_order_form& form) {
 // The time of the return that comes nearest to the start.
 number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held) {
     const auto start = start_of(form);
-    const auto rising = form.slope_at(start)[held];
+    const auto rising = form.slopes_at(start, ball(0))[held];
     const crossing way = arb_is_positive(rising.handle()) != 0 ? crossing::up : crossing::down;
     event_search search(system, form.given[held] - expression(form.starts[held]), first_bits);
     std::optional<ball> period;
