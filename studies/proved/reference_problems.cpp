@@ -157,10 +157,10 @@ public:
                 row.push_back(by_numbers.of(partial(each, leaf)));
             }
         }
-        for (std::size_t k = 0; k < form_.names.size(); ++k) {
-            const auto at = std::ranges::find_if(
-                open_.leaves, [&](const ode::expression& leaf) { return same_form(open_.starts[k], leaf); });
-            is_open_.push_back(at != open_.leaves.end() && !is_given(form_.names[k], given));
+        const auto unknowns = given.unknowns();
+        for (const ode::unknown_function& each : open_.system.unknowns()) {
+            const bool of_problem = std::ranges::find(unknowns, each.name) != unknowns.end();
+            is_open_.insert(is_open_.end(), static_cast<std::size_t>(each.order), !of_problem);
         }
     }
 
@@ -201,11 +201,6 @@ public:
     const ode::explicit_system& system() const { return open_.system; }
 
 private:
-    static bool is_given(const std::string& name, const ode::equation_system& given) {
-        const auto unknowns = given.unknowns();
-        return std::ranges::find(unknowns, name) != unknowns.end();
-    }
-
     ode::opened_system open_;
     ode::first_order_form form_;
     std::vector<ball> values_, starts_;

@@ -1,0 +1,230 @@
+// Are the reference values right that solvers are tested with?
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/blasius_infinity.hpp"
+#include "libration/ode/proved/proved_root.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/problem/problem.hpp"
+#include "sweep/study.hpp"
+
+namespace libration::studies {
+
+namespace published_study {
+
+namespace {
+
+// Digits beyond those of the longest printed value of a kind.
+constexpr long more_digits = 6;
+
+// A value in print.
+struct printed_value {
+    std::string quantity;
+    std::string printed;
+    std::string source;
+};
+
+// What is printed of one problem, and what proves it: the values in the same order.
+struct kind_of_value {
+    std::string name;
+    std::string problem;
+    std::vector<printed_value> printed;
+    std::function<std::vector<proved_decimal>(long digits)> prove;
+};
+
+ode::equation_system equations_of(const std::string& name, const std::vector<std::string>& changes = {}) {
+    auto system = ode::parse(std::string(problem_text(name)));
+    for (const std::string& each : changes) {
+        system = ode::changed(system, each);
+    }
+    return system;
+}
+
+std::vector<proved_decimal> state_at(const ode::equation_system& system, const std::string& time, long digits) {
+    return ode::proved_trajectory(ode::explicit_system(system), {ode::parse_constant(time).constant()}, digits).front();
+}
+
+const std::string test_set = "F. Mazzia, C. Magherini, Test set for initial value problem solvers, release 2.4 (2008)";
+
+const std::vector<kind_of_value>& kinds() {
+    static const std::vector<kind_of_value> all{
+        {"blasius",
+         "blasius",
+         {{"f''(0) for f'(inf) = 1", "0.33205733621519629893718006201058", "OEIS A256522"}},
+         [](long digits) {
+             return std::vector<proved_decimal>{proved_value(digits, [] { return ode::blasius_shear(ball(1)); })};
+         }},
+        {"lorenz_orbit",
+         "lorenz",
+         {{"x on z = 27 of the orbit AB", "-13.76361068213420052501", "D. Viswanath, Physica D 190 (2004) 115-128"},
+          {"y there", "-19.57875194245179553883", "D. Viswanath, Physica D 190 (2004) 115-128"},
+          {"its period", "1.55865221071617472756", "D. Viswanath, Physica D 190 (2004) 115-128"}},
+         [](long digits) {
+             const auto orbit = ode::proved_periodic_orbit(
+                 ode::explicit_system(equations_of("lorenz", {"x(0) = -13.7636", "y(0) = -19.5788", "z(0) = 27"})),
+                 digits);
+             return std::vector<proved_decimal>{orbit.start[0], orbit.start[1], orbit.period};
+         }},
+        {"van_der_pol_cycle",
+         "van_der_pol",
+         {{"amplitude of the cycle, m = 1", "2.008619860874843136509", "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"},
+          {"its period", "6.66328685932313018969", "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"}},
+         [](long digits) {
+             const auto orbit = ode::proved_periodic_orbit(ode::explicit_system(equations_of("van_der_pol")), digits);
+             return std::vector<proved_decimal>{orbit.start[0], orbit.period};
+         }},
+        {"hires",
+         "hires",
+         {{"y1 at t = 321.8122", "0.7371312573325668e-3", test_set},
+          {"y2", "0.1442485726316185e-3", test_set},
+          {"y3", "0.5888729740967575e-4", test_set},
+          {"y4", "0.1175651343283149e-2", test_set},
+          {"y5", "0.2386356198831331e-2", test_set},
+          {"y6", "0.6238968252742796e-2", test_set},
+          {"y7", "0.2849998395185769e-2", test_set},
+          {"y8", "0.2850001604814231e-2", test_set}},
+         [](long digits) { return state_at(equations_of("hires"), "321.8122", digits); }},
+        {"oregonator",
+         "oregonator",
+         {{"x at t = 360", "1.000814870318523", test_set},
+          {"y", "1228.178521549917", test_set},
+          {"z", "132.0554942846706", test_set}},
+         [](long digits) { return state_at(equations_of("oregonator"), "360", digits); }},
+        {"van_der_pol_1000",
+         "van_der_pol",
+         {{"x at t = 2000, m = 1000", "1.706167732170483", test_set}, {"x' there", "-0.8928097010247975e-3", test_set}},
+         [](long digits) { return state_at(equations_of("van_der_pol", {"m = 1000"}), "2000", digits); }},
+    };
+    return all;
+}
+
+// The place of the last digit that is printed, as a power of 10.
+long last_place_of(const std::string& printed) {
+    const auto mark = printed.find('e');
+    const std::string digits = printed.substr(0, mark);
+    const auto point = digits.find('.');
+    const long exponent = mark == std::string::npos ? 0 : std::stol(printed.substr(mark + 1));
+    return exponent - (point == std::string::npos ? 0 : static_cast<long>(digits.size() - point - 1));
+}
+
+mpfr number_of(const std::string& decimal) {
+    mpfr result;
+    mpfr_set_str(handle(result), decimal.c_str(), 10, MPFR_RNDN);
+    return result;
+}
+
+struct published_row {
+    std::string kind, problem;
+    printed_value printed;
+    std::string value;
+    mpfr units;
+};
+
+// A value that is cut off is up to one unit away, one that is rounded half of it; the proved value itself by less than
+// 10^-6 of a unit.
+bool holds(const published_row& r) { return r.units <= 1; }
+
+const column_list<published_row>& columns() {
+    using row = published_row;
+    static const column_list<row> all{
+        {"value_of", "which values", [](const row& r) { return r.kind; }},
+        {"problem", "name in the catalogue", [](const row& r) { return r.problem; }},
+        {"quantity", "what is printed", [](const row& r) { return r.printed.quantity; }},
+        {"printed", "its digits in print", [](const row& r) { return number_cell(r.printed.printed); }},
+        {"value", "proved", [](const row& r) { return number_cell(r.value); }},
+        {"units", "distance of the two in units of the last printed digit",
+         [](const row& r) { return decimal_cell(r.units, 6); }},
+        {"verdict", "holds where that is at most 1", [](const row& r) { return holds(r) ? "holds" : "fails"; }},
+        {"rigour", "of value", [](const row&) { return "proved"; }},
+        {"source", "of the printed digits", [](const row& r) { return r.printed.source; }},
+    };
+    return all;
+}
+
+table rows_of_kind(const kind_of_value& of) {
+    std::size_t longest = 0;
+    for (const printed_value& each : of.printed) {
+        longest = std::max(longest, each.printed.size());
+    }
+    const long digits = static_cast<long>(longest) + more_digits;
+    const auto proved = of.prove(digits);
+    const precision_scope scope(digits + 10);
+    std::vector<published_row> rows;
+    for (std::size_t i = 0; i < of.printed.size(); ++i) {
+        const printed_value& printed = of.printed[i];
+        const mpfr unit = pow(mpfr(10), static_cast<int>(last_place_of(printed.printed)));
+        const mpfr distance = abs(number_of(proved[i].text) - number_of(printed.printed));
+        rows.push_back({of.name, of.problem, printed, proved[i].text, mpfr(distance / unit)});
+    }
+    return make_table(columns(), rows);
+}
+
+std::vector<kind_of_value> chosen(const study_request& request) {
+    std::vector<kind_of_value> result;
+    for (const exact& each : request.values.of("value_of")) {
+        std::ranges::copy_if(kinds(), std::back_inserter(result),
+                             [&](const kind_of_value& known) { return each.text == "all" || each.text == known.name; });
+    }
+    return result;
+}
+
+study_plan plan(const study_request& request) {
+    const auto all = chosen(request);
+    return plan_of_cells(
+        {head_of("", {scalar_kind::proved, 50}, columns())}, {"value_of"}, all.size(),
+        [all](std::size_t i) {
+            return cell_inputs{{"value_of", all[i].name}};
+        },
+        [all](std::size_t i) { return std::vector<table>{rows_of_kind(all[i])}; });
+}
+
+void check_name(const exact& each) {
+    if (each.text != "all" &&
+        std::ranges::none_of(kinds(), [&](const kind_of_value& known) { return each.text == known.name; })) {
+        throw error(error_kind::argument, "list", "", "has '" + each.text + "', of which nothing is judged here");
+    }
+}
+
+const problem& values_in_print() {
+    static const problem result{.name = "values in print",
+                                .axes = {{.name = "value_of",
+                                          .option = "--values",
+                                          .help = "what is printed: LIST, or all",
+                                          .unit = "",
+                                          .form = axis_form::words,
+                                          .remedy = "write names such as blasius,lorenz_orbit, or all",
+                                          .check = check_name,
+                                          .coordinate = "value_of",
+                                          .to_coordinate = {}}}};
+    return result;
+}
+
+}  // namespace
+}  // namespace published_study
+
+const study& published() {
+    using namespace published_study;
+    static const study result{
+        .name = "published",
+        .title = "Published reference values",
+        .label = "",
+        .question = "Are the values in print right, to the last digit?",
+        .reading =
+            "How far each printed value is from the proved one, in units of its last printed digit: what stands left "
+            "of "
+            "the line at 1 holds. The table has both, and the source.",
+        .of = &values_in_print(),
+        .parameters = {{"--values", "all", "which values; van_der_pol_1000 and oregonator take minutes"}},
+        .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},
+        .seconds = 600,
+        .excluded = {},
+        .plan = plan,
+        .offers = arithmetics::proved_too};
+    return result;
+}
+
+}  // namespace libration::studies
