@@ -84,6 +84,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"convergence", test},
         {"convergence/known", convergence + approximant + rooms{"ode"}},
         {"ode", convergence + approximant},
+        {"ode/text", ode},
         {"ode/ball", ode + balls},
         {"ode/proved", ode + balls + rooms{"ode/ball"}},
         {"elliptic", digits},

@@ -134,7 +134,10 @@ private:
         slopes_.resize(std::max(slopes_.size(), leaves_.size()));
         if (!slopes_[k]) {
             const std::size_t given = leaves_.size() - added_.size();
-            const expression made = slope(added_[k - given], leaves_[k]);
+            // Copies, for a slope may add unknowns, and the lists move.
+            const expression definition = added_[k - given];
+            const expression leaf = leaves_[k];
+            const expression made = slope(definition, leaf);
             slopes_.resize(std::max(slopes_.size(), leaves_.size()));
             slopes_[k] = made;
         }
