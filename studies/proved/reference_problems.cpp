@@ -28,7 +28,7 @@ struct ending {
     int end;
 };
 constexpr ending endings[] = {
-    {"arenstorf", 17},
+    {"arenstorf", 8},
     {"blasius", 8},
     {"brusselator", 20},
     {"detest_a1", 20},
@@ -60,12 +60,12 @@ constexpr ending endings[] = {
     {"fitzhugh_nagumo", 40},
     {"harmonic", 20},
     {"henon_heiles", 40},
-    {"hires", 320},
+    {"hires", 20},
     {"kepler", 20},
     {"logistic", 20},
     {"lorenz", 20},
     {"lotka_volterra", 20},
-    {"oregonator", 30},
+    {"oregonator", 10},
     {"painleve_1", 2},
     {"painleve_2", 2},
     {"pendulum", 20},
