@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "equation/problem_trajectory.hpp"
+#include "libration/problem/axis.hpp"
 
 namespace libration {
 

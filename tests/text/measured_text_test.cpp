@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "report/reproduce_set.hpp"
 #include "sweep/study.hpp"
 
 namespace text_measured_text_test {
@@ -58,10 +57,13 @@ TEST_CASE("what was not measured is said, what cannot be meant is refused", "[re
     CHECK_THROWS_WITH(text("{{max error"), Contains("without"));
 }
 
-// Those of the paper: the others are made on demand.
 TEST_CASE("every placeholder of a study finds its number in the published tables", "[report][studies]") {
     int measured = 0;
-    for (const study* each : set_named("paper").studies) {
+    for (const study* each : all_studies()) {
+        // The set `problems` is made on demand.
+        if (!std::filesystem::exists(std::string(LIBRATION_SOURCE_DIR "/results/") + each->name)) {
+            continue;
+        }
         INFO(each->name);
         const std::string text = measured_text(each->reading, published);
         CHECK(text.find(not_measured) == std::string::npos);
