@@ -26,10 +26,10 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: studies/problem/NAME.cpp or studies/pendulum/NAME.cpp defines libration::studies::NAME(), and nothing
+# The registry: NAME.cpp in studies/problem, pendulum or proved defines libration::studies::NAME(), and nothing
 # else names a study.
 file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/problem/*.cpp
-    ${PROJECT_SOURCE_DIR}/studies/pendulum/*.cpp)
+    ${PROJECT_SOURCE_DIR}/studies/pendulum/*.cpp ${PROJECT_SOURCE_DIR}/studies/proved/*.cpp)
 set(study_declarations "")
 set(study_entries "")
 set(study_names ${study_sources})

@@ -122,7 +122,7 @@ far_behaviour of_blasius(const equation_system& given, long digits) {
 far_behaviour of_falkner_skan(const equation_system& given, const std::string& free, long digits) {
     // Reversed profiles begin with a long way at rest: the guess itself says how far.
     mpfr first(9);
-    while (first < 60 && abs(state_at(given, first)[2]) * 100 > 1) {
+    while (first < 60 && state_at(given, first)[1] * 2 < 1) {
         first = first * 3 / 2;
     }
     const auto found = reach(
