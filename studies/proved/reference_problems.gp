@@ -23,6 +23,8 @@ do for [kind in terminals] {
     set yrange [n + 0.7:0.3]
     unset ytics
     set ytics scale 0
+    set xtics autofreq
+    set grid xtics
     do for [i=1:n] { set ytics add (name_of(word(problems, i)) i) }
     set xlabel 'log_{10} of the largest condition number'
     unset key

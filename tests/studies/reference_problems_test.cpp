@@ -1,0 +1,54 @@
+// The studies of proved values against closed forms, and against values that were printed wrong.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "studies/study_rows.hpp"
+
+namespace studies_reference_problems_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+// y = 1/(1 + e^-t) from y(0) = 1/2. Of y = c/(c + (1 - c) e^-t) dy/dc c/y is e^-t/(c + (1 - c) e^-t), at c = 1/2 2 e^-t y;
+// t y'/y is t (1 - y). Three digits are printed.
+TEST_CASE("reference values of the logistic equation and their condition numbers", "[studies][proved]") {
+    const precision_scope scope(40);
+    const auto rows =
+        rows_by_suffix("reference_problems", {{"--problems", "logistic"}, {"--scalar", "ball:30"}}).at("");
+    REQUIRE(rows.size() == 8);
+    for (const table_row& row : rows) {
+        const mpfr t = number_of(row.at("time"));
+        const mpfr y = 1 / (1 + exp(mpfr(-t)));
+        CHECK(abs(mpfr(number_of(row.at("value")) - y)) <= y * pow(mpfr(10), -29));
+        const mpfr by_start = 2 * exp(mpfr(-t)) * y;
+        CHECK(abs(mpfr(number_of(row.at("condition_start")) - by_start)) <= by_start / 100);
+        const mpfr by_time = t * (1 - y);
+        CHECK(abs(mpfr(number_of(row.at("condition_time")) - by_time)) <= by_time / 100);
+        CHECK(row.at("condition_parameters") == "0");
+        CHECK(row.at("changed_digit").empty());  // 1/2 is a double
+        CHECK(row.at("rigour") == "proved");
+    }
+}
+
+// 2.73 and 0.0178 are no doubles: their roundings, at most 2^-53 of them, change a digit about the 16th.
+TEST_CASE("a parameter that is no double changes a digit", "[studies][proved]") {
+    const auto rows = rows_by_suffix("reference_problems", {{"--problems", "sir"}, {"--scalar", "ball:20"}}).at("");
+    REQUIRE(rows.size() == 16);
+    for (const table_row& row : rows) {
+        const int digit = std::stoi(row.at("changed_digit"));
+        CHECK(digit >= 12);
+        CHECK(digit <= 20);
+    }
+}
+
+TEST_CASE("values in print are judged to their last digit", "[studies][proved]") {
+    const auto rows = rows_by_suffix("published", {{"--values", "blasius,lorenz_orbit"}}).at("");
+    REQUIRE(rows.size() == 4);
+    for (const table_row& row : rows) {
+        CHECK(row.at("verdict") == "holds");
+        CHECK(row.at("value").substr(0, 18) == row.at("printed").substr(0, 18));
+    }
+}
+
+}  // namespace studies_reference_problems_test
