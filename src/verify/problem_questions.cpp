@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "motion/motion_cells.hpp"
@@ -17,6 +18,8 @@ namespace {
 
 constexpr long first_guard = 20;
 constexpr long second_guard = 45;
+constexpr long first_proof_bits = 96;
+constexpr long most_proof_bits = 200'000;
 
 bool is_start(const ode::explicit_system& system, const exact& time) {
     const auto plain = (as_expression(time) - system.point()).plain();
@@ -102,6 +105,40 @@ problem_questions::march_pair& problem_questions::marches(long digits) {
     return *made;
 }
 
+// A proved march with its latest time, and its bits.
+struct problem_questions::proved_way {
+    std::unique_ptr<ode::proved_march> march;
+    ode::number latest;
+    long bits = 0;
+};
+
+// All unknowns and their lower derivatives, in order. More bits where the enclosure becomes too wide on the way.
+std::vector<ball> problem_questions::proved_state(const exact& time, long digits) {
+    const auto& system = layout_.system();
+    const ode::number at = as_expression(time);
+    auto& way = proved_by_digits_[digits];
+    if (!way) {
+        way = std::make_shared<proved_way>();
+        way->bits = digits * 3322 / 1000 + first_proof_bits;
+    }
+    const int direction = (at - system.point()).sign();
+    while (way->bits <= most_proof_bits) {
+        if (!way->march || ((at - way->latest) * ode::number(rational(direction))).sign() < 0) {
+            way->march = std::make_unique<ode::proved_march>(system, way->bits);
+        }
+        way->latest = at;
+        if (const auto state = way->march->at(at)) {
+            return *state;
+        }
+        if (way->march->end() == ode::march_end::steps) {
+            break;
+        }
+        way->march.reset();
+        way->bits *= 2;
+    }
+    throw error(error_kind::undecided, "time", time.text, "is not reached by a proof: a singularity is near, or chaos");
+}
+
 std::vector<true_value> problem_questions::truths_at(const exact& time, long digits) {
     const auto& system = layout_.system();
     std::vector<true_value> truths;
@@ -109,6 +146,19 @@ std::vector<true_value> problem_questions::truths_at(const exact& time, long dig
         for (const auto& [unknown, derivative] : layout_.components()) {
             const ode::number& value = system.starts()[unknown][derivative];
             truths.push_back({ode::constant_value<ball>::of(value), value.fraction()});
+        }
+        return truths;
+    }
+    if (!system.singular()) {
+        const auto state = proved_state(time, digits);
+        std::size_t first = 0;
+        std::vector<std::size_t> places;
+        for (const auto& each : system.unknowns()) {
+            places.push_back(first);
+            first += static_cast<std::size_t>(each.order);
+        }
+        for (const auto& [unknown, derivative] : layout_.components()) {
+            truths.push_back({state[places[unknown] + derivative]});
         }
         return truths;
     }

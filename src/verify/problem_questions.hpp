@@ -48,8 +48,8 @@ private:
     std::string own_time_;
 };
 
-/// Rows of such a file. A truth is that of two marches of other orders and precisions, within 16 times what they differ
-/// by: two-method, nothing is proved. Rows that come by time share the marches.
+/// Rows of such a file. A truth is proved (ode::proved_march); where the start is singular it is that of two marches of
+/// other orders and precisions, within 16 times what they differ by. Rows that come by time share the marches.
 class problem_questions : public question_reader {
 public:
     problem_questions(const problem_layout& layout, const compare_rules& rules) : layout_(layout), rules_(rules) {}
@@ -58,7 +58,9 @@ public:
 
 private:
     struct march_pair;
+    struct proved_way;
 
+    std::vector<ball> proved_state(const exact& time, long digits);
     march_pair& marches(long digits);
     std::vector<true_value> truths_at(const exact& time, long digits);
     std::string condition_at(const exact& time, long digits);
@@ -66,6 +68,7 @@ private:
     const problem_layout& layout_;
     const compare_rules& rules_;
     std::map<long, std::shared_ptr<march_pair>> by_digits_;
+    std::map<long, std::shared_ptr<proved_way>> proved_by_digits_;
 };
 
 }  // namespace libration
