@@ -120,10 +120,11 @@ far_behaviour of_blasius(const equation_system& given, long digits) {
 }
 
 far_behaviour of_falkner_skan(const equation_system& given, const std::string& free, long digits) {
-    // Reversed profiles begin with a long way at rest: the guess itself says how far.
+    // Reversed profiles begin with a long way at rest: the guess itself says how far. A guess that overshoots does not.
     mpfr first(9);
-    while (first < 60 && state_at(given, first)[1] * 2 < 1) {
+    for (auto state = state_at(given, first); first < 60 && abs(state[2]) * 100 > 1 && state[1] * 2 < 3;) {
         first = first * 3 / 2;
+        state = state_at(given, first);
     }
     const auto found = reach(
         given, free, [](const std::vector<mpfr>& f, const mpfr& /*t*/) { return mpfr(f[1] - 1); },
