@@ -22,7 +22,7 @@ using namespace pendulum;
 
 namespace {
 
-constexpr const char* number_remedy = "write a number such as 1.71, 171/100 or 1e-30";
+constexpr const char* number_form = "write a number such as 1.71, 171/100 or 1e-30";
 constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150deg";
 constexpr const char* times_remedy = "write times such as 0,1.5,T/4 or a range 0:20:401";
 
@@ -100,7 +100,7 @@ chosen_motion motion_options::by_energy() const {
     const auto angle = theta0_ ? std::optional(angle_of("--theta0", *theta0_)) : std::nullopt;
     const motion of = angle ? reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
                                       [&] { return motion::of_energy_from(energy, *angle, sense); })
-                            : reading(option, value, number_remedy, [&] { return motion::of_energy(energy, sense); });
+                            : reading(option, value, number_form, [&] { return motion::of_energy(energy, sense); });
     return {.of = of.with_squared_frequency(squared_frequency()),
             .by_state = false,
             .option = option,
@@ -124,8 +124,8 @@ chosen_motion motion_options::by_state() const {
     }
     const exact angle = angle_of("--theta0", *theta0_);
     const exact speed = number_of("--omega0", *omega0_);
-    motion of = reading("--omega0", *omega0_, number_remedy,
-                        [&] { return motion::of_state(angle, speed, squared_frequency()); });
+    motion of =
+        reading("--omega0", *omega0_, number_form, [&] { return motion::of_state(angle, speed, squared_frequency()); });
     auto energy = ending_decimal(of.exact_energy());
     auto gap = ending_decimal(of.exact_gap());
     return {std::move(of),  true, "--omega0", *omega0_,   std::move(energy),

@@ -239,6 +239,7 @@ int run_radius(const radius_options& options) {
         unknowns.push_back({"", {list_of_motion(options, numbers)}});
     }
     std::vector<radius_answers> all;
+    all.reserve(unknowns.size());
     for (const auto& unknown : unknowns) {
         all.push_back(answers_of(unknown, numbers));
     }
@@ -249,6 +250,7 @@ int run_radius(const radius_options& options) {
         return 0;
     }
     std::vector<std::string> names;
+    names.reserve(unknowns.size());
     for (const auto& unknown : unknowns) {
         names.push_back(unknown.name);
     }

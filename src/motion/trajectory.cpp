@@ -138,7 +138,7 @@ int run_trajectory(const trajectory_options& options) {
         }
         decided = false;
         data.add_row({number_cell(times[i]), cell(), cell(), cell(), typed});
-        fmt::print(stderr, "libration: {}\n", shortened("no state at '" + typed + "': " + undecided));
+        fmt::print(stderr, "libration: {}\n", shortened(fmt::format("no state at '{}': {}", typed, undecided)));
     }
     options.output.write(data);
     return decided ? 0 : 1;

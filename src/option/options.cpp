@@ -34,7 +34,7 @@ exact number_of(const std::string& option, const std::string& value) {
 }
 
 exact positive_number_of(const std::string& option, const std::string& value) {
-    const exact number = number_of(option, value);
+    exact number = number_of(option, value);
     if (sign_of_exact(number) <= 0) {
         throw input_error(option, value, "is not positive", "write a positive number");
     }

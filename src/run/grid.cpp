@@ -1,7 +1,5 @@
 #include "run/grid.hpp"
 
-#include "libration/scalar/error.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>

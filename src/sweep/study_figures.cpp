@@ -39,7 +39,7 @@ fs::path script_of(const study& what) {
         return fs::path(studies_folder()) / (what.script + ".gp");
     }
     for (const auto& folder : fs::directory_iterator(studies_folder())) {
-        const fs::path script = folder.path() / (what.name + ".gp");
+        fs::path script = folder.path() / (what.name + ".gp");
         if (folder.path().filename() != "equation" && fs::exists(script)) {
             return script;
         }

@@ -73,7 +73,7 @@ axis_reading without_excluded(const study& what, const axis& along, const std::v
             } else {
                 const std::string text = along.to_coordinate ? decimal_of(along.coordinate_of(value), 50) : value.text;
                 throw error(error_kind::argument, along.option, "",
-                            "has the " + along.coordinate + " " + text + ", where " + reason);
+                            fmt::format("has the {} {}, where {}", along.coordinate, text, reason));
             }
         }
     }

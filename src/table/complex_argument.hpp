@@ -18,7 +18,7 @@ struct complex_argument {
 bool is_complex_text(const std::string& text);
 
 /// Reads "1+2i", "-i", or a real number as read_exact does. Throws as that does.
-complex_argument read_complex(const std::string& text);
+complex_argument read_complex(const std::string& item);
 
 /// "1+2i" of two typed numbers, an expression in parentheses.
 std::string complex_text(const std::string& real, const std::string& imaginary);

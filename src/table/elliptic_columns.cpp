@@ -25,6 +25,7 @@ constexpr std::array<const char*, 7> input_columns{"u", "u_re", "u_im", "phi", "
 
 std::vector<known_column> elliptic_columns::known() {
     std::vector<known_column> columns;
+    columns.reserve(input_columns.size() + modulus_columns.size());
     for (const char* const name : input_columns) {
         columns.push_back({name});
     }

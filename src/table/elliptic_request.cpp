@@ -214,10 +214,10 @@ void require_argument(const std::string& name, const exact& argument) {
 }
 
 typed_parameter parameter_of(const std::string& quantity, const exact& typed) {
-    const typed_parameter parameter{typed, quantity == "k"                      ? &real_parameter::from_modulus
-                                           : quantity == "m" || quantity == "q" ? &real_parameter::from_parameter
-                                           : quantity == "m1"                   ? &real_parameter::from_complement
-                                                              : throw std::logic_error("no modulus: " + quantity)};
+    typed_parameter parameter{typed, quantity == "k"                      ? &real_parameter::from_modulus
+                                     : quantity == "m" || quantity == "q" ? &real_parameter::from_parameter
+                                     : quantity == "m1"                   ? &real_parameter::from_complement
+                                                        : throw std::logic_error("no modulus: " + quantity)};
     static_cast<void>(parameter.value());
     return parameter;
 }

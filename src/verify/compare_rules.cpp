@@ -67,7 +67,7 @@ error_bound tolerance_for(const written_number& value, const true_value& truth, 
     if (rules.tolerance) {
         return error_bound(*rules.tolerance);
     }
-    const error_bound last_place(value.last_place);
+    error_bound last_place(value.last_place);
     if (!truth.is_zero() || value.value == 0) {
         return last_place;
     }

@@ -1,6 +1,7 @@
 // Numbers of which some may be 0 or nearly so, by runs of growing precision that agree.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct agreed_number {
 /// agreed; inf agrees with inf, and an exact 0 with another.
 template <class Compute>
 std::vector<agreed_number> agreed_numbers(long digits, const Compute& compute) {
-    constexpr long guards[]{20, 45, 90, 180, 360, 720};
+    constexpr std::array<long, 6> guards{20, 45, 90, 180, 360, 720};
     std::vector<mpfr> before;
     std::vector<agreed_number> found;
     for (const long guard : guards) {
@@ -40,7 +41,7 @@ std::vector<agreed_number> agreed_numbers(long digits, const Compute& compute) {
         if (all) {
             break;
         }
-        if (guard == guards[5]) {
+        if (guard == guards.back()) {
             for (std::size_t i = 0; i < now.size(); ++i) {
                 const bool vanishes =
                     !found[i].agreed && abs(now[i]) < negligible && abs(before[i]) < negligible * 1000;

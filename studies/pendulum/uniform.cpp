@@ -90,7 +90,7 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
 study_plan plan(const study_request& request) {
     return plan_by_order({head_of("", read_scalar("mpfr:" + std::to_string(printed_digits)), columns()),
                           head_of("double", read_scalar("double"), columns())},
-                         sweep_of(request), numbers_of_coefficients(request), rows_at);
+                         sweep_of(request), numbers_of_coefficients(request), &rows_at);
 }
 
 }  // namespace

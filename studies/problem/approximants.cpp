@@ -158,7 +158,7 @@ solved_problem solve(const std::string& problem, int highest, long digits) {
     for (const double x : chebyshev_points(points)) {
         const double t = x * static_cast<double>(far.end);
         if (x < 1 || far.form != far_form::branch) {  // the branch point itself is not reached
-            at.push_back(ode::number(rational(t)));
+            at.emplace_back(rational(t));
             result.times.emplace_back(t);
         }
     }
@@ -228,7 +228,7 @@ mpfr distance_from_far_at(const solved_problem& of, const mpfr& t) {
             return exp(mpfr(off(i - 1) * (1 - part) + off(i) * part));
         }
     }
-    return mpfr(0);
+    return 0;
 }
 
 // Of each order; empty where the form says nothing.

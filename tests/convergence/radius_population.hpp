@@ -107,6 +107,7 @@ inline power_series<mpfr> entire_term(dice& random, const mpfr& r, int order) {
         return random.weight() * entire_factor(random, r, order);
     }
     std::vector<mpfr> c;
+    c.reserve(4);
     for (int n = 0; n < 4; ++n) {
         c.push_back(random.weight());
     }

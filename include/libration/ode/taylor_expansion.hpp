@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -266,7 +267,7 @@ void taylor_expansion<R>::run_placed(int steps_until) {
 // sum_{k=first}^{last} a_k b_{n-k} in four partial sums, which do not wait for each other.
 template <field R>
 R sum_in_fours(const R* a, const R* b, int n, int first, int last) {
-    R sums[4]{R(0), R(0), R(0), R(0)};
+    std::array<R, 4> sums{R(0), R(0), R(0), R(0)};
     int k = first;
     for (; k + 3 <= last; k += 4) {
         sums[0] += a[k] * b[n - k];

@@ -12,7 +12,7 @@ namespace {
 std::string parameter_for_start(equation_system& made, const std::string& name, std::size_t index) {
     for (start& each : made.starts) {
         if (name.starts_with(primed(each.of.name(), each.of.derivative()) + "(")) {
-            const std::string parameter_name = "open number " + std::to_string(index);
+            std::string parameter_name = "open number " + std::to_string(index);
             made.parameters.push_back({parameter_name, each.value, {}});
             each.value = parameter(parameter_name);
             return parameter_name;

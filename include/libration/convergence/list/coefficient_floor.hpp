@@ -45,7 +45,7 @@ inline mpfr unexplained_share(const std::vector<mpfr>& x, int terms) {
     }
     const auto c = solve_linear(std::move(normal), right, mpfr(epsilon<mpfr>() * 64));
     if (!c || all == 0) {
-        return mpfr(0);
+        return 0;
     }
     mpfr explained(0);
     for (std::size_t i = 0; i < p; ++i) {
@@ -111,7 +111,7 @@ inline std::optional<coefficient_floor> floor_of(const series::power_series<mpfr
     constexpr std::size_t fewest = 10;
     const precision_scope scope(40);
     const auto points = fitting::binary_sizes(a, 0);
-    for (const std::size_t part : {2, 4, 8}) {
+    for (const std::size_t part : {2U, 4U, 8U}) {
         const std::size_t count = std::max(fewest, points.size() / part);
         if (count + 8 > points.size()) {
             return std::nullopt;

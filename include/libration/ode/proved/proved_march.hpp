@@ -48,7 +48,7 @@ public:
     /// start. Nothing where the proof ends before, for the reason end().
     std::optional<std::vector<ball>> at(const number& time);
     /// The same at every time of a ball.
-    std::optional<std::vector<ball>> at(const ball& time);
+    std::optional<std::vector<ball>> at(const ball& target);
 
     /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set.
     void keep_derivative();

@@ -149,6 +149,7 @@ private:
         }
         const auto step = times(*inverse, here.value);
         std::vector<magnitude> radii;
+        radii.reserve(step.size());
         for (const ball& each : step) {
             radii.push_back(magnitude(each) * magnitude(2U) + magnitude::of(1, -2 * bits));
         }

@@ -25,6 +25,7 @@ struct asked_time {
 std::vector<asked_time> in_order(const explicit_system& system, const std::vector<number>& times) {
     const precision_scope scope(40);
     std::vector<mpfr> gone;
+    gone.reserve(times.size());
     for (const number& each : times) {
         gone.push_back(constant_value<mpfr>::of(each - system.point()));
     }
