@@ -56,6 +56,7 @@ study_plan plan_by_numbers(std::vector<study_table> tables, const shared_equatio
         }
         cells.compute = [sweep, values, rows, i](const std::vector<std::size_t>& which) {
             std::vector<int> chosen;
+            chosen.reserve(which.size());
             for (const std::size_t each : which) {
                 chosen.push_back(values[each]);
             }

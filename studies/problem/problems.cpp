@@ -160,6 +160,7 @@ of_equation::solution_on_interval march_over(const ode::explicit_system& system,
     constexpr int attempts = 8;
     for (int attempt = 1;; ++attempt, length = length * 2 / 3) {
         std::vector<ode::number> times;
+        times.reserve(instants);
         for (int i = 0; i < instants; ++i) {
             times.push_back(system.point() + ode::number(rational(length * i / (instants - 1))));
         }

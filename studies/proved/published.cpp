@@ -71,7 +71,8 @@ const std::vector<kind_of_value>& kinds() {
          }},
         {"van_der_pol_cycle",
          "van_der_pol",
-         {{"amplitude of the cycle, m = 1", "2.008619860874843136509", "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"},
+         {{"amplitude of the cycle, m = 1", "2.008619860874843136509",
+           "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"},
           {"its period", "6.66328685932313018969", "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"}},
          [](long digits) {
              const auto orbit = ode::proved_periodic_orbit(ode::explicit_system(equations_of("van_der_pol")), digits);

@@ -1,5 +1,6 @@
 // What are the solutions of the classical test problems, to digits that integrators can be judged by?
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ struct ending {
     const char* problem;
     int end;
 };
-constexpr ending endings[] = {
+constexpr auto endings = std::to_array<ending>({
     {"arenstorf", 8},
     {"blasius", 8},
     {"brusselator", 20},
@@ -78,7 +79,7 @@ constexpr ending endings[] = {
     {"toda", 20},
     {"van_der_pol", 40},
     {"weierstrass", 1},
-};
+});
 
 // An unknown at a time.
 struct reference_row {

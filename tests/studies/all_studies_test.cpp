@@ -48,7 +48,8 @@ std::set<std::string> stems_in_studies(const std::string& extension) {
 
 }  // namespace
 
-TEST_CASE("each NAME.cpp in problem/, pendulum/ and proved/ of studies/ is the study NAME, and no other is known", "[studies]") {
+TEST_CASE("each NAME.cpp in problem/, pendulum/ and proved/ of studies/ is the study NAME, and no other is known",
+          "[studies]") {
     std::set<std::string> names;
     for (const study* each : all_studies()) {
         names.insert(each->name);

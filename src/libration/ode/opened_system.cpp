@@ -23,7 +23,7 @@ std::string parameter_for_start(equation_system& made, const std::string& name, 
 
 class opening {
 public:
-    opening(const equation_system& given, std::vector<std::string> names) : made_(given), names_(std::move(names)) {
+    opening(equation_system given, std::vector<std::string> names) : made_(std::move(given)), names_(std::move(names)) {
         made_.invariants.clear();
         made_.exact.clear();
         for (std::size_t i = 0; i < names_.size(); ++i) {

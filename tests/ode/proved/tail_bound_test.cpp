@@ -129,6 +129,18 @@ TEST_CASE("nothing is proved at a radius that a singularity is inside of", "[ode
     }
 }
 
+// x = t^2/2 and y = t^2 are errors alone at order 1, and z = t^5/10 comes from the product of both.
+TEST_CASE("the product of two errors is an error", "[ode][proved]") {
+    const precision_scope scope(40);
+    const bounded all("x' = t; y' = 2*t; z' = x*y; x(0) = 0; y(0) = 0; z(0) = 0", 1, {ball(0), ball(0), ball(0)});
+    const magnitude radius = part(50);
+    const auto bound = all.within(radius);
+    REQUIRE(bound.has_value());
+    const ball t = radius.exact();
+    CHECK(!certainly_less(bound->error[0].exact(), t * t / 2));
+    CHECK(!certainly_less(bound->error[2].exact(), t * t * t * t * t / 10));
+}
+
 // y = c/(1 - c t) for every c of the ball, at its ends too.
 TEST_CASE("the bound holds for every start of a wide ball", "[ode][proved]") {
     const precision_scope scope(60);
