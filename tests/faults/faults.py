@@ -281,13 +281,11 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/proved/proved_march.cpp", [MARCHES],
-        ("the rounding of the centre forgotten", "added.emplace_back(image[i] - centre_[i]);",
-         "added.push_back(magnitude::radius_of(image[i]));"),
+        ("the radii of a step forgotten", "added.emplace_back(image[i] - centre_[i]);", "added.emplace_back();"),
         ("the tail of a step forgotten", "values.push_back(widened(state[i][0], now_->tail->at(i, magnitude(distance))));",
          "values.push_back(state[i][0]);"),
         ("the errors left behind at a time", "values[i] = widened(values[i], errors_.reach(map, i));", ""),
         ("the start as its midpoint", "widths.emplace_back(each - centre_.back());", "widths.emplace_back();"),
-        ("the map of the centre for the set", "widened(centre_[i] + 0, errors_.reach(i))", "centre_[i] + 0"),
     ),
     *in_file(
         ROOM + "series/blocked_sums.hpp", ["ode/fast_product_test.cpp"],
@@ -303,7 +301,5 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/proved_root.cpp", ["ode/proved/proved_root_test.cpp"],
         ("the test of Krawczyk passed over", "if (!(reach < radii[i])) {", "if (false) {"),
-        ("the rest of Krawczyk's box dropped", "root.push_back(widened(x_[i] - step[i], rest));",
-         "root.push_back(x_[i] - step[i]);"),
     ),
 ]

@@ -85,6 +85,24 @@ TEST_CASE("sums in blocks are those term by term, in every kernel, for every len
     }
 }
 
+// Directly, for the templates of the system are compiled in the library.
+TEST_CASE("sums in blocks of two sequences and of the pairs of one", "[ode]") {
+    constexpr int order = 60;
+    std::vector<rational> a;
+    std::vector<rational> b;
+    for (int n = 0; n <= order; ++n) {
+        a.emplace_back(n * n - 7 * n + 3, n + 1);
+        b.emplace_back(5 - n * n, 2 * n + 1);
+    }
+    const plain_product fast(3);
+    series::blocked_sums<rational> sums(&fast, order);
+    for (int n = 0; n <= order; ++n) {
+        CHECK(sums.product(a.data(), b.data(), n, series::parity::any) ==
+              series::product_coefficient(a.data(), b.data(), n));
+        CHECK(sums.pairs(a.data(), n, 0, series::parity::any) == series::square_coefficient(a.data(), n));
+    }
+}
+
 TEST_CASE("another point and another start forget the sums of the one before", "[ode]") {
     const explicit_system system(parse("y' = y^2 + t; y(0) = 1/2"));
     const tape made = tape::about_points(system);

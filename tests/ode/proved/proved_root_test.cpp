@@ -8,6 +8,7 @@
 #include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
 
@@ -40,6 +41,15 @@ TEST_CASE("a square root is proved, and none of a negative number", "[ode][prove
     CHECK(within_a_unit(root[0], sqrt(ball(2)), 200));
     CHECK_THROWS_AS(proved_root(square_is(-2), {number(rational(3, 2))}, 20), error);
     CHECK_THROWS_AS(proved_root(square_is(0), {number(rational(3, 2))}, 20), error);  // a double zero
+}
+
+// A derivative that may vanish in every box proves nothing, however well Newton's method settles.
+TEST_CASE("no root is proved where the derivative over its box is not known", "[ode][proved]") {
+    const map_of_unknowns open = [](const std::vector<ball>& x, long, long) {
+        const ball slope = is_exact(x[0]) ? x[0] * 2 : widened(ball(0), magnitude(10U));
+        return std::optional(enclosed_map{{x[0] * x[0] - 2}, {{slope}}});
+    };
+    CHECK_THROWS_AS(proved_root(open, {number(rational(3, 2))}, 20), error);
 }
 
 // y = k sin t: k = 2/sin 1. And y' = y (1 - y/c), y(0) = s: two unknowns from y(1) = 1/2, y(2) = 1 in closed form:
