@@ -72,8 +72,13 @@ add_test(NAME readme_example
         -D SCALARS=ball
         -D README=${PROJECT_SOURCE_DIR}/README.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+add_test(NAME equations_example
+    COMMAND ${consumer}
+        -D BUILD=${PROJECT_BINARY_DIR}/equations
+        -D README=${PROJECT_SOURCE_DIR}/docs/equations.md
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
-set_tests_properties(consumer consumer_of_balls readme_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
+set_tests_properties(consumer consumer_of_balls readme_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
 # The reader of our tables in docs/ that Debian can run.
 if(LIBRATION_BUILD_COMMAND)

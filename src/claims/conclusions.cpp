@@ -1,11 +1,12 @@
 // Section VI: what the paper concludes.
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "claims/claim.hpp"
 #include "claims/sampled_arc.hpp"
 #include "libration/convergence/radius_report.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/step.hpp"
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
 
@@ -123,36 +124,21 @@ claim all_times() {
             }};
 }
 
-// One Taylor step of f''' = -f f''/2 from (f, f', f'') at a point: the coefficients of f there.
-power_series<mpfr> blasius_series(const std::array<mpfr, 3>& start, int order) {
-    auto f = power_series<mpfr>::zero(order);
-    f[0] = start[0];
-    f[1] = start[1];
-    f[2] = start[2] / 2;
-    for (int n = 0; n + 3 <= order; ++n) {
-        mpfr sum(0);
-        for (int k = 0; k <= n; ++k) {
-            sum += f[n - k] * f[k + 2] * (k + 1) * (k + 2);
-        }
-        f[n + 3] = -sum / 2 / (n + 1) / (n + 2) / (n + 3);
-    }
-    return f;
+ode::explicit_system blasius() {
+    return ode::explicit_system(ode::parse("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f''(0) = 1"));
+}
+
+power_series<mpfr> blasius_series(int order) {
+    const ode::tape tape = ode::tape::about_start(blasius());
+    ode::taylor_expansion<mpfr> expansion(tape, order);
+    expansion.about_start();
+    return expansion.series_of(0);
 }
 
 // f'(infinity) of the solution with f''(0) = 1; the rest after eta = 16 is below exp(-60).
 mpfr blasius_limit() {
-    std::array<mpfr, 3> state{mpfr(0), mpfr(0), mpfr(1)};
-    const mpfr step = mpfr(1) / 2;
-    for (int i = 0; i < 32; ++i) {
-        const auto f = blasius_series(state, 40);
-        state = {mpfr(0), mpfr(0), mpfr(0)};
-        for (int n = 40; n >= 0; --n) {
-            state[2] = state[2] * step + (n + 2 <= 40 ? f[n + 2] * (n + 1) * (n + 2) : mpfr(0));
-            state[1] = state[1] * step + (n + 1 <= 40 ? f[n + 1] * (n + 1) : mpfr(0));
-            state[0] = state[0] * step + f[n];
-        }
-    }
-    return state[1];
+    ode::taylor_march<mpfr> march(blasius());
+    return march.advance_to(mpfr(16))[0][1];
 }
 
 claim blasius_scenario() {
@@ -164,7 +150,7 @@ claim blasius_scenario() {
             .command = "./run claims blasius_scenario",
             .measure = [] {
                 // f(eta) = s g(s eta) with g''(0) = 1 and s^2 g'(infinity) = 1 [Toepfer].
-                const auto g = blasius_series({mpfr(0), mpfr(0), mpfr(1)}, 305);
+                const auto g = blasius_series(305);
                 const mpfr radius = cbrt(mpfr(abs(g[302] / g[305])));
                 const mpfr earlier = cbrt(mpfr(abs(g[272] / g[275])));
                 const mpfr in_eta = radius * sqrt(blasius_limit());

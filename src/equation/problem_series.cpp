@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "equation/complex_times.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/parse.hpp"
@@ -59,14 +60,13 @@ std::vector<wide_t<T>> flat_values(const problem_series_request& request, const 
 }
 
 template <class T>
-std::vector<wide_t<T>> flat_values(const problem_series_request& request,
-                                   const ode::taylor_expansion<complex_number<T>>& of) {
-    std::vector<wide_t<T>> values;
+std::vector<complex_number<mpfr>> flat_values(const problem_series_request& request,
+                                              const ode::taylor_expansion<complex_number<T>>& of) {
+    std::vector<complex_number<mpfr>> values;
     each_coefficient(request, of, [&](const complex_number<T>& value, int unknown, long n) {
-        for (const T& part : {value.re, value.im}) {
-            require_in_range(part, request.system, unknown, n);
-            values.push_back(widen(part));
-        }
+        require_in_range(value.re, request.system, unknown, n);
+        require_in_range(value.im, request.system, unknown, n);
+        values.push_back({widen(value.re), widen(value.im)});
     });
     return values;
 }
@@ -112,14 +112,15 @@ std::vector<wide_t<ball>> proved_about_time(const problem_series_request& reques
     return flat_values(request, expansion);
 }
 
+// By the corners of the way.
 template <class T>
-std::vector<wide_t<T>> about_point(const problem_series_request& request, const ode::complex_constant& point) {
-    const complex_number<T> z{ode::constant_value<T>::of(point.re), ode::constant_value<T>::of(point.im)};
-    const ode::complex_path<T> path(request.system);
-    const auto state = path.state_at(z);
+std::vector<complex_number<mpfr>> about_point(const problem_series_request& request,
+                                              const std::vector<ode::complex_constant>& corners,
+                                              const ode::complex_constant& point) {
+    const auto state = ode::states_along<T>(request.system, corners, {point}).front();
     const ode::tape made = ode::tape::about_points(request.system);
     ode::taylor_expansion<complex_number<T>> expansion(made, static_cast<int>(request.order));
-    expansion.about(z, state);
+    expansion.about(ode::constant_value<complex_number<T>>::of(point), state);
     return flat_values(request, expansion);
 }
 
@@ -197,7 +198,7 @@ table series_table(const problem_series_request& request, const std::vector<std:
     return data;
 }
 
-ode::complex_constant typed_point(const std::string& at) {
+ode::complex_constant point_of_series(const std::string& at) {
     try {
         return ode::parse_complex_constant(at);
     } catch (const error& problem) {
@@ -207,14 +208,15 @@ ode::complex_constant typed_point(const std::string& at) {
 
 // Where the way there ends before it, the option says so.
 template <class Print>
-auto on_the_way_to(const std::string& at, const Print& print) {
+auto on_the_way_to(const problem_series_request& request, const Print& print) {
     try {
         return print();
     } catch (const error& problem) {
         if (problem.subject() != "time" && problem.subject() != "point") {
             throw;
         }
-        throw input_error("--at", at, problem.reason(), "choose a point nearer to the start, or a complex way around");
+        throw input_error(request.via ? "--at with --via" : "--at", *request.at, problem.reason(),
+                          "choose a point nearer to the start, or a way around it, --via \"1+i,2+i\"");
     }
 }
 
@@ -230,11 +232,14 @@ struct rounded_coefficients {
 };
 
 bool is_at_start(const problem_series_request& request, const std::optional<ode::complex_constant>& point) {
-    return !point || (is_plain_zero(point->im) && is_plain_zero(point->re - request.system.point()));
+    if (request.via && !point) {
+        throw input_error("--via", *request.via, "is a way to a point and there is none", "give --at too");
+    }
+    return !point || (!request.via && is_plain_zero(point->im) && is_plain_zero(point->re - request.system.point()));
 }
 
 rounded_coefficients coefficients_in(const scalar_spec& scalar, const problem_series_request& request) {
-    const auto point = request.at ? std::optional(typed_point(*request.at)) : std::nullopt;
+    const auto point = request.at ? std::optional(point_of_series(*request.at)) : std::nullopt;
     if (is_at_start(request, point)) {
         const ode::tape made = ode::tape::about_start(request.system);
         return {rounded_values(
@@ -242,13 +247,22 @@ rounded_coefficients coefficients_in(const scalar_spec& scalar, const problem_se
                     [&] { return zeros_about_start(request, made); }),
                 false, made.root()};
     }
-    const bool real = is_plain_zero(point->im);
-    auto values = on_the_way_to(*request.at, [&] {
-        return rounded_values(scalar, [&]<class T>() {
-            return real ? about_time<T>(request, point->re) : about_point<T>(request, *point);
+    if (is_plain_zero(point->im) && !request.via) {
+        auto values = on_the_way_to(request, [&] {
+            return rounded_values(scalar, [&]<class T>() { return about_time<T>(request, point->re); });
         });
+        return {std::move(values), false, 1};
+    }
+    const auto corners = corners_of(request.via);
+    const auto complex_values = on_the_way_to(request, [&] {
+        return rounded_complex_values(scalar, [&]<class T>() { return about_point<T>(request, corners, *point); });
     });
-    return {std::move(values), !real, 1};
+    rounded_coefficients found{{}, true, 1};
+    for (const auto& each : complex_values) {
+        found.values.push_back(each.re);
+        found.values.push_back(each.im);
+    }
+    return found;
 }
 
 }  // namespace
@@ -259,11 +273,11 @@ table problem_coefficients(const problem_series_request& request, const arithmet
         return series_table(request, names_of_columns(request.system, found.complex),
                             printed(found.values, numbers.digits), false, found.root);
     }
-    const auto point = request.at ? std::optional(typed_point(*request.at)) : std::nullopt;
+    const auto point = request.at ? std::optional(point_of_series(*request.at)) : std::nullopt;
     if (!is_at_start(request, point)) {
-        if (!is_plain_zero(point->im)) {
+        if (request.via || !is_plain_zero(point->im)) {
             throw input_error("--scalar", numbers.scalar.name(),
-                              "proves no way to the complex point --at '" + *request.at + "'",
+                              "proves no way through the complex plane to --at '" + *request.at + "'",
                               "use mpfr:" + std::to_string(numbers.scalar.digits));
         }
         const auto values = proved_decimals(numbers.digits, [&] { return proved_about_time(request, point->re); });

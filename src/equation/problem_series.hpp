@@ -19,11 +19,13 @@ struct problem_series_request {
     long order = 0;
     /// A time, 1/2 or 1+2i; the start where it is not given.
     std::optional<std::string> at;
+    /// The corners of the way there through the complex plane, 1+i,2+i; straight without them.
+    std::optional<std::string> via = {};
 };
 
-/// n,<unknown>...; with balls <unknown>_uncertainty... behind, about a complex point <unknown>_re,<unknown>_im..., and
-/// for a start in powers of t^(1/q), n of which are counted, power. Throws input_error for a point where there is no
-/// way to, and for balls elsewhere than at the start.
+/// n,<unknown>...; with balls <unknown>_uncertainty... behind, about a complex point, or by a way through the plane,
+/// <unknown>_re,<unknown>_im..., and for a start in powers of t^(1/q), n of which are counted, power. Throws input_error
+/// for a point where there is no way to, and for balls by a way through the plane.
 table problem_coefficients(const problem_series_request& request, const arithmetic& numbers);
 
 /// The coefficients of an unknown; about a complex point its real and its imaginary parts.

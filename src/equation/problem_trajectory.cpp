@@ -6,7 +6,8 @@
 
 #include "equation/problem_reference.hpp"
 #include "libration/ode/ball/fast_product.hpp"
-#include "libration/ode/step.hpp"
+#include "libration/ode/invariant.hpp"
+#include "libration/ode/path.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/axis.hpp"
 #include "run/digits.hpp"
@@ -19,60 +20,186 @@ namespace {
 
 constexpr const char* problem_times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
-// All values, one time after the other.
+using complex = complex_number<mpfr>;
+
+// In the arithmetic that prints them.
 template <class T>
-std::vector<mpfr> flat_states(const std::vector<ode::solution_state<T>>& states) {
-    std::vector<mpfr> all;
+std::vector<ode::solution_state<mpfr>> widened(const std::vector<ode::solution_state<T>>& states) {
+    std::vector<ode::solution_state<mpfr>> all;
     for (const auto& state : states) {
+        auto& wide = all.emplace_back();
         for (const auto& of_unknown : state) {
+            auto& values = wide.emplace_back();
             for (const T& value : of_unknown) {
-                all.push_back(widen(value));
+                values.push_back(widen(value));
+            }
+        }
+    }
+    return all;
+}
+template <class T>
+std::vector<ode::solution_state<complex>> widened(const std::vector<ode::solution_state<complex_number<T>>>& states) {
+    std::vector<ode::solution_state<complex>> all;
+    for (const auto& state : states) {
+        auto& wide = all.emplace_back();
+        for (const auto& of_unknown : state) {
+            auto& values = wide.emplace_back();
+            for (const auto& value : of_unknown) {
+                values.push_back({widen(value.re), widen(value.im)});
             }
         }
     }
     return all;
 }
 
-std::vector<mpfr> states_of(const ode::explicit_system& system, const std::vector<exact>& times,
-                            const arithmetic& numbers) {
+// Digits with which marches work beyond those of the result, at least.
+constexpr long digits_beyond = 20;
+
+long digits_of_march(const arithmetic& numbers) { return std::max(numbers.digits, numbers.scalar.digits); }
+
+std::vector<ode::number> constants_of(const std::vector<exact>& times) {
     std::vector<ode::number> at;
     at.reserve(times.size());
     for (const exact& each : times) {
         at.push_back(as_expression(each));
     }
-    if (numbers.scalar.kind == scalar_kind::arbitrary) {
-        return flat_states(
-            ode::trajectory(system, at, std::max(numbers.digits, numbers.scalar.digits), ode::fast_product<mpfr>()));
-    }
-    return one_run(numbers.scalar, [&]<class T>() { return flat_states(ode::march_through<T>(system, at)); });
+    return at;
 }
 
-table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times,
-                      const std::vector<mpfr>& states, const arithmetic& numbers) {
-    table data(columns_of_states(system));
-    const std::size_t values = data.columns().size() - 4;
-    const char* const rigour = numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        table_row_cells row{number_cell(decimal_of(times[i], numbers.digits))};
-        for (std::size_t k = 0; k < values; ++k) {
-            row.push_back(decimal_cell(states[i * values + k], numbers.digits));
+std::vector<ode::solution_state<mpfr>> states_of(const ode::explicit_system& system,
+                                                 const std::vector<ode::number>& times, const arithmetic& numbers) {
+    if (numbers.scalar.kind == scalar_kind::arbitrary) {
+        return ode::trajectory(system, times, digits_of_march(numbers), ode::fast_product<mpfr>());
+    }
+    const precision_scope wide(numbers.scalar.digits + digits_beyond);
+    return with_scalar(numbers.scalar, 0, [&]<class T>() { return widened(ode::march_through<T>(system, times)); });
+}
+
+std::vector<ode::solution_state<complex>> states_along(const ode::explicit_system& system,
+                                                       const std::vector<ode::complex_constant>& corners,
+                                                       const std::vector<ode::complex_constant>& times,
+                                                       const arithmetic& numbers) {
+    if (numbers.scalar.kind == scalar_kind::arbitrary) {
+        return ode::trajectory_along(system, corners, times, digits_of_march(numbers));
+    }
+    const precision_scope wide(numbers.scalar.digits + digits_beyond);
+    return with_scalar(numbers.scalar, 0,
+                       [&]<class T>() { return widened(ode::states_along<T>(system, corners, times)); });
+}
+
+std::vector<std::string> names_of_values(const ode::explicit_system& system) {
+    std::vector<std::string> names;
+    for (const auto& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            names.push_back(ode::primed(each.name, j));
         }
+    }
+    return names;
+}
+
+// The largest change of an invariant at each time; nothing where the problem states none or its start is singular.
+template <class R, class Time>
+std::vector<cell> drifts_of(const ode::explicit_system& system, const std::vector<Time>& times,
+                            const std::vector<ode::solution_state<R>>& states, const arithmetic& numbers) {
+    std::vector<cell> drifts;
+    if (system.invariants().empty() || system.singular()) {
+        return drifts;
+    }
+    const precision_scope scope(digits_of_march(numbers) + digits_beyond);
+    ode::invariants<R> constant(system);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        drifts.push_back(decimal_cell(constant.drift(ode::constant_value<R>::of(times[i]), states[i]), 3));
+    }
+    return drifts;
+}
+
+const char* rigour_of(const arithmetic& numbers) {
+    return numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
+}
+
+// <time>,<values>,digits,rigour,time_typed, and the drifts where there are any.
+table table_with(std::vector<column> columns, const std::vector<cell>& drifts,
+                 const std::vector<table_row_cells>& times_and_values, const std::vector<std::string>& typed,
+                 const arithmetic& numbers) {
+    columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
+    if (!drifts.empty()) {
+        columns.push_back({"invariant_drift", ""});
+    }
+    table data(std::move(columns));
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+        table_row_cells row = times_and_values[i];
         row.emplace_back(numbers.digits);
-        row.emplace_back(rigour);
-        row.emplace_back(times[i].text);
+        row.emplace_back(rigour_of(numbers));
+        row.emplace_back(typed[i]);
+        if (!drifts.empty()) {
+            row.push_back(drifts[i]);
+        }
         data.add_row(std::move(row));
     }
     return data;
+}
+
+table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times, const arithmetic& numbers) {
+    const auto at = constants_of(times);
+    const auto states = states_of(system, at, numbers);
+    std::vector<column> columns{{"time", ""}};
+    for (const std::string& name : names_of_values(system)) {
+        columns.push_back({name, ""});
+    }
+    std::vector<table_row_cells> rows;
+    std::vector<std::string> typed;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        auto& row = rows.emplace_back(table_row_cells{number_cell(decimal_of(times[i], numbers.digits))});
+        for (const auto& of_unknown : states[i]) {
+            for (const mpfr& value : of_unknown) {
+                row.push_back(decimal_cell(value, numbers.digits));
+            }
+        }
+        typed.push_back(times[i].text);
+    }
+    return table_with(std::move(columns), drifts_of(system, at, states, numbers), rows, typed, numbers);
+}
+
+cell decimal_of_constant(const ode::number& x, long digits) {
+    const auto exactly = x.fraction();
+    const precision_scope scope(digits + digits_beyond);
+    return exactly ? number_cell(decimal_of(*exactly, digits)) : decimal_cell(ode::constant_value<mpfr>::of(x), digits);
+}
+
+table table_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,
+                  const std::vector<typed_point>& times, const arithmetic& numbers) {
+    std::vector<ode::complex_constant> at;
+    std::vector<std::string> typed;
+    for (const typed_point& each : times) {
+        at.push_back(each.value);
+        typed.push_back(each.text);
+    }
+    const auto states = states_along(system, corners, at, numbers);
+    std::vector<column> columns{{"time_re", ""}, {"time_im", ""}};
+    for (const std::string& name : names_of_values(system)) {
+        columns.push_back({name + "_re", ""});
+        columns.push_back({name + "_im", ""});
+    }
+    std::vector<table_row_cells> rows;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        auto& row = rows.emplace_back(table_row_cells{decimal_of_constant(at[i].re, numbers.digits),
+                                                      decimal_of_constant(at[i].im, numbers.digits)});
+        for (const auto& of_unknown : states[i]) {
+            for (const complex& value : of_unknown) {
+                row.push_back(decimal_cell(value.re, numbers.digits));
+                row.push_back(decimal_cell(value.im, numbers.digits));
+            }
+        }
+    }
+    return table_with(std::move(columns), drifts_of(system, at, states, numbers), rows, typed, numbers);
 }
 
 }  // namespace
 
 std::vector<column> columns_of_states(const ode::explicit_system& system) {
     std::vector<column> columns{{"time", ""}};
-    for (const auto& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            columns.push_back({ode::primed(each.name, j), ""});
-        }
+    for (const std::string& name : names_of_values(system)) {
+        columns.push_back({name, ""});
     }
     columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
     return columns;
@@ -97,12 +224,29 @@ table problem_trajectory(const ode::explicit_system& system, const std::vector<e
         return problem_reference(system, times, numbers.digits);
     }
     try {
-        return table_of_states(system, times, states_of(system, times, numbers), numbers);
+        return table_of_states(system, times, numbers);
     } catch (const error& problem) {
         if (problem.subject() != "time" || problem.kind() != error_kind::argument) {
             throw;
         }
         throw input_error("--times", problem.value(), problem.reason(), "choose times nearer to the start");
+    }
+}
+
+table problem_trajectory_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,
+                               const std::vector<typed_point>& times, const arithmetic& numbers) {
+    if (numbers.scalar.kind == scalar_kind::proved) {
+        throw input_error("--scalar", numbers.scalar.name(), "proves no way through the complex plane",
+                          "use mpfr:" + std::to_string(numbers.scalar.digits));
+    }
+    try {
+        return table_along(system, corners, times, numbers);
+    } catch (const error& problem) {
+        if (problem.subject() != "point" || problem.kind() != error_kind::argument) {
+            throw;
+        }
+        throw input_error(corners.empty() ? "--times" : "--via with --times", problem.value(), problem.reason(),
+                          "give a way around it by corners, --via \"1+i,2+i\"");
     }
 }
 

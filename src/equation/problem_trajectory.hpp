@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "equation/complex_times.hpp"
+#include "equation/problem_options.hpp"
 #include "libration/ode/explicit_system.hpp"
 #include "option/options.hpp"
 #include "text/table.hpp"
@@ -18,9 +20,34 @@ std::vector<column> columns_of_states(const ode::explicit_system& system);
 
 /// time,<unknown and its lower derivatives>...,digits,rigour,time_typed: in mpfr each value right to one unit in its
 /// last digit by two marches that differ in order and in precision (two-method), in fixed scalars as one march computes
-/// it (heuristic). in balls each digit proved (problem_reference). Throws input_error for a time that is not
-/// reached.
+/// it (heuristic). in balls each digit proved (problem_reference). Where the problem states invariants, the column
+/// invariant_drift behind is the largest change of one of them since the start, of the values before they are rounded
+/// to be printed. Throws input_error for a time that is not reached.
 table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
                          const arithmetic& numbers);
+
+/// time_re,time_im,<unknown and its lower derivatives>_re,.._im,...,digits,rigour,time_typed: the same at points of the
+/// complex plane of time, by the corners and then straight to each (ode::complex_path). A part far below the other is
+/// 0 (agreed_complex_values). Throws input_error for a point that is not reached, and for balls, which prove no such
+/// way.
+table problem_trajectory_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,
+                               const std::vector<typed_point>& times, const arithmetic& numbers);
+
+/// How a trajectory of a problem is computed from the coefficients about its start.
+struct chosen_approximation {
+    std::string method;  ///< series, pade, endpoint or asymptotic
+    int order;           ///< N, last power
+};
+
+/// time,<unknown>...,digits,rigour,time_typed,<unknown>_error...: what the coefficients a_0 .. a_N about the start make
+/// of the unknowns, and its distance from the solution, of which marches tell (problem_trajectory). `series` is the
+/// partial sum, `pade` the diagonal approximant in powers that no symmetry leaves out, `endpoint` has value and slope
+/// of the solution at the farthest time too, `asymptotic` the far behaviour of a problem of the catalogue where it is
+/// known, and that unknown alone. In mpfr the values are right to one unit in their last digit (two-method); an error
+/// has the digits that the values can tell, and is empty where they tell none, a value where there is no such
+/// approximant. Throws input_error for balls, for asymptotic approximants of other problems or in a fixed scalar, for
+/// endpoint with times on both sides of the start, and for times that are not reached.
+table problem_approximation(const problem_options& problem, const chosen_approximation& by,
+                            const std::vector<exact>& times, const arithmetic& numbers);
 
 }  // namespace libration

@@ -31,6 +31,7 @@ struct coefficients_options {
     std::string order;
     std::optional<std::string> from;
     std::optional<std::string> at;
+    std::optional<std::string> via;
 };
 
 constexpr long most_rows = 1'000'001;
@@ -87,7 +88,7 @@ table coefficients_of_problem(const coefficients_options& options) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
-    problem_series_request request{options.problem.choose(), 0, 0, options.at};
+    problem_series_request request{options.problem.choose(), 0, 0, options.at, options.via};
     read_powers(options, request);
     return naming_option("--problem", [&] {
         return options.arithmetic.scalar() == "rational" ? problem_fractions(request)
@@ -103,6 +104,9 @@ int run_coefficients(const coefficients_options& options) {
         return 0;
     }
     options.problem.require_problem();
+    if (options.via) {
+        throw input_error("--via", *options.via, "is a way through the complex times of a --problem", "leave it out");
+    }
     const arithmetic numbers = options.arithmetic.choose();
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
     read_powers(options, request);
@@ -127,6 +131,10 @@ subcommand coefficients_command(CLI::App& program) {
         ->type_name("N");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1); of a problem a time, 1+2i too")
         ->type_name("POINT");
+    command
+        ->add_option("--via", options->via,
+                     "corners of the way to --at of a problem through the complex plane: 1+i,2+i")
+        ->type_name("LIST");
     return {command, [options] { return run_coefficients(*options); }};
 }
 

@@ -7,6 +7,7 @@
 
 #include "equation/problem_options.hpp"
 #include "equation/problem_series.hpp"
+#include "libration/convergence/estimate/root_variable.hpp"
 #include "libration/convergence/list/coefficient_noise.hpp"
 #include "libration/convergence/list_report.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -34,6 +35,7 @@ struct radius_options {
     output_options output;
     std::optional<std::string> order;
     std::optional<std::string> at;
+    std::optional<std::string> via;
     std::optional<std::string> file;
 };
 
@@ -41,6 +43,7 @@ struct radius_options {
 struct lists_of_unknown {
     std::string name;
     std::vector<judged_list> parts;
+    int root = 1;  // of the variable, in powers of which the list goes
 };
 
 judged_list judged_part(const radius_options& options, const arithmetic& numbers, std::vector<exact> written) {
@@ -74,7 +77,7 @@ std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const
     }
     std::vector<lists_of_unknown> lists;
     for (named_list& list : lists_in_file(*options.file)) {
-        lists_of_unknown unknown{list.name, {judged_part(options, numbers, std::move(list.real))}};
+        lists_of_unknown unknown{list.name, {judged_part(options, numbers, std::move(list.real))}, 1};
         if (list.is_complex()) {
             unknown.parts.push_back(judged_part(options, numbers, std::move(list.imaginary)));
         }
@@ -91,17 +94,12 @@ std::vector<lists_of_unknown> judged_lists_of_problem(const radius_options& opti
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
     const long order = order_of("--order", options.order.value_or(usual_order_of_problems));
-    const problem_series_request request{options.problem.choose(), 0, order, options.at};
+    const problem_series_request request{options.problem.choose(), 0, order, options.at, options.via};
     const long digits = numbers.scalar.digits + radius_guard_digits;
     problem_lists found = naming_option("--problem", [&] { return lists_of_problem(request, digits); });
-    if (found.root > 1) {
-        throw input_error(
-            "--problem has a start in powers of a root of its variable: write what 'libration coefficients' "
-            "prints into a file and judge it by --coefficients");
-    }
     std::vector<lists_of_unknown> lists;
     for (problem_list& each : found.unknowns) {
-        lists_of_unknown unknown{each.name, {}};
+        lists_of_unknown unknown{each.name, {}, found.root};
         for (auto& part : each.parts) {
             unknown.parts.push_back({std::move(part), {}, "", std::nullopt});
         }
@@ -138,16 +136,19 @@ list_report<T> report_in(const judged_list& list) {
 }
 
 template <class T>
-radius_answers answers_in(const judged_list& list) {
+radius_answers answers_in(const judged_list& list, int root) {
     const list_report<T> found = report_in<T>(list);
     const auto& [report, unit, floor] = found;
     radius_answers answers{report.pattern, found.floor_text(), {}};
+    const auto in_variable = [&](const auto& estimate) {
+        return in_powers_of_root(in_unit(widened(estimate), unit.length), root);
+    };
     answers.rows.reserve(report.tests.size() + 1);
     // The radius may be beyond the range of T where the coefficients are.
     const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
-    answers.rows.push_back(in_unit(widened(report.verdict), unit.length));
+    answers.rows.push_back(in_variable(report.verdict));
     for (const auto& test : report.tests) {
-        answers.rows.push_back(in_unit(widened(test), unit.length));
+        answers.rows.push_back(in_variable(test));
     }
     std::string& note = answers.rows.front().note;
     if (report.verdict.radius) {
@@ -211,7 +212,7 @@ std::size_t nearest_of(const std::vector<radius_answers>& all) {
 radius_answers answers_of(const lists_of_unknown& unknown, const arithmetic& numbers) {
     std::vector<radius_answers> parts;
     for (const judged_list& list : unknown.parts) {
-        parts.push_back(with_scalar(numbers.scalar, 0, [&]<class T>() { return answers_in<T>(list); }));
+        parts.push_back(with_scalar(numbers.scalar, 0, [&]<class T>() { return answers_in<T>(list, unknown.root); }));
     }
     const std::size_t best = nearest_of(parts);
     if (parts.size() > 1) {
@@ -236,7 +237,11 @@ int run_radius(const radius_options& options) {
         unknowns = lists_of_file(options, numbers);
     } else {
         options.problem.require_problem();
-        unknowns.push_back({"", {list_of_motion(options, numbers)}});
+        if (options.via) {
+            throw input_error("--via", *options.via, "is a way through the complex times of a --problem",
+                              "leave it out");
+        }
+        unknowns.push_back({"", {list_of_motion(options, numbers)}, 1});
     }
     std::vector<radius_answers> all;
     all.reserve(unknowns.size());
@@ -275,6 +280,10 @@ subcommand radius_command(CLI::App& program) {
     command->add_option("--order", options->order, "last power N; of a file all that it has unless given")
         ->type_name("N");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
+    command
+        ->add_option("--via", options->via,
+                     "corners of the way to --at of a problem through the complex plane: 1+i,2+i")
+        ->type_name("LIST");
     command
         ->add_option(
             "--coefficients", options->file,

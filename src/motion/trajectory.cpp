@@ -2,6 +2,7 @@
 // the unknowns of any differential equation.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -31,6 +32,7 @@ struct trajectory_options {
     std::optional<std::string> method;
     std::optional<std::string> order;
     std::string times;
+    std::optional<std::string> via;
     std::optional<std::string> step;
     std::optional<std::string> jobs;
 };
@@ -104,14 +106,37 @@ table trajectory_of_problem(const trajectory_options& options) {
             throw input_error(option, *value, "has no meaning for Taylor series in steps", "leave it out");
         }
     };
-    if (options.method && *options.method != "taylor") {
-        throw input_error("--method", *options.method, "is no method for a problem", "write taylor or leave it out");
+    const std::string method = options.method.value_or("taylor");
+    static const std::vector<std::string> approximations{"series", "pade", "endpoint", "asymptotic"};
+    const bool approximated = std::ranges::find(approximations, method) != approximations.end();
+    if (!approximated && method != "taylor") {
+        throw input_error("--method", method, "is no method for a problem",
+                          "write taylor, series, pade, endpoint or asymptotic");
     }
-    refuse("--order", options.order);
     refuse("--step", options.step);
-    const auto system = options.problem.choose();
-    const auto times = times_of_problem(options.times);
+    if (!approximated) {
+        refuse("--order", options.order);
+    }
     const arithmetic numbers = options.arithmetic.choose();
+    if (approximated) {
+        if (!options.order) {
+            throw input_error("--method", method, "is made from coefficients", "add --order N, the last power");
+        }
+        if (options.via || has_imaginary_unit(options.times)) {
+            throw input_error("--method", method, "is for real times", "leave --method out for complex ones");
+        }
+        return naming_option("--problem", [&] {
+            return problem_approximation(options.problem, {method, order_of("--order", *options.order)},
+                                         times_of_problem(options.times), numbers);
+        });
+    }
+    const auto system = options.problem.choose();
+    if (options.via || has_imaginary_unit(options.times)) {
+        const auto corners = corners_of(options.via);
+        const auto points = complex_points("--times", options.times);
+        return naming_option("--problem", [&] { return problem_trajectory_along(system, corners, points, numbers); });
+    }
+    const auto times = times_of_problem(options.times);
     return naming_option("--problem", [&] { return problem_trajectory(system, times, numbers); });
 }
 
@@ -122,6 +147,10 @@ int run_trajectory(const trajectory_options& options) {
         return 0;
     }
     options.problem.require_problem();
+    if (options.via) {
+        throw input_error("--via", *options.via, "is a way through the complex times of a --problem",
+                          "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");
+    }
     const trajectory_request request = choose(options);
     table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
     const long digits = request.numbers.digits;
@@ -156,13 +185,18 @@ subcommand trajectory_command(CLI::App& program) {
     options->output.add_to(*command);
     command
         ->add_option("--method", options->method,
-                     "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor")
+                     "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor (the "
+                     "default); series, pade, endpoint or asymptotic, with --order")
         ->type_name("METHOD");
     command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
-    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")
+    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401; of a problem 1+2i too")
         ->type_name("LIST")
         ->required();
+    command
+        ->add_option("--via", options->via,
+                     "corners of the way to the times of a problem through the complex plane: 1+i,2+i")
+        ->type_name("LIST");
     command->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", usual_step))
         ->type_name("H");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");

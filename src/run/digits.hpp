@@ -33,6 +33,17 @@ std::vector<mpfr> rounded_values(const scalar_spec& scalar, const F& f,
                : one_run(scalar, f);
 }
 
+/// The same of complex numbers.
+template <class F>
+std::vector<complex_number<mpfr>> rounded_complex_values(const scalar_spec& scalar, const F& f,
+                                                         const std::function<std::vector<bool>()>& vanishing = {}) {
+    const auto run = [&](long guard) {
+        const precision_scope wide(scalar.digits + guard);
+        return with_scalar(scalar, guard, f);
+    };
+    return scalar.kind == scalar_kind::arbitrary ? agreed_complex_values(scalar.digits, run, vanishing) : run(20);
+}
+
 /// The decimals of values that round, with so many digits.
 inline std::vector<printed_number> printed(const std::vector<mpfr>& values, long digits) {
     std::vector<printed_number> numbers;

@@ -39,10 +39,10 @@ const column_list<coefficient_row>& columns() {
     return all;
 }
 
-// log10 of n^(1 + nu) R^n.
-mpfr inverse_envelope(const answer_of_test& found, int n) {
+// log10 of n^(1 + nu) R^(n/root).
+mpfr inverse_envelope(const answer_of_test& found, int root, int n) {
     const mpfr exponent = 1 + found.of.exponent.value_or(mpfr(0));
-    return mpfr(log10(*found.radius) * n + exponent * log10(mpfr(std::max(n, 1))));
+    return mpfr(log10(*found.radius) * n / root + exponent * log10(mpfr(std::max(n, 1))));
 }
 
 std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, const answer_of_test& found, int root,
@@ -50,29 +50,26 @@ std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, con
     std::optional<mpfr> height;
     for (int n = (list.order() + 1) / 2; found.radius && n <= list.order(); ++n) {
         if (list[n] != 0) {
-            const mpfr here = log10(mpfr(abs(list[n]))) + inverse_envelope(found, n);
+            const mpfr here = log10(mpfr(abs(list[n]))) + inverse_envelope(found, root, n);
             height = height ? std::max(*height, here) : here;
         }
     }
     std::vector<coefficient_row> rows;
     for (int n = 0; n <= list.order(); ++n) {
         const auto fitted =
-            height && n > 0 ? std::optional(mpfr(*height - inverse_envelope(found, n))) : std::optional<mpfr>();
+            height && n > 0 ? std::optional(mpfr(*height - inverse_envelope(found, root, n))) : std::optional<mpfr>();
         rows.push_back({n, list[n], fitted, root, digits, unknown});
     }
     return rows;
 }
 
-// Both tables of one combination. In powers of a root of the variable the tests are not asked.
+// Both tables of one combination.
 std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
                              const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + guard_of_lists);
     const auto lists =
         lists_of_problem({sweep.system(i), 0, orders.back(), std::nullopt}, scalar.digits + guard_of_lists);
-    std::vector<answered_list> answers;
-    if (lists.root == 1) {
-        answers = answers_to(lists, sweep, orders, scalar, is_verdict);
-    }
+    const auto answers = answers_to(lists, sweep, orders, scalar, is_verdict);
     std::vector<coefficient_row> rows;
     for (const int unknown : sweep.unknowns()) {
         const auto& name = sweep.name_of(unknown);

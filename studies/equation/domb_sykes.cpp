@@ -12,7 +12,7 @@ namespace domb_sykes_of_equation {
 namespace {
 
 struct ratio_row {
-    int power, n;
+    int power, root, n;
     mpfr ratio;
     long digits;
     std::string unknown;
@@ -21,8 +21,10 @@ struct ratio_row {
 const column_list<ratio_row>& columns() {
     using row = ratio_row;
     static const column_list<row> all{
-        {"power", "p: the series is taken in the p-th power of the distance, as its zeros allow",
-         [](const row& r) { return r.power; }},
+        {"power",
+         "p: the series is taken in the p-th power of the distance, as its zeros allow; of a list in powers of the "
+         "q-th root p/q, a_n the coefficient of the power n/q",
+         [](const row& r) { return number_cell(decimal_of(rational(r.power, r.root), 12)); }},
         {"n", "power of the later coefficient", [](const row& r) { return r.n; }},
         {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
         {"ratio", "a_n/a_(n-p), in the unit of the variable to the power -p",
@@ -34,7 +36,8 @@ const column_list<ratio_row>& columns() {
 }
 
 // The ratios of one list in the power that its pattern leaves.
-std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, long digits, const std::string& unknown) {
+std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, int root, long digits,
+                                 const std::string& unknown) {
     const auto unit = convergence::unit_of(list);
     const auto scaled = convergence::in_unit_of<mpfr>(list, unit);
     const auto pattern = convergence::pattern_of(scaled, epsilon<mpfr>());
@@ -46,7 +49,7 @@ std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, long di
     const convergence::strided_series<mpfr> part(scaled, pattern.first % power, power);
     const mpfr back = pow(mpfr(unit.length), -power);
     for (const auto& each : convergence::ratios_of(part)) {
-        rows.push_back({power, each.n, mpfr(each.value * back), digits, unknown});
+        rows.push_back({power, root, each.n, mpfr(each.value * back), digits, unknown});
     }
     return rows;
 }
@@ -57,8 +60,8 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
     const auto lists = lists_about_start(sweep.system(i), orders.back(), scalar.digits + guard_of_lists);
     std::vector<ratio_row> rows;
     for (const int unknown : sweep.unknowns()) {
-        const auto own = ratios_in(lists.unknowns[static_cast<std::size_t>(unknown)].parts.front(), scalar.digits,
-                                   sweep.name_of(unknown));
+        const auto own = ratios_in(lists.unknowns[static_cast<std::size_t>(unknown)].parts.front(), lists.root,
+                                   scalar.digits, sweep.name_of(unknown));
         rows.insert(rows.end(), own.begin(), own.end());
     }
     const auto all = [](const std::string&) { return true; };

@@ -53,10 +53,6 @@ table rows_about(const equation_sweep& sweep, std::size_t i, const std::vector<e
     const precision_scope scope(scalar.digits + guard_of_lists);
     const exact& time = times[point];
     const auto lists = lists_of_problem({sweep.system(i), 0, orders.back(), time.text}, scalar.digits + guard_of_lists);
-    if (lists.root > 1) {
-        throw error(error_kind::argument, "problem", "",
-                    "has a start in powers of a root of its variable, of which radius tests know nothing");
-    }
     const auto distance = [&](const exact& end) {
         return mpfr(abs(mpfr(from_exact<mpfr>(end) - from_exact<mpfr>(time))));
     };

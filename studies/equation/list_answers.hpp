@@ -10,6 +10,7 @@
 
 #include "equation/problem_series.hpp"
 #include "equation_plan.hpp"
+#include "libration/convergence/estimate/root_variable.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
 
@@ -68,20 +69,16 @@ inline series::power_series<mpfr> first_of_list(const series::power_series<mpfr>
     return series::power_series<mpfr>({all.begin(), all.begin() + std::ptrdiff_t{order} + 1});
 }
 
-/// The coefficients of all unknowns about the start. Throws error where they go in powers of a root of the variable.
+/// The coefficients of all unknowns about the start.
 inline problem_lists lists_about_start(const ode::explicit_system& system, int order, long digits) {
-    auto lists = lists_of_problem({system, 0, order, std::nullopt}, digits);
-    if (lists.root > 1) {
-        throw error(error_kind::argument, "problem", "",
-                    "has a start in powers of a root of its variable, of which radius tests know nothing");
-    }
-    return lists;
+    return lists_of_problem({system, 0, order, std::nullopt}, digits);
 }
 
-/// What the tests that are `shown` answer to the list up to this order, the verdict first.
+/// What the tests that are `shown` answer to the list up to this order, in powers of the root-th root of the variable;
+/// the verdict first.
 template <class Shown>
 std::vector<answered_list> answers_to(const std::string& unknown, const series::power_series<mpfr>& list, int order,
-                                      const scalar_spec& scalar, const Shown& shown) {
+                                      const scalar_spec& scalar, const Shown& shown, int root) {
     std::vector<answered_list> all;
     with_scalar(scalar, 0, [&]<class T>() {
         const auto part = first_of_list(list, order);
@@ -92,7 +89,8 @@ std::vector<answered_list> answers_to(const std::string& unknown, const series::
         const precision_scope scope(scalar.digits + guard_of_lists);
         for (const auto& each : answers) {
             if (shown(each.method)) {
-                const auto found = convergence::in_unit(convergence::widened(each), unit.length);
+                const auto found =
+                    convergence::in_powers_of_root(convergence::in_unit(convergence::widened(each), unit.length), root);
                 all.push_back({unknown, order, found.method, in_full(found, scalar.digits)});
             }
         }
@@ -108,7 +106,7 @@ std::vector<answered_list> answers_to(const problem_lists& lists, const equation
     for (const int order : orders) {
         for (const int unknown : sweep.unknowns()) {
             const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
-            const auto own = answers_to(sweep.name_of(unknown), list, order, scalar, shown);
+            const auto own = answers_to(sweep.name_of(unknown), list, order, scalar, shown, lists.root);
             all.insert(all.end(), own.begin(), own.end());
         }
     }

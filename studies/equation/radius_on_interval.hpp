@@ -15,6 +15,7 @@ struct radius_row {
     mpfr reach;
     answer_of_test found;
     std::string unknown;
+    int root;  // of the variable, in powers of which the series goes
 };
 
 inline const column_list<radius_row>& radius_columns() {
@@ -23,15 +24,21 @@ inline const column_list<radius_row>& radius_columns() {
         joined<row>({{"reach", "distance of the farthest time from the start",
                       [](const row& r) { return decimal_cell(r.reach, 12); }}},
                     columns_within(answer_columns(), &row::found)),
-        {{"rate", "reach/radius: factor of the error of the series a power; above 1 it diverges",
-          [](const row& r) { return r.found.radius ? decimal_cell(mpfr(r.reach / *r.found.radius), 12) : cell(); }},
+        {{"rate",
+          "reach/radius, to the power 1/q where the series goes in powers of the q-th root: factor of the error of the "
+          "series a power; above 1 it diverges",
+          [](const row& r) {
+              return r.found.radius
+                         ? decimal_cell(mpfr(pow(mpfr(r.reach / *r.found.radius), mpfr(mpfr(1) / r.root))), 12)
+                         : cell();
+          }},
          unknown_column<row>()});
     return all;
 }
 
 inline table no_radii() { return make_table(radius_columns(), std::vector<radius_row>()); }
 
-/// By lists of 120 powers in mpfr:30. In powers of a root of the variable nothing is estimated.
+/// By lists of 120 powers in mpfr:30.
 inline std::vector<radius_row> radii_about(const ode::explicit_system& system, const equation_sweep& sweep,
                                            const std::vector<ode::number>& times) {
     constexpr int order = 120;
@@ -42,16 +49,9 @@ inline std::vector<radius_row> radii_about(const ode::explicit_system& system, c
         reach = std::max(reach, mpfr(abs(ode::constant_value<mpfr>::of(time - system.point()))));
     }
     std::vector<radius_row> rows;
-    if (ode::tape::about_start(system).root() == 1) {
-        for (const auto& each : verdicts_of(system, sweep, {order}, scalar)) {
-            rows.push_back({reach, each.found, each.unknown});
-        }
-        return rows;
-    }
-    answer_of_test none;
-    none.of.note = "the series goes in powers of a root of the variable";
-    for (const int unknown : sweep.unknowns()) {
-        rows.push_back({reach, none, sweep.name_of(unknown)});
+    const int root = ode::tape::about_start(system).root();
+    for (const auto& each : verdicts_of(system, sweep, {order}, scalar)) {
+        rows.push_back({reach, each.found, each.unknown, root});
     }
     return rows;
 }

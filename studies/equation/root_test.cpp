@@ -47,8 +47,8 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
         const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
         for (int n = 1; n <= list.order(); ++n) {
             if (list[n] != 0) {
-                rows.push_back({n, pow(mpfr(abs(list[n])), mpfr(mpfr(-1) / n)),
-                                pow(mpfr(abs(list[n]) * n), mpfr(mpfr(-1) / n)), scalar.digits,
+                const mpfr root(mpfr(-lists.root) / n);
+                rows.push_back({n, pow(mpfr(abs(list[n])), root), pow(mpfr(abs(list[n]) * n), root), scalar.digits,
                                 sweep.name_of(unknown)});
             }
         }

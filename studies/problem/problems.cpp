@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "../equation/list_answers.hpp"
-#include "../equation/solution_on_interval.hpp"
+#include "equation/solution_on_interval.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 
@@ -123,17 +123,15 @@ const column_list<nearest_row>& nearest_columns() {
     return all;
 }
 
-// The verdicts on the lists of all unknowns; none in powers of a root of the variable.
+// The verdicts on the lists of all unknowns.
 std::vector<nearest_row> nearest_in(const std::string& name, const problem_lists& lists, int order) {
     std::vector<nearest_row> rows;
     for (const problem_list& list : lists.unknowns) {
         nearest_row row{name, {}, list.name};
-        row.found.of.note = "the series goes in powers of a root of the variable";
-        if (lists.root == 1) {
-            row.found = answers_to(list.name, list.parts.front(), order, arithmetic_of_lists(), of_equation::is_verdict)
-                            .front()
-                            .found;
-        }
+        row.found =
+            answers_to(list.name, list.parts.front(), order, arithmetic_of_lists(), of_equation::is_verdict, lists.root)
+                .front()
+                .found;
         rows.push_back(std::move(row));
     }
     return rows;
@@ -156,7 +154,7 @@ rational length_for(const std::vector<nearest_row>& nearest) {
 }
 
 // Instants on [start, start + length] and the states there; shorter where the steps end before.
-of_equation::solution_on_interval march_over(const ode::explicit_system& system, rational length) {
+solution_on_interval march_over(const ode::explicit_system& system, rational length) {
     constexpr int attempts = 8;
     for (int attempt = 1;; ++attempt, length = length * 2 / 3) {
         std::vector<ode::number> times;
@@ -165,7 +163,7 @@ of_equation::solution_on_interval march_over(const ode::explicit_system& system,
             times.push_back(system.point() + ode::number(rational(length * i / (instants - 1))));
         }
         try {
-            return of_equation::solve_on(system, times);
+            return solve_on(system, times);
         } catch (const error&) {
             if (attempt == attempts) {
                 throw;

@@ -246,11 +246,87 @@ TEST_CASE("what a march and a radius cannot do is refused", "[command][problem][
          {march + words{"2"}, march + words{"T"}, march + words{"90deg"}, march + words{"x"},
           march + words{"1/2", "--method", "exact"}, march + words{"1/2", "--order", "5"},
           march + words{"1/2", "--energy", "1"}, words{"trajectory", "--set", "k=1", "--energy", "1", "--times", "1"},
-          words{"radius", "--problem", "thomas_fermi"}, words{"radius", "--problem", "blasius", "--energy", "1"},
+          words{"radius", "--problem", "blasius", "--energy", "1"},
           words{"radius", "--problem", "blasius", "--coefficients", "file"}}) {
         const temporary_folder folder;
         check_refused(each, {}, folder);
     }
+}
+
+TEST_CASE("ways through the complex plane of time lead around singularities", "[command][problem]") {
+    const std::string pole = "y' = y^2; y(0) = 1";
+    // 1/(1 - t) behind its pole, on both sides; 1/(1-t) about 2 is -1 + s - s^2 + ..
+    for (const char* via : {"1+i", "1-i"}) {
+        const auto rows =
+            rows_of({"trajectory", "--problem", pole, "--times", "2,2+i", "--via", via, "--digits", "20"});
+        CHECK(rows[0].at("y_re") == "-1.0000000000000000000");
+        CHECK(rows[0].at("y_im") == "0");
+        CHECK(rows[1].at("time_im") == "1");
+        CHECK(rows[1].at("y_im") == "0.50000000000000000000");
+        CHECK(rows[1].at("rigour") == "two-method");
+        const auto about = rows_of(coefficients(pole, {"--at", "2", "--via", via, "--order", "3", "--digits", "10"}));
+        CHECK(about[1].at("y_re") == "1.000000000");
+        CHECK(about[2].at("y_re") == "-1.000000000");
+        CHECK(about[2].at("y_im") == "0");
+    }
+    // Once around the branch point of sqrt(1 + t).
+    const words around{"trajectory", "--problem", "y' = 1/(2*y); y(0) = 1", "--times", "0", "--via=-1+i,-2,-1-i"};
+    CHECK(rows_of(around + words{"--digits", "15"})[0].at("y_re") == "-1.00000000000000");
+    for (const char* scalar : {"double", "quad"}) {
+        const auto row = rows_of(around + words{"--scalar", scalar})[0];
+        CHECK(std::stod(row.at("y_re")) == Approx(-1));
+        CHECK(row.at("rigour") == "heuristic");
+    }
+    // A range along a line.
+    const auto line = rows_of({"trajectory", "--problem", "y' = y; y(0) = 1", "--times", "0:i:3", "--digits", "5"});
+    CHECK(line[1].at("time_typed") == "1/2*i");
+    CHECK(line[1].at("y_re") == "0.87758");
+    check_refused({"trajectory", "--problem", pole, "--times", "2+0*i"}, {"--times", "straight line", "--via"});
+    check_refused({"trajectory", "--problem", pole, "--times", "2", "--via", "1+"}, {"--via", "'1+'"});
+    check_refused({"trajectory", "--problem", pole, "--times", "i", "--scalar", "ball:20"}, {"ball:20", "mpfr:20"});
+    check_refused({"trajectory", "--energy", "1", "--times", "1", "--via", "i"}, {"--via", "--problem"});
+    check_refused(coefficients(pole, {"--via", "1+i", "--order", "3"}), {"--via", "--at"});
+}
+
+TEST_CASE("trajectories tell of approximants, and of invariants", "[command][problem]") {
+    const auto by = [](const std::string& problem, const char* method, const words& more = {}) {
+        return rows_of(words{"trajectory", "--problem", problem, "--method", method, "--order", "20", "--times",
+                             "0:3:4", "--digits", "20"} +
+                       more);
+    };
+    // The errors of Blasius' layer at 3, within R = 3.13: the more is known, the less is wrong.
+    const auto error_at_3 = [&](const char* method) { return std::stod(by("blasius", method)[3].at("f_error")); };
+    CHECK(error_at_3("series") == Approx(0.00597).epsilon(0.01));
+    CHECK(error_at_3("pade") < 1e-6);
+    CHECK(error_at_3("asymptotic") < 1e-4);
+    CHECK(by("blasius", "endpoint")[3].at("f") ==
+          rows_of({"trajectory", "--problem", "blasius", "--times", "3", "--digits", "20"})[0].at("f"));
+    CHECK(by("blasius", "series")[0].at("f_error") == "0");
+    CHECK(by("sir", "asymptotic")[1].contains("S_error"));
+    check_refused({"trajectory", "--problem", "lorenz", "--method", "asymptotic", "--order", "9", "--times", "1"},
+                  {"asymptotic", "far behaviour", "blasius"});
+    check_refused({"trajectory", "--problem", "lorenz", "--method", "pade", "--times", "1"}, {"--order"});
+    check_refused({"trajectory", "--problem", "lorenz", "--method", "series", "--order", "9", "--times", "1",
+                   "--scalar", "ball:20"},
+                  {"ball:20", "taylor"});
+    check_refused({"trajectory", "--problem", "lorenz", "--method", "endpoint", "--order", "9", "--times=-1,1"},
+                  {"endpoint", "one side"});
+    // Kepler's energy and angular momentum.
+    const auto planet = rows_of({"trajectory", "--problem", "kepler", "--times", "1,10", "--digits", "20"});
+    CHECK(std::stod(planet[1].at("invariant_drift")) < 1e-30);
+    CHECK(std::stod(rows_of({"trajectory", "--problem", "kepler", "--times", "10", "--scalar", "double"})[0].at(
+              "invariant_drift")) < 1e-13);
+}
+
+TEST_CASE("the radius of a series in powers of a root is that of the variable", "[command][problem]") {
+    // The closed form y = 1/(1 - s), s = sqrt(t), has y' = y^2/(2 s).
+    const auto rows = rows_of({"radius", "--problem", "sqrt(t)*y' = y^2/2; y(0) = 1", "--order", "60"});
+    CHECK(std::stod(rows[0].at("radius")) == Approx(1));
+    CHECK(rows[0].at("kind") == "pole");
+    CHECK(rows[0].at("note").find("t^(1/2)") != std::string::npos);
+    // y = 1/(2 - s): R = 4.
+    CHECK(std::stod(rows_of({"radius", "--problem", "sqrt(t)*y' = y^2/2; y(0) = 1/2", "--order", "60"})[0].at(
+              "radius")) == Approx(4));
 }
 
 }  // namespace command_problem_test

@@ -60,7 +60,7 @@ std::map<std::string, rooms> order_of_rooms() {
         proofs = balls + rooms{"approximant/proved", "elliptic/proved", "ode/ball", "ode/proved"},
         pendulum = arc + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
-        problem = ode + proofs + rooms{"approximant/asymptotic", "problem"},
+        problem = ode + proofs + rooms{"approximant/asymptotic", "problem", "problem/far"},
         library = pendulum + problem + rooms{"problem/known"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
@@ -102,6 +102,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"pendulum/error/proved", arc + proofs + rooms{"pendulum/error"}},
         {"pendulum", arc + rooms{"pendulum/error", "pendulum/sampler"}},
         {"problem", ode + proofs},
+        {"problem/far", ode + proofs + rooms{"approximant/asymptotic", "problem"}},
         {"problem/known", pendulum + problem},
         {"library", library},
         {"src/libration", {}},

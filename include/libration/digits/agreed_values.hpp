@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libration/digits/growing_precision.hpp"
+#include "libration/scalar/complex_number.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {
@@ -42,5 +43,18 @@ inline constexpr long most_agreement_digits = 100'000;
 /// Throws error of the kind undecided where most_agreement_digits do not do.
 std::vector<mpfr> agreed_values(long digits, const std::function<std::vector<mpfr>(long guard)>& compute,
                                 const std::function<std::vector<bool>()>& vanishing = {});
+
+/// Guard digits beyond which complex numbers are not tried.
+inline constexpr long most_complex_agreement_digits = 3000;
+/// A part of a complex number that is less than 10^-(digits + this) of its modulus is given as 0.
+inline constexpr long digits_of_small_part = 15;
+
+/// Complex numbers: each part has `digits` digits right to one unit in the last, but one that two runs of different
+/// precision find below 10^-(digits + digits_of_small_part) of the modulus is 0. So a real number is one, however it
+/// was computed. vanishing() and cost as above. Throws error of the kind undecided where most_complex_agreement_digits
+/// do not do, as for a number that is exactly 0 and is not said to be.
+std::vector<complex_number<mpfr>> agreed_complex_values(
+    long digits, const std::function<std::vector<complex_number<mpfr>>(long guard)>& compute,
+    const std::function<std::vector<bool>()>& vanishing = {});
 
 }  // namespace libration

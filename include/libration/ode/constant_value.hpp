@@ -44,6 +44,9 @@ struct constant_value<rational> {
 template <scalar T>
 struct constant_value<complex_number<T>> {
     static complex_number<T> of(const number& x) { return {constant_value<T>::of(x), T(0)}; }
+    static complex_number<T> of(const complex_constant& z) {
+        return {constant_value<T>::of(z.re), constant_value<T>::of(z.im)};
+    }
 };
 
 /// f(x) for the value x of an argument at an expansion point. Throws error where R has no such function.

@@ -15,6 +15,12 @@ namespace libration::ode {
 /// An exact constant: a fraction, a multiple of pi, a formula of such.
 using number = libration::expression;
 
+/// re + i im.
+struct complex_constant {
+    number re;
+    number im;
+};
+
 /// What a node of an expression is.
 enum class node_kind { constant, variable, unknown, parameter, sum, product, quotient, power, function };
 

@@ -40,12 +40,6 @@ start parse_point_condition(const equation_system& of, std::string_view text);
 /// deg. Throws error as parse().
 expression parse_constant(std::string_view text);
 
-/// re + i im.
-struct complex_constant {
-    number re;
-    number im;
-};
-
 /// The same with i, the imaginary unit: 1+2i, (1+i)/2, -i*pi/3. Throws error where i is not a summand or a factor.
 complex_constant parse_complex_constant(std::string_view text);
 

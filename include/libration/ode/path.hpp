@@ -1,4 +1,4 @@
-// The solution at a point of the complex plane of time, by the straight line from the start.
+// The solution at points of the complex plane of time, continued along polygons from the start.
 #pragma once
 
 #include <algorithm>
@@ -10,50 +10,64 @@
 
 namespace libration::ode {
 
-/// Steps of R/e^2 along the line from the start to a point (taylor_step): no singularity may stand on it, and the value
-/// is that of the continuation along it. Errors as those of taylor_march; nothing is proved. Throws error where the
-/// steps become too small before.
+/// The continuation of the solution from the start along straight lines from corner to corner, and from the last to any
+/// point: which branch that is, is decided by the singularities that stand between two such ways. Steps of R/e^2
+/// (taylor_step), so that none reaches a singularity. Errors as those of taylor_march; nothing is proved.
 template <rounding_scalar T>
 class complex_path {
 public:
     using complex = complex_number<T>;
     static constexpr long most_steps = 1'000'000;
 
-    explicit complex_path(const explicit_system& system)
-        : start_(tape::about_start(system)), points_(tape::about_points(system)) {}
+    /// Goes to the last of the corners. Throws error as state_at does.
+    explicit complex_path(const explicit_system& system, const std::vector<complex>& corners = {})
+        : start_(tape::about_start(system)),
+          points_(tape::about_points(system)),
+          first_(start_, taylor_order(digits<T>())),
+          corner_(points_, first_.order()),
+          other_(points_, first_.order()),
+          centre_(constant_value<complex>::of(start_.point())) {
+        first_.about_start();
+        for (const complex& next : corners) {
+            corner_.about(next, state_at(next));
+            centre_ = next;
+            at_start_ = false;
+        }
+    }
 
-    solution_state<complex> state_at(const complex& target) const {
-        const int order = taylor_order(digits<T>());
-        taylor_expansion<complex> first(start_, order);
-        taylor_expansion<complex> other(points_, order);
-        first.about_start();
-        const taylor_expansion<complex>* current = &first;
-        complex centre = constant_value<complex>::of(start_.point());
+    complex_path(const complex_path&) = delete;
+    complex_path& operator=(const complex_path&) = delete;
+
+    /// The unknowns and their lower derivatives at the end of the straight line from the last corner. Throws error
+    /// where the steps become too small before: no singularity may stand on the way.
+    solution_state<complex> state_at(const complex& target) {
+        const taylor_expansion<complex>* current = at_start_ ? &first_ : &corner_;
+        complex centre = centre_;
         for (long steps = 0;; ++steps) {
             const complex rest = target - centre;
             const T distance = modulus_of(rest);
-            const bool at_start = current == &first;
+            const bool at_start = current == &first_;
             const T length = length_of(*current, at_start ? start_ : points_);
             if (length == 0 || distance <= length) {
-                return distance == 0 ? start_state(*current, at_start) : current->at(rest);
+                return distance == 0 && at_start ? start_state() : current->at(rest);
             }
-            if (steps >= most_steps || T(distance + length / 64) == distance) {
-                throw error(error_kind::argument, "point", "",
-                            "is not reached from the start: a singularity is close to the straight line there");
+            if (steps >= most_steps || !(T(distance + length / 64) > distance)) {
+                throw error(error_kind::argument, "point", "(" + decimals(target) + ")",
+                            "is not reached by the straight line there: the steps become too small near (" +
+                                decimals(centre) + "), where a singularity is close");
             }
             const complex next = centre + rest * T(length / distance);
             auto there = current->at(next - centre);
-            other.about(next, std::move(there));
-            current = &other;
+            other_.about(next, std::move(there));
+            current = &other_;
             centre = next;
         }
     }
 
 private:
-    solution_state<complex> start_state(const taylor_expansion<complex>& here, bool at_start) const {
-        if (!at_start) {
-            return here.at(complex(0));
-        }
+    static std::string decimals(const complex& z) { return to_decimal(z.re, 10) + ", " + to_decimal(z.im, 10); }
+
+    solution_state<complex> start_state() const {
         solution_state<complex> result;
         for (const auto& of_unknown : start_.starts()) {
             auto& values = result.emplace_back();
@@ -90,6 +104,27 @@ private:
     }
 
     tape start_, points_;
+    taylor_expansion<complex> first_, corner_, other_;
+    complex centre_;
+    bool at_start_ = true;
 };
+
+/// The states at the ends of ways that have these corners in common. Throws error as complex_path does.
+template <rounding_scalar T>
+std::vector<solution_state<complex_number<T>>> states_along(const explicit_system& system,
+                                                            const std::vector<complex_constant>& corners,
+                                                            const std::vector<complex_constant>& times) {
+    const auto value_of = [](const complex_constant& z) { return constant_value<complex_number<T>>::of(z); };
+    std::vector<complex_number<T>> at;
+    for (const complex_constant& each : corners) {
+        at.push_back(value_of(each));
+    }
+    complex_path<T> path(system, at);
+    std::vector<solution_state<complex_number<T>>> states;
+    for (const complex_constant& each : times) {
+        states.push_back(path.state_at(value_of(each)));
+    }
+    return states;
+}
 
 }  // namespace libration::ode

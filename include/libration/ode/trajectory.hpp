@@ -16,4 +16,13 @@ namespace libration::ode {
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const series::block_product<mpfr>* fast = nullptr);
 
+/// The states at points of the complex plane of time, each by the same corners and then straight to it (complex_path):
+/// two such ways that differ in precision and in order agree to `digits` digits of each part (agreed_complex_values).
+/// Nothing is proved. Throws error where a point is not reached, and of the kind undecided where no precision within
+/// the limits does.
+std::vector<solution_state<complex_number<mpfr>>> trajectory_along(const explicit_system& system,
+                                                                   const std::vector<complex_constant>& corners,
+                                                                   const std::vector<complex_constant>& times,
+                                                                   long digits);
+
 }  // namespace libration::ode

@@ -13,6 +13,28 @@ constexpr long second_guard = 45;
 // Two runs that lost everything are both 0: where nobody says what is 0, so many guard digits have to say so.
 constexpr long guard_of_zero = 1440;
 
+// In few digits: of a number that is not 0 both parts, of which one may be small beside the other.
+mpfr size_of(const complex_number<mpfr>& z) {
+    const precision_scope scope(20);
+    return sqrt(mpfr(z.re * z.re + z.im * z.im));
+}
+
+// Whether the runs agree on a complex number; a small part becomes 0.
+bool agreed_complex(const complex_number<mpfr>& before, complex_number<mpfr>& now, long digits) {
+    const mpfr small = size_of(now) * pow(mpfr(10), static_cast<int>(-digits - digits_of_small_part));
+    bool all = small > 0;
+    const auto judge = [&](const mpfr& part_before, mpfr& part) {
+        if (abs(part_before) < small && abs(part) < small) {
+            part = 0;
+        } else {
+            all = all && agree(part_before, part, digits);
+        }
+    };
+    judge(before.re, now.re);
+    judge(before.im, now.im);
+    return all;
+}
+
 }  // namespace
 
 bool agree(const mpfr& a, const mpfr& b, long digits) {
@@ -45,6 +67,36 @@ std::vector<mpfr> agreed_values(long digits, const std::function<std::vector<mpf
                                   [&](const precision_run& run) -> std::optional<std::vector<mpfr>> {
                                       std::vector<mpfr> now = compute(run.more);
                                       if (same(before, now, run.more)) {
+                                          return now;
+                                      }
+                                      before = std::move(now);
+                                      return std::nullopt;
+                                  });
+}
+
+std::vector<complex_number<mpfr>> agreed_complex_values(
+    long digits, const std::function<std::vector<complex_number<mpfr>>(long guard)>& compute,
+    const std::function<std::vector<bool>()>& vanishing) {
+    const auto zero = vanishing ? vanishing() : std::vector<bool>();
+    auto before = compute(first_guard);
+    const auto same = [&](std::vector<complex_number<mpfr>>& now, long guard) {
+        bool all = true;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const bool vanishes = i < zero.size() && zero[i];
+            const bool both_zero = before[i] == now[i] && size_of(now[i]) == 0;
+            if (vanishes) {
+                now[i] = complex_number<mpfr>(mpfr(0));
+            }
+            all =
+                all && (vanishes || (both_zero && guard >= guard_of_zero) || agreed_complex(before[i], now[i], digits));
+        }
+        return all;
+    };
+    return with_growing_precision({digits, second_guard, most_complex_agreement_digits},
+                                  std::to_string(digits) + " digits",
+                                  [&](const precision_run& run) -> std::optional<std::vector<complex_number<mpfr>>> {
+                                      auto now = compute(run.more);
+                                      if (same(now, run.more)) {
                                           return now;
                                       }
                                       before = std::move(now);

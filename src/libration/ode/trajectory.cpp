@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "libration/digits/agreed_values.hpp"
+#include "libration/ode/path.hpp"
 #include "libration/ode/step.hpp"
 
 namespace libration::ode {
@@ -10,10 +11,10 @@ namespace libration::ode {
 namespace {
 
 // All values in the order of the times.
-std::vector<mpfr> marched_values(const explicit_system& system, const std::vector<number>& times,
-                                 const series::block_product<mpfr>* fast) {
-    std::vector<mpfr> all;
-    for (const auto& state : march_through<mpfr>(system, times, fast)) {
+template <class R>
+std::vector<R> in_order(const std::vector<solution_state<R>>& states) {
+    std::vector<R> all;
+    for (const auto& state : states) {
         for (const auto& of_unknown : state) {
             all.insert(all.end(), of_unknown.begin(), of_unknown.end());
         }
@@ -24,6 +25,20 @@ std::vector<mpfr> marched_values(const explicit_system& system, const std::vecto
 bool is_exactly_zero(const number& x) {
     const auto plain = x.plain();
     return plain && plain->coefficient == 0;
+}
+
+// The states that have these values.
+template <class R>
+std::vector<solution_state<R>> states_of(const explicit_system& system, const std::vector<R>& values) {
+    std::vector<solution_state<R>> result;
+    for (auto next = values.begin(); next != values.end();) {
+        auto& state = result.emplace_back();
+        for (const unknown_function& each : system.unknowns()) {
+            state.emplace_back(next, next + each.order);
+            next += each.order;
+        }
+    }
+    return result;
 }
 
 // At the start itself zeros are exact.
@@ -48,19 +63,36 @@ std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, cons
         digits,
         [&](long guard) {
             const precision_scope scope(digits + guard);
-            return marched_values(system, times, fast);
+            return in_order(march_through<mpfr>(system, times, fast));
         },
         [&] { return zeros_of(system, times); });
-    std::vector<solution_state<mpfr>> result;
-    auto next = values.begin();
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        auto& state = result.emplace_back();
-        for (const unknown_function& each : system.unknowns()) {
-            state.emplace_back(next, next + each.order);
-            next += each.order;
+    return states_of(system, values);
+}
+
+std::vector<solution_state<complex_number<mpfr>>> trajectory_along(const explicit_system& system,
+                                                                   const std::vector<complex_constant>& corners,
+                                                                   const std::vector<complex_constant>& times,
+                                                                   long digits) {
+    // Where there is no corner the start itself is one of the points.
+    const auto vanishing = [&] {
+        std::vector<bool> zeros;
+        for (const complex_constant& time : times) {
+            const bool at_start = corners.empty() && is_exactly_zero(time.im);
+            const auto own = zeros_of(system, {time.re});
+            for (const bool zero : own) {
+                zeros.push_back(at_start && zero);
+            }
         }
-    }
-    return result;
+        return zeros;
+    };
+    const auto values = agreed_complex_values(
+        digits,
+        [&](long guard) {
+            const precision_scope scope(digits + guard);
+            return in_order(states_along<mpfr>(system, corners, times));
+        },
+        vanishing);
+    return states_of(system, values);
 }
 
 }  // namespace libration::ode

@@ -1,4 +1,4 @@
-#include "libration/problem/known/far_behaviour.hpp"
+#include "libration/problem/far/far_behaviour.hpp"
 
 #include <catch2/catch.hpp>
 

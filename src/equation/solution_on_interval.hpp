@@ -8,7 +8,7 @@
 
 #include "libration/ode/step.hpp"
 
-namespace libration::studies::of_equation {
+namespace libration {
 
 /// The solution at times by one march in the precision in force, and the slopes at the far end, the time farthest from
 /// the start. A second march in another precision has to agree (agreed_numbers).
@@ -65,4 +65,4 @@ struct series_about_start {
     ode::taylor_expansion<T> expansion;
 };
 
-}  // namespace libration::studies::of_equation
+}  // namespace libration

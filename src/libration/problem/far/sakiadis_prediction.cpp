@@ -5,7 +5,7 @@
 #include "libration/approximant/asymptotic/exponential_approximant.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/taylor_expansion.hpp"
-#include "libration/problem/known/far_behaviour.hpp"
+#include "libration/problem/far/far_behaviour.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
