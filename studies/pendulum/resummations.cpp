@@ -143,6 +143,7 @@ cell_group group_of(const shared_sweep& sweep, std::size_t i, const std::vector<
     }
     group.compute = [sweep, &at, all](const std::vector<std::size_t>& which) {
         std::vector<asked_norm> asked;
+        asked.reserve(which.size());
         for (const std::size_t each : which) {
             asked.push_back(all[each]);
         }

@@ -234,6 +234,7 @@ cell_group group_of(const shared_sweep& sweep, std::size_t i, const std::vector<
     }
     group.compute = [sweep, &at, &point, orders, scalar](const std::vector<std::size_t>& which) {
         std::vector<int> chosen;
+        chosen.reserve(which.size());
         for (const std::size_t each : which) {
             chosen.push_back(orders[each]);
         }

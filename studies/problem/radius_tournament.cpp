@@ -384,6 +384,7 @@ struct tournament {
         group.compute = [this, &problem, &scalar, half](const std::vector<std::size_t>& chosen) {
             const precision_scope scope(scalar.digits + guard_digits);
             std::vector<int> own;
+            own.reserve(chosen.size());
             for (const std::size_t each : chosen) {
                 own.push_back(orders[each]);
             }
