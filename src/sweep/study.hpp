@@ -34,6 +34,12 @@ struct study_parameter {
     std::string meaning;  ///< with unit
 };
 
+/// A file by its name and what stands in it.
+struct text_file {
+    std::string name;
+    std::string content;
+};
+
 /// A study; studies/FOLDER/NAME.cpp defines one and NAME.gp beside it draws it from the CSV.
 struct study {
     std::string name;
@@ -58,6 +64,8 @@ struct study {
     std::string command = {};  ///< what stands behind `libration study` before its parameters; empty: its name
     /// The equation that it is about, which is an input of every cell; nothing for the pendulum.
     shared_problem equation = {};
+    /// Further files of its folder, made of its tables; their names are none of a table or a figure. Empty: none.
+    std::function<std::vector<text_file>(const std::vector<study_table>&)> files = {};
 };
 
 /// All studies, by name (generated at build time from the files in studies/).

@@ -243,6 +243,11 @@ failures_found make_tables(const study_order& order, const study_cells& of, cell
     } else {
         without_repetitions(gathered.tables);
         write_tables(order, gathered.tables, working->path());
+        if (what.files) {
+            for (const text_file& each : what.files(gathered.tables)) {
+                write_into((fs::path(working->path()) / each.name).string(), each.content);
+            }
+        }
     }
     std::exception_ptr undrawn;
     try {

@@ -20,6 +20,7 @@ constexpr long first_guard = 20;
 constexpr long second_guard = 45;
 constexpr long first_proof_bits = 96;
 constexpr long most_proof_bits = 200'000;
+constexpr long most_error_bits = 4'096;
 
 bool is_start(const ode::explicit_system& system, const exact& time) {
     const auto plain = (as_expression(time) - system.point()).plain();
@@ -28,7 +29,8 @@ bool is_start(const ode::explicit_system& system, const exact& time) {
 
 }  // namespace
 
-problem_layout::problem_layout(ode::explicit_system system) : system_(std::move(system)) {
+problem_layout::problem_layout(ode::explicit_system system, ode::equation_system equations)
+    : system_(std::move(system)), equations_(std::move(equations)) {
     for (std::size_t i = 0; i < system_.unknowns().size(); ++i) {
         const auto& unknown = system_.unknowns()[i];
         for (int j = 0; j < unknown.order; ++j) {
@@ -63,6 +65,12 @@ void problem_layout::read(const column_names& names) {
         throw input_error(fmt::format("{} has none of the columns {} of the problem: its columns are {}: {}",
                                       names.file(), listed(names_), names.listed(), mapping_remedy));
     }
+}
+
+std::size_t problem_layout::place_of(const component& of) const {
+    const auto found = std::ranges::find_if(
+        all_, [&](const component& each) { return each.unknown == of.unknown && each.derivative == of.derivative; });
+    return static_cast<std::size_t>(found - all_.begin());
 }
 
 exact problem_layout::time(const std::vector<std::string>& cells, bool as_double) const {
@@ -151,14 +159,8 @@ std::vector<true_value> problem_questions::truths_at(const exact& time, long dig
     }
     if (!system.singular()) {
         const auto state = proved_state(time, digits);
-        std::size_t first = 0;
-        std::vector<std::size_t> places;
-        for (const auto& each : system.unknowns()) {
-            places.push_back(first);
-            first += static_cast<std::size_t>(each.order);
-        }
-        for (const auto& [unknown, derivative] : layout_.components()) {
-            truths.push_back({state[places[unknown] + derivative]});
+        for (const auto& each : layout_.components()) {
+            truths.push_back({state[layout_.place_of(each)]});
         }
         return truths;
     }
@@ -175,14 +177,14 @@ std::vector<true_value> problem_questions::truths_at(const exact& time, long dig
     return truths;
 }
 
-// |t y'|/max(1, |y|) of the first column.
-std::string problem_questions::condition_at(const exact& time, long digits) {
+// |t y'|/max(1, |y|) of the first column, from a singular start.
+std::string problem_questions::condition_of_slope(const exact& time, long digits) {
     const auto& system = layout_.system();
     const auto [unknown, derivative] = layout_.components().front();
     if (time.is_zero()) {
         return "0";
     }
-    if (is_start(system, time) && system.singular()) {
+    if (is_start(system, time)) {
         return "inf";
     }
     march_pair& pair = marches(digits);
@@ -195,6 +197,65 @@ std::string problem_questions::condition_at(const exact& time, long digits) {
     const mpfr slope = there.coefficients(static_cast<int>(unknown), static_cast<int>(derivative))[1];
     const mpfr size = abs(state[unknown][derivative]);
     return to_decimal(mpfr(abs(mpfr(t * slope)) / (size > 1 ? size : mpfr(1))), 3);
+}
+
+// A march that keeps its derivative by starts and parameters, and where it was asked last.
+struct problem_questions::dependent_way {
+    explicit dependent_way(const ode::equation_system& equations) : on(equations) {}
+
+    ode::dependence on;
+    std::unique_ptr<ode::proved_march> march;
+    ode::number latest;
+    long bits = first_proof_bits;
+    long error_bits = ode::proved_march::usual_error_bits;
+};
+
+// Three digits. Nothing where so many bits do not settle them.
+std::optional<std::vector<ode::moved_value>> problem_questions::moved_at(const ode::number& time) {
+    if (!dependent_) {
+        dependent_ = std::make_shared<dependent_way>(layout_.equations());
+    }
+    dependent_way& way = *dependent_;
+    const auto& system = way.on.system();
+    const int direction = (time - system.point()).sign();
+    while (way.bits <= most_proof_bits && way.error_bits <= most_error_bits) {
+        if (!way.march || ((time - way.latest) * ode::number(rational(direction))).sign() < 0) {
+            way.march = std::make_unique<ode::proved_march>(system, way.bits, ode::march_watch(), way.error_bits);
+            way.march->keep_derivative();
+        }
+        way.latest = time;
+        if (const auto state = way.march->at(time)) {
+            if (auto moved = way.on.moved(*way.march, time, *state, 0)) {
+                return moved;
+            }
+            way.error_bits *= 2;
+        } else if (way.march->end() == ode::march_end::steps) {
+            return std::nullopt;
+        }
+        way.march.reset();
+        way.bits *= 2;
+    }
+    return std::nullopt;
+}
+
+std::string problem_questions::condition_at(const exact& time, long digits) {
+    if (layout_.system().singular()) {
+        return condition_of_slope(time, digits);
+    }
+    const auto moved = moved_at(as_expression(time));
+    if (!moved) {
+        return "inf";
+    }
+    const auto truths = truths_at(time, digits);
+    const precision_scope few(20);
+    mpfr largest(0);
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const ode::moved_value& own = (*moved)[layout_.place_of(layout_.components()[i])];
+        const mpfr size = abs(midpoint_of(truths[i].value()));
+        const mpfr sum = own.by_start + own.by_parameters + own.by_time;
+        largest = std::max(largest, mpfr(sum / (size > 1 ? size : mpfr(1))));
+    }
+    return to_decimal(largest, 3);
 }
 
 row_question problem_questions::read(const std::vector<std::string>& cells) {

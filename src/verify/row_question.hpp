@@ -23,7 +23,8 @@ struct row_question {
     /// The truths of the compared columns, at the working precision of so many digits, or nothing where it is too
     /// small. May throw precision_exhausted.
     std::function<std::vector<true_value>(long digits)> truths;
-    /// The condition number of the first column, three digits, heuristic; "inf" where it has none.
+    /// The condition number of the first column, or the largest of all where the reader says so, three digits;
+    /// "inf" where it has none.
     std::function<std::string(long digits)> condition;
 };
 

@@ -168,7 +168,7 @@ int verify_problem(const verify_options& options, const compare_rules& rules) {
     if (options.modulo_turn) {
         throw input_error("--modulo-2pi has no meaning for --problem: leave it out");
     }
-    problem_layout layout(options.problem.choose());
+    problem_layout layout(options.problem.choose(), options.problem.equations());
     input_stream source("FILE", options.file);
     column_file records(source.in());
     const column_names names(source.name(), records.names(), records.count(), options.columns, layout.known());

@@ -124,7 +124,7 @@ TEST_CASE("verify judges columns of a problem against two marches", "[command][p
     CHECK(rows[0].at("verdict") == "ok");
     CHECK(rows[1].at("verdict") == "ok");
     CHECK(rows[1].at("reference").starts_with("0.84147098480789650"));
-    CHECK(rows[1].at("condition") == "0.540");
+    CHECK(rows[1].at("condition") == "2.22");  // of y': cos 1 by its start, sin 1 by w and sin 1 by time
     CHECK(rows[2].at("verdict") == "ok");
     CHECK(rows[3].at("verdict") == "miss");
     check_refused({"verify", "file.csv", "--problem", "y' = y; z(0) = 1", "--energy", "1"}, {"--energy"}, folder);
@@ -156,6 +156,49 @@ TEST_CASE("a table of a problem is written in every format", "[command][problem]
     check_refused(line + words{"--energies", "1"}, {"--energies"});
     check_refused({"table", "sn", "--problem", "blasius", "--times", "1"}, {"--problem", "sn"});
     check_refused({"table", "--problem", "y' = y^2; y(0) = 1", "--times", "2"}, {"--times", "2"});
+}
+
+// What SciPy 1.10.1 gives: solve_ivp(..., method="DOP853", rtol=1e-12, atol=1e-14, t_eval=...), by numpy.savetxt with
+// fmt="%.17g". Chaos and the passages by the moon make of roundings what the condition number says, and no more than a
+// thousand times as much of the errors of steps at this tolerance.
+TEST_CASE("verify judges the output of SciPy and says the condition number of each miss",
+          "[command][verify][problem]") {
+    const temporary_folder folder;
+    const auto judged = [&](const std::string& rows, const words& options) {
+        std::ofstream(folder.path() / "scipy.txt") << rows;
+        return run_libration(words{"verify", "scipy.txt", "--tolerance", "1e-11"} + options, folder.path());
+    };
+    const auto lorenz = judged(
+        "# t x y z\n"
+        "1 -9.408450567055759 -9.0961990711899841 28.581627624389252\n"
+        "5 -6.9745704726802966 -7.0210608908107268 25.119616492127314\n",
+        {"--problem", "lorenz"});
+    CHECK(lorenz.exit_code == 1);
+    const auto rows = csv_rows(lorenz.out);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("verdict") == "ok");
+    CHECK(rows[1].at("verdict") == "miss");
+    CHECK(std::stod(rows[1].at("condition")) > 1);
+    CHECK(lorenz.err.find(", condition " + rows[1].at("condition")) != std::string::npos);
+
+    const auto other = judged(
+        "# t x y z\n"
+        "1 11.1667997083283 0.5996181048276723 98.137941384726034\n"
+        "5 -23.645185490113537 0.4384777061958956 127.71663530474706\n",
+        {"--problem", "lorenz", "--set", "r=100.5"});
+    CHECK(other.exit_code == 1);
+    const auto other_rows = csv_rows(other.out);
+    REQUIRE(other_rows.size() == 2);
+    CHECK(other_rows[1].at("verdict") == "miss");
+    CHECK(std::stod(other_rows[1].at("condition")) > 1000);
+
+    const auto arenstorf = judged(
+        "# t x x' y y'\n"
+        "1 0.31328459555412697 -1.0426165112753192 0.3480089746767388 0.67338411410340615\n",
+        {"--problem", "arenstorf"});
+    CHECK(arenstorf.exit_code == 0);
+    REQUIRE(csv_rows(arenstorf.out).size() == 1);
+    CHECK(std::stod(csv_rows(arenstorf.out)[0].at("condition")) > 1000);
 }
 
 }  // namespace command_problem_study_test

@@ -42,6 +42,32 @@ TEST_CASE("a parameter that is no double changes a digit", "[studies][proved]") 
     }
 }
 
+// S + I - (a/r) log S is constant for SIR; kepler's are -1/2 and sqrt(1 - e^2) = 4/5.
+TEST_CASE("reference values keep their invariants to the digits that they have", "[studies][proved]") {
+    const auto rows =
+        rows_by_suffix("reference_problems", {{"--problems", "kepler"}, {"--scalar", "ball:30"}}).at("invariants");
+    REQUIRE(rows.size() == 2);
+    const precision_scope scope(40);
+    CHECK(number_of(rows[0].at("value")) == -0.5);
+    CHECK(abs(mpfr(number_of(rows[1].at("value")) - mpfr(4) / 5)) <= pow(mpfr(10), -30));
+    for (const table_row& row : rows) {
+        CHECK(number_of(row.at("difference")) < 100 * pow(mpfr(10), -30));  // a few units of values up to 2
+    }
+}
+
+// The poles of the logistic function are at i pi (2 k + 1).
+TEST_CASE("reference values tell the nearest singularity", "[studies][proved]") {
+    const auto rows =
+        rows_by_suffix("reference_problems", {{"--problems", "logistic"}, {"--scalar", "ball:30"}}).at("");
+    const precision_scope scope(30);
+    for (const table_row& row : rows) {
+        const mpfr t = number_of(row.at("time"));
+        CHECK(abs(mpfr(number_of(row.at("singularity_re")))) < 1e-3);
+        CHECK(abs(mpfr(number_of(row.at("singularity_im")) - pi<mpfr>())) < 1e-3);
+        CHECK(abs(mpfr(number_of(row.at("radius")) - sqrt(mpfr(t * t + pi<mpfr>() * pi<mpfr>())))) < 1e-3);
+    }
+}
+
 TEST_CASE("values in print are judged to their last digit", "[studies][proved]") {
     const auto rows = rows_by_suffix("published", {{"--values", "blasius,lorenz_orbit"}}).at("");
     REQUIRE(rows.size() == 4);

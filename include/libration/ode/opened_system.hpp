@@ -8,8 +8,8 @@
 
 namespace libration::ode {
 
-/// A system some of whose parameters and starts are open: each is an unknown function that does not change, the last
-/// unknowns of the system in the order of their names.
+/// A system some of whose parameters and starts are open: each is an unknown function that does not change and stands
+/// among the unknowns where the equations name it first.
 struct opened_system {
     explicit_system system;
     /// The open numbers as they are given.

@@ -36,10 +36,10 @@ public:
     static constexpr long most_steps = 10'000'000;
     static constexpr long usual_error_bits = 64;
 
-    /// From the start, in so many bits. Throws error where the start is singular.
-    proved_march(const explicit_system& system, long bits, march_watch watch = {});
-    /// The same from every start of a box of balls, the given unknowns at the point of the system; the maps of errors
-    /// in so many bits, which is what derivative_at() is worth.
+    /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth.
+    /// Throws error where the start is singular.
+    proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits);
+    /// The same from every start of a box of balls, the given unknowns at the point of the system.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
                  long error_bits = usual_error_bits, march_watch watch = {});
     ~proved_march();
@@ -70,6 +70,8 @@ public:
     /// Up to here the solution is proved to exist.
     const ball& reached() const { return time_; }
     long steps() const { return steps_; }
+    /// Those that it began with.
+    long bits() const { return bits_; }
     /// A bound of the set, |x_i - c_i|.
     magnitude width() const;
 

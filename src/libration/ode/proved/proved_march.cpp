@@ -161,8 +161,8 @@ struct proved_march::expansions {
 
 proved_march::~proved_march() = default;
 
-proved_march::proved_march(const explicit_system& system, long bits, march_watch watch)
-    : proved_march(system, enclosed_start(system, bits), bits, usual_error_bits, std::move(watch)) {}
+proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits)
+    : proved_march(system, enclosed_start(system, bits), bits, error_bits, std::move(watch)) {}
 
 proved_march::proved_march(const explicit_system& system, const std::vector<ball>& start, long bits, long error_bits,
                            march_watch watch)

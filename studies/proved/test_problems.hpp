@@ -1,0 +1,129 @@
+// The set of test problems of which reference values are published: problems of the catalogue, some with other
+// parameters, and where the last of their times is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/problem/catalogue.hpp"
+
+namespace libration::studies::proved {
+
+/// The times are end k/8, k = 1 .. 8, after the start.
+inline constexpr int times_of_each = 8;
+
+struct test_problem {
+    std::string name;
+    std::string end;
+    std::string catalogue = {};             ///< its name there; empty: the same
+    std::vector<std::string> changes = {};  ///< of parameters and starts
+    int seconds = 1;                        ///< about, on one core
+
+    std::string in_catalogue() const { return catalogue.empty() ? name : catalogue; }
+
+    ode::equation_system equations() const {
+        auto system = ode::parse(std::string(problem_text(in_catalogue())));
+        for (const std::string& each : changes) {
+            system = ode::changed(system, each);
+        }
+        return system;
+    }
+
+    std::vector<ode::number> times() const {
+        const ode::number start = ode::explicit_system(equations()).point();
+        std::vector<ode::number> all;
+        for (int k = 1; k <= times_of_each; ++k) {
+            all.push_back(start + ode::parse_constant(end).constant() * ode::number(rational(k, times_of_each)));
+        }
+        return all;
+    }
+};
+
+/// By name.
+inline const std::vector<test_problem>& test_problems() {
+    static const std::vector<test_problem> all{
+        {.name = "arenstorf", .end = "17.0652165601579625588917206249", .seconds = 20},
+        {.name = "blasius", .end = "8"},
+        {.name = "brusselator", .end = "20"},
+        {.name = "detest_a1", .end = "20"},
+        {.name = "detest_a2", .end = "20"},
+        {.name = "detest_a3", .end = "20"},
+        {.name = "detest_a4", .end = "20"},
+        {.name = "detest_a5", .end = "20"},
+        {.name = "detest_b1", .end = "20"},
+        {.name = "detest_b2", .end = "20"},
+        {.name = "detest_b3", .end = "20"},
+        {.name = "detest_b4", .end = "20"},
+        {.name = "detest_b5", .end = "20"},
+        {.name = "detest_c1", .end = "20"},
+        {.name = "detest_c2", .end = "20"},
+        {.name = "detest_c3", .end = "20"},
+        {.name = "detest_c4", .end = "20", .seconds = 20},
+        {.name = "detest_c5", .end = "20", .seconds = 40},
+        {.name = "detest_d1", .end = "20"},
+        {.name = "detest_d2", .end = "20"},
+        {.name = "detest_d3", .end = "20"},
+        {.name = "detest_d4", .end = "20"},
+        {.name = "detest_d5", .end = "20"},
+        {.name = "detest_e1", .end = "20"},
+        {.name = "detest_e2", .end = "20"},
+        {.name = "detest_e3", .end = "20"},
+        {.name = "detest_e4", .end = "20"},
+        {.name = "detest_e5", .end = "20"},
+        {.name = "double_pendulum", .end = "10"},
+        {.name = "duffing", .end = "20"},
+        {.name = "falkner_skan", .end = "8"},
+        {.name = "falkner_skan_flat",
+         .end = "8",
+         .catalogue = "falkner_skan",
+         .changes = {"b = 0", "s = 0.469599988361"}},
+        {.name = "falkner_skan_stagnation",
+         .end = "4",
+         .catalogue = "falkner_skan",
+         .changes = {"b = 1", "s = 1.2325876568202810"}},
+        {.name = "fitzhugh_nagumo", .end = "40"},
+        {.name = "harmonic", .end = "20"},
+        {.name = "henon_heiles", .end = "40"},
+        {.name = "henon_heiles_chaos",
+         .end = "40",
+         .catalogue = "henon_heiles",
+         .changes = {"x'(0) = sqrt(1/3 - 0.01)", "y'(0) = 0.1"}},
+        {.name = "hires", .end = "321.8122", .seconds = 120},
+        {.name = "kepler", .end = "20"},
+        {.name = "logistic", .end = "20"},
+        {.name = "lorenz", .end = "20", .seconds = 10},
+        {.name = "lorenz_periodic", .end = "10", .catalogue = "lorenz", .changes = {"r = 100.5"}, .seconds = 10},
+        {.name = "lotka_volterra", .end = "20"},
+        {.name = "oregonator", .end = "360", .seconds = 200},
+        {.name = "painleve_1", .end = "2"},
+        {.name = "painleve_2", .end = "2"},
+        {.name = "pendulum", .end = "20"},
+        {.name = "pendulum_179deg",
+         .end = "20",
+         .catalogue = "pendulum",
+         .changes = {"theta(0) = 179/180*pi", "theta'(0) = 0"}},
+        {.name = "pleiades", .end = "0.5", .seconds = 60},
+        {.name = "rayleigh", .end = "0.8"},
+        {.name = "riccati", .end = "1.5"},
+        {.name = "robertson", .end = "40", .seconds = 40},
+        {.name = "sakiadis", .end = "8"},
+        {.name = "seir", .end = "40"},
+        {.name = "sir", .end = "4"},
+        {.name = "sir_japan", .end = "40"},
+        {.name = "three_body_figure_8", .end = "6"},
+        {.name = "toda", .end = "20"},
+        {.name = "van_der_pol", .end = "40"},
+        {.name = "van_der_pol_10", .end = "40", .catalogue = "van_der_pol", .changes = {"m = 10"}},
+        {.name = "van_der_pol_100", .end = "200", .catalogue = "van_der_pol", .changes = {"m = 100"}, .seconds = 10},
+        {.name = "van_der_pol_1000",
+         .end = "1000",
+         .catalogue = "van_der_pol",
+         .changes = {"m = 1000"},
+         .seconds = 500},
+        {.name = "weierstrass", .end = "1"},
+    };
+    return all;
+}
+
+}  // namespace libration::studies::proved

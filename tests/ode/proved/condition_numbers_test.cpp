@@ -1,0 +1,96 @@
+// Condition numbers of solutions against closed forms, and against solutions from numbers that were moved.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/condition_numbers.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/problem/catalogue.hpp"
+
+namespace condition_numbers_test {
+
+using namespace libration;
+
+namespace {
+
+std::vector<ode::number> numbers(const std::vector<std::string>& texts) {
+    std::vector<ode::number> all;
+    for (const std::string& each : texts) {
+        all.push_back(ode::parse_constant(each).constant());
+    }
+    return all;
+}
+
+mpfr number_of_text(const std::string& decimal) { return mpfr(decimal); }
+
+// Three digits are promised.
+void check_three_digits(const mpfr& found, const mpfr& expected) {
+    INFO(found << " for " << expected);
+    CHECK(abs(mpfr(found - expected)) <= abs(expected) / 1000);
+}
+
+}  // namespace
+
+// y = c e^(-k t): dy/dc c = y, dy/dk k = -k t y, y' t = -k t y. 1/3 and 1/10 are no doubles: the next ones differ by less
+// than 2^-53 of themselves.
+TEST_CASE("the condition numbers of an exponential, on both sides of its start", "[ode][proved][condition]") {
+    const precision_scope scope(40);
+    const auto system = ode::parse("y' = -k*y; y(0) = 1/3; k = 1/10");
+    const auto states = ode::proved_conditions(system, numbers({"2", "30", "-5"}), 20);
+    const std::vector<int> times{2, 30, -5};
+    REQUIRE(states.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        REQUIRE(states[i].values.size() == 1);
+        const mpfr kt = mpfr(times[i]) / 10;
+        const mpfr y = exp(mpfr(-kt)) / 3;
+        CHECK(abs(mpfr(number_of_text(states[i].values[0].text) - y)) <= y * pow(mpfr(10), -19));
+        check_three_digits(states[i].moved[0].by_start, y);
+        check_three_digits(states[i].moved[0].by_parameters, mpfr(abs(kt) * y));
+        check_three_digits(states[i].moved[0].by_time, mpfr(abs(kt) * y));
+        const mpfr of_start = mpfr(1.0 / 3.0) - mpfr(1) / 3;
+        const mpfr of_k = mpfr(0.1) - mpfr(1) / 10;
+        check_three_digits(states[i].moved[0].by_rounding, mpfr(abs(mpfr(of_start * 3 * y - of_k * times[i] * y))));
+    }
+}
+
+// The Lorenz equations with r and x(0) moved by 10^-20 of themselves: the difference quotient of 40 digits has 15.
+TEST_CASE("condition numbers in chaos are those of solutions from moved numbers", "[ode][proved][condition]") {
+    const precision_scope scope(50);
+    const auto given = ode::parse(std::string(problem_text("lorenz")));
+    const auto times = numbers({"4"});
+    const auto found = ode::proved_conditions(given, times, 20).front();
+    const auto at = [&](const std::vector<std::string>& changes) {
+        ode::equation_system system = given;
+        for (const std::string& each : changes) {
+            system = ode::changed(system, each);
+        }
+        return ode::proved_trajectory(ode::explicit_system(system), times, 40).front();
+    };
+    const auto usual = at({});
+    const auto moved = [&](const std::string& change, std::size_t k) {
+        const mpfr difference = number_of_text(at({change})[k].text) - number_of_text(usual[k].text);
+        return mpfr(abs(mpfr(difference * pow(mpfr(10), 20))));
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        check_three_digits(found.moved[k].by_start, moved("x(0) = 1 + 1e-20", k));
+        check_three_digits(
+            found.moved[k].by_parameters,
+            mpfr(moved("s = 10*(1 + 1e-20)", k) + moved("r = 28*(1 + 1e-20)", k) + moved("b = 8/3*(1 + 1e-20)", k)));
+        CHECK(found.values[k].text.substr(0, 19) == usual[k].text.substr(0, 19));
+    }
+}
+
+// Fast motion that dies out, with the slow one beside it: 64 bits of the maps of errors are not enough here, and
+// y = cos t + c e^(-1000 t) says what is left.
+TEST_CASE("condition numbers of a stiff equation settle with more bits", "[ode][proved][condition]") {
+    const precision_scope scope(60);
+    const auto system = ode::parse("y' = -1000*(y - cos(t)) - sin(t); y(0) = 2");
+    const auto states = ode::proved_conditions(system, numbers({"0.01", "0.5"}), 20);
+    const auto left = [](const mpfr& t) { return mpfr(2 * exp(mpfr(-1000 * t))); };
+    check_three_digits(states[0].moved[0].by_start, left(mpfr(1) / 100));
+    CHECK(states[1].moved[0].by_start == 0);  // e^-500
+    check_three_digits(states[1].moved[0].by_time, mpfr(sin(mpfr(0.5)) / 2));
+}
+
+}  // namespace condition_numbers_test
