@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* remedy_of_points = "write points such as 0,1+2i,-i*pi/3 or a range 0:2+i:11";
 
-std::vector<std::string> parts_of(const std::string& text, char separator) {
+std::vector<std::string> items_between(const std::string& text, char separator) {
     std::vector<std::string> parts{""};
     for (const char c : text) {
         if (c == separator) {
@@ -31,7 +31,7 @@ ode::complex_constant point_in(const std::string& option, const std::string& tex
 }
 
 // As it would be typed: 1/2+3/4i is no fraction of i, so that fractions of the imaginary part come first.
-std::string text_of(const rational& re, const rational& im) {
+std::string typed_text(const rational& re, const rational& im) {
     const std::string real = re.str();
     if (im == 0) {
         return real;
@@ -50,7 +50,7 @@ typed_point between(const typed_point& first, const typed_point& last, const rat
     const ode::complex_constant value{on(first.value.re, last.value.re), on(first.value.im, last.value.im)};
     const auto re = value.re.fraction();
     const auto im = value.im.fraction();
-    return {value, re && im ? text_of(*re, *im) : part.str() + " of " + range};
+    return {value, re && im ? typed_text(*re, *im) : part.str() + " of " + range};
 }
 
 }  // namespace
@@ -72,8 +72,8 @@ bool has_imaginary_unit(const std::string& words) {
 
 std::vector<typed_point> complex_points(const std::string& option, const std::string& words) {
     std::vector<typed_point> points;
-    for (const std::string& item : parts_of(words, ',')) {
-        const auto parts = parts_of(item, ':');
+    for (const std::string& item : items_between(words, ',')) {
+        const auto parts = items_between(item, ':');
         if (parts.size() == 1) {
             points.push_back({point_in(option, item), item});
             continue;

@@ -148,8 +148,8 @@ cell error_cell(const mpfr& value, const mpfr& truth, long digits) {
     return told < 2 ? cell() : decimal_cell(off, std::min(told, most_error_digits));
 }
 
-compared_values compare(const problem_options& problem, const chosen_approximation& by,
-                        const std::vector<ode::number>& times, const arithmetic& numbers) {
+compared_values compare_with_solution(const problem_options& problem, const chosen_approximation& by,
+                                      const std::vector<ode::number>& times, const arithmetic& numbers) {
     const auto system = problem.choose();
     if (by.method == "asymptotic") {
         require_known_far_behaviour(problem);
@@ -211,7 +211,7 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
     }
     const auto at = constants_of_times(times);
     try {
-        const auto found = compare(problem, by, at, numbers);
+        const auto found = compare_with_solution(problem, by, at, numbers);
         if (by.method == "endpoint" && !found.there.front()) {
             throw input_error("--method", by.method, "needs times on one side of the start, and another than that",
                               "choose such times");

@@ -24,7 +24,7 @@ using complex = complex_number<mpfr>;
 
 // In the arithmetic that prints them.
 template <class T>
-std::vector<ode::solution_state<mpfr>> widened(const std::vector<ode::solution_state<T>>& states) {
+std::vector<ode::solution_state<mpfr>> in_wide_numbers(const std::vector<ode::solution_state<T>>& states) {
     std::vector<ode::solution_state<mpfr>> all;
     for (const auto& state : states) {
         auto& wide = all.emplace_back();
@@ -38,7 +38,8 @@ std::vector<ode::solution_state<mpfr>> widened(const std::vector<ode::solution_s
     return all;
 }
 template <class T>
-std::vector<ode::solution_state<complex>> widened(const std::vector<ode::solution_state<complex_number<T>>>& states) {
+std::vector<ode::solution_state<complex>> in_wide_numbers(
+    const std::vector<ode::solution_state<complex_number<T>>>& states) {
     std::vector<ode::solution_state<complex>> all;
     for (const auto& state : states) {
         auto& wide = all.emplace_back();
@@ -72,7 +73,8 @@ std::vector<ode::solution_state<mpfr>> states_of(const ode::explicit_system& sys
         return ode::trajectory(system, times, digits_of_march(numbers), ode::fast_product<mpfr>());
     }
     const precision_scope wide(numbers.scalar.digits + digits_beyond);
-    return with_scalar(numbers.scalar, 0, [&]<class T>() { return widened(ode::march_through<T>(system, times)); });
+    return with_scalar(numbers.scalar, 0,
+                       [&]<class T>() { return in_wide_numbers(ode::march_through<T>(system, times)); });
 }
 
 std::vector<ode::solution_state<complex>> states_along(const ode::explicit_system& system,
@@ -84,7 +86,7 @@ std::vector<ode::solution_state<complex>> states_along(const ode::explicit_syste
     }
     const precision_scope wide(numbers.scalar.digits + digits_beyond);
     return with_scalar(numbers.scalar, 0,
-                       [&]<class T>() { return widened(ode::states_along<T>(system, corners, times)); });
+                       [&]<class T>() { return in_wide_numbers(ode::states_along<T>(system, corners, times)); });
 }
 
 std::vector<std::string> names_of_values(const ode::explicit_system& system) {
@@ -113,7 +115,7 @@ std::vector<cell> drifts_of(const ode::explicit_system& system, const std::vecto
     return drifts;
 }
 
-const char* rigour_of(const arithmetic& numbers) {
+const char* rigour_of_march(const arithmetic& numbers) {
     return numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
 }
 
@@ -129,7 +131,7 @@ table table_with(std::vector<column> columns, const std::vector<cell>& drifts,
     for (std::size_t i = 0; i < typed.size(); ++i) {
         table_row_cells row = times_and_values[i];
         row.emplace_back(numbers.digits);
-        row.emplace_back(rigour_of(numbers));
+        row.emplace_back(rigour_of_march(numbers));
         row.emplace_back(typed[i]);
         if (!drifts.empty()) {
             row.push_back(drifts[i]);

@@ -148,7 +148,7 @@ const equation_study& approximants() {
             "table has it.",
         .parameters = {{"--orders", "4:60:15", "N, last power of the series"},
                        {"--digits", "20", "digits of the solution; of a list the largest"}},
-        .example = {"falkner_skan", {"b=-0.198,0,1/2,1"}},
+        .example = {"falkner_skan", {"b=0,1/2,1"}},
         .example_words = {},
         .quick = {{"--orders", "4,10"}, {"--digits", "10"}},
         .seconds = 10,

@@ -160,4 +160,30 @@ TEST_CASE("a parameter without a solution fails its cell alone", "[studies][equa
     CHECK(rows_of_table(answers.tables.front()).size() == 3);
 }
 
+TEST_CASE("approximants over b meet the wall shears of Falkner and Skan in print", "[studies][equation]") {
+    const equation_words asked{"falkner_skan", {"b=0,1"}};
+    const study_words words{{"--orders", "20"}, {"--digits", "10"}};
+    const auto tables = tables_of(order_asked("study", "approximants", asked, words, 2));
+    std::vector<std::string> shears;
+    for (const auto& row : rows_of_table(tables.at(1))) {
+        if (row.at("quantity") == "s") {
+            shears.push_back(row.at("value"));
+        }
+    }
+    // problems/falkner_skan.ode says where they are printed.
+    REQUIRE(shears.size() == 2);
+    CHECK(std::stod(shears[0]) == Approx(0.469599988361).epsilon(1e-11));
+    CHECK(std::stod(shears[1]) == Approx(1.2325876568202810).epsilon(1e-11));
+    // At N = 20 the asymptotic approximant knows the layer, and the series is of no use there.
+    for (const auto& row : rows_of_table(tables.at(0))) {
+        if (row.at("method") == "asymptotic") {
+            CHECK(std::stod(row.at("log10_norm")) < -3);
+        } else if (row.at("method") == "series") {
+            CHECK(std::stod(row.at("log10_norm")) > 0);
+        }
+    }
+    CHECK_THROWS_WITH(rows_about("approximants", {"lorenz", {"x(0)=1,2"}}, words),
+                      Catch::Contains("no known far behaviour"));
+}
+
 }  // namespace studies_equation_studies_test

@@ -72,11 +72,14 @@ private:
     // A step or a derivative with the places of its arrays, for fixed scalars of the hardware about any other point: there
     // the search for them takes as long as the sums.
     struct placed_step {
-        const tape_step* step;
+        operation kind;
         int index;
+        const tape_step* step;
         R* result;
         const R* a;
         const R* b;
+        R* behind;  // what the next step holds
+        R factor;   // the constant of the step
     };
     struct placed_state {
         R* here;
@@ -231,13 +234,15 @@ void taylor_expansion<R>::run() {
 
 template <field R>
 void taylor_expansion<R>::place() {
-    placed_steps_.clear();
-    placed_states_.clear();
+    if (!placed_steps_.empty() || !placed_states_.empty()) {
+        return;
+    }
     for (int i = 0; i < static_cast<int>(tape_->steps().size()); ++i) {
         const tape_step& s = tape_->steps()[static_cast<std::size_t>(i)];
         if (s.kind != operation::state && s.kind != operation::companion) {
-            placed_steps_.push_back(
-                {&s, i, array(i), s.left < 0 ? nullptr : array(s.left), s.right < 0 ? nullptr : array(s.right)});
+            placed_steps_.push_back({s.kind, i, &s, array(i), s.left < 0 ? nullptr : array(s.left),
+                                     s.right < 0 ? nullptr : array(s.right), array(i + 1),
+                                     s.constant < 0 ? R(1) : constants_[static_cast<std::size_t>(s.constant)]});
         }
     }
     for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -281,29 +286,51 @@ R sum_in_fours(const R* a, const R* b, int n, int first, int last) {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+// sum_{k=first}^{n-first} a_k a_{n-k}, each product once.
+template <field R>
+R square_in_fours(const R* a, int n, int first) {
+    const R half = sum_in_fours(a, a, n, first, (n + 1) / 2 - 1);
+    return n % 2 == 0 && n >= 2 * first ? half + half + a[n / 2] * a[n / 2] : half + half;
+}
+
 template <field R>
 void taylor_expansion<R>::placed(taylor_expansion& self, const placed_step& each, int n) {
     const R* const a = each.a;
     const R* const b = each.b;
-    switch (each.step->kind) {
-        case operation::sum: each.result[n] = a[n] + b[n]; return;
-        case operation::difference: each.result[n] = a[n] - b[n]; return;
-        case operation::product: each.result[n] = sum_in_fours(a, b, n, 0, n); return;
-        case operation::square: {
-            const R half = sum_in_fours(a, a, n, 0, (n + 1) / 2 - 1);
-            each.result[n] = n % 2 == 0 ? half + half + a[n / 2] * a[n / 2] : half + half;
-            return;
-        }
-        case operation::quotient: each.result[n] = (a[n] - sum_in_fours(b, each.result, n, 1, n)) / b[0]; return;
-        case operation::slope: series::slope_kernel(a, each.result, n); return;
+    R* const result = each.result;
+    switch (each.kind) {
+        case operation::sum: result[n] = a[n] + b[n]; return;
+        case operation::difference: result[n] = a[n] - b[n]; return;
+        case operation::product: result[n] = sum_in_fours(a, b, n, 0, n); return;
+        case operation::square: result[n] = square_in_fours(a, n, 0); return;
+        case operation::quotient: result[n] = (a[n] - sum_in_fours(b, result, n, 1, n)) / b[0]; return;
+        case operation::slope: series::slope_kernel(a, result, n); return;
+        case operation::scaled:
+            if (each.step->constant >= 0) {
+                result[n] = a[n] * each.factor;
+                return;
+            }
+            break;
+        case operation::square_root:
+            if (n > 0) {
+                result[n] = (a[n] - square_in_fours(result, n, 1)) / each.behind[0];
+                return;
+            }
+            break;
+        case operation::sine_cosine:
+            if (n > 0) {
+                result[n] = sum_in_fours(b, each.behind, n - 1, 0, n - 1) / n;
+                each.behind[n] = -sum_in_fours(b, result, n - 1, 0, n - 1) / n;
+                return;
+            }
+            break;
         case operation::power:
             if (n > 0) {
-                const R& r = self.constants_[static_cast<std::size_t>(each.step->constant)];
-                R* const slope = self.array(each.index + 1);
-                const R rising = sum_in_fours(b, each.result, n - 1, 0, n - 1) * r;
+                R* const slope = each.behind;
+                const R rising = sum_in_fours(b, result, n - 1, 0, n - 1) * each.factor;
                 const R falling = sum_in_fours(a, slope, n - 1, 1, n - 1);
-                each.result[n] = (rising - falling) / (a[0] * n);
-                slope[n - 1] = each.result[n] * n;
+                result[n] = (rising - falling) / (a[0] * n);
+                slope[n - 1] = result[n] * n;
                 return;
             }
             break;
@@ -314,7 +341,7 @@ void taylor_expansion<R>::placed(taylor_expansion& self, const placed_step& each
             break;
         default: break;
     }
-    if (each.step->kind < operation::product) {
+    if (each.kind < operation::product) {
         self.linear_step(*each.step, each.index, n);
     } else {
         self.function_step(*each.step, each.index, n);
@@ -533,6 +560,24 @@ solution_state<R> taylor_expansion<R>::at(const R& distance) const {
     const int root = tape_->root();
     const R base = root == 1 ? distance : power_value<R>(distance, R(R(1) / root));
     solution_state<R> result;
+    result.reserve(states_.size());
+    if constexpr (std::is_floating_point_v<R>) {
+        if (!tape_->is_singular()) {  // the series of the derivatives are there
+            for (const auto& of_unknown : states_) {
+                auto& values = result.emplace_back();
+                values.reserve(of_unknown.size());
+                for (const int step : of_unknown) {
+                    const R* const y = array(step);
+                    R value = y[order_];
+                    for (int n = order_ - 1; n >= 0; --n) {
+                        value = value * distance + y[n];
+                    }
+                    values.push_back(value);
+                }
+            }
+            return result;
+        }
+    }
     for (std::size_t i = 0; i < states_.size(); ++i) {
         auto& of_unknown = result.emplace_back();
         series::power_series<R> y = series_of(static_cast<int>(i));

@@ -222,8 +222,12 @@ int tape_builder::power_of(const expression& e) {
     const rational twice = exponent ? rational(abs(*exponent) * 2) : rational(0);
     if (exponent && denominator(twice) == 1 && twice <= 2 * largest_whole_power) {
         const bool half = numerator(twice) % 2 != 0;
-        const int from = half ? root_of(base, e.left()) : base;
-        const int power = whole_power(from, half ? numerator(twice) : integer(numerator(twice) / 2));
+        const integer whole = numerator(twice) / 2;
+        int power = whole == 0 ? -1 : whole_power(base, whole);
+        if (half) {
+            const int root = root_of(base, e.left());
+            power = power < 0 ? root : product(power, root);
+        }
         return *exponent > 0 ? power : quotient(constant(number(rational(1))), power);
     }
     const int slope = slope_of(base);
