@@ -80,7 +80,7 @@ add_test(NAME equations_example
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
 set_tests_properties(consumer consumer_of_balls readme_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
-# The reader of our tables in docs/ that Debian can run.
+# The readers of our tables in docs/ whose tools Debian has.
 if(LIBRATION_BUILD_COMMAND)
     add_test(NAME python_reader
         COMMAND ${CMAKE_COMMAND}
@@ -88,4 +88,10 @@ if(LIBRATION_BUILD_COMMAND)
             -D READER=${PROJECT_SOURCE_DIR}/docs/readers/read_table.py
             -D WORK=${PROJECT_BINARY_DIR}
             -P ${PROJECT_SOURCE_DIR}/cmake/check_reader.cmake)
+    add_test(NAME reference_readers
+        COMMAND ${CMAKE_COMMAND}
+            -D LIBRATION=$<TARGET_FILE:libration-command>
+            -D READERS=${PROJECT_SOURCE_DIR}/docs/readers
+            -D WORK=${PROJECT_BINARY_DIR}
+            -P ${PROJECT_SOURCE_DIR}/cmake/check_reference_readers.cmake)
 endif()

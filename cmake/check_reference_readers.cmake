@@ -1,0 +1,79 @@
+# cmake -D LIBRATION= -D READERS= -D WORK= -P check_reference_readers.cmake
+# The readers of reference values give back what stands in the files: Python and C all digits, Fortran 33, Octave 16.
+# One whose tool is not installed is left out with a word.
+
+set(folder ${WORK}/reference_readers)
+execute_process(
+    COMMAND ${LIBRATION} study reference_problems --problems logistic --scalar ball:30 --out ${folder}
+    OUTPUT_QUIET ERROR_QUIET
+    COMMAND_ERROR_IS_FATAL ANY)
+set(text ${folder}/reference_problems/logistic.txt)
+file(STRINGS ${text} rows REGEX "^[^#]")
+list(GET rows 7 row)
+string(REPLACE " " ";" row "${row}")
+list(GET row 0 time)
+list(GET row 1 value)
+
+# The last number of what a reader printed is the value of the last row, as far as so many characters.
+function(expect reader printed characters)
+    string(SUBSTRING "${value}" 0 ${characters} digits)
+    # 0.99... or 9.9...E-001: the digits without their point.
+    string(REGEX REPLACE "^0\\.0*" "" digits "${digits}")
+    string(REPLACE "." "" found "${printed}")
+    if(NOT found MATCHES "${digits}")
+        message(FATAL_ERROR "${reader} did not print ${digits} of ${value}, but\n${printed}")
+    endif()
+    message("${reader} reads ${value} to ${characters} characters")
+endfunction()
+
+find_program(PYTHON python3)
+if(PYTHON)
+    execute_process(
+        COMMAND ${PYTHON} ${READERS}/read_reference.py ${folder}/reference_problems/logistic.csv
+        OUTPUT_VARIABLE printed
+        COMMAND_ERROR_IS_FATAL ANY)
+    expect(read_reference.py "${printed}" 32)
+else()
+    message("read_reference.py is left out: python3 is not installed")
+endif()
+
+find_program(OCTAVE octave-cli)
+if(OCTAVE)
+    execute_process(
+        COMMAND ${OCTAVE} --no-gui --norc ${READERS}/read_reference.m ${text}
+        OUTPUT_VARIABLE printed
+        COMMAND_ERROR_IS_FATAL ANY)
+    expect(read_reference.m "${printed}" 16)
+else()
+    message("read_reference.m is left out: octave is not installed")
+endif()
+
+find_program(CC NAMES gcc cc)
+if(CC)
+    execute_process(
+        COMMAND ${CC} ${READERS}/read_reference.c -o ${folder}/read_c -lmpfr -lgmp
+        COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(
+        COMMAND ${folder}/read_c
+        INPUT_FILE ${text}
+        OUTPUT_VARIABLE printed
+        COMMAND_ERROR_IS_FATAL ANY)
+    expect(read_reference.c "${printed}" 32)
+else()
+    message("read_reference.c is left out: no C compiler is installed")
+endif()
+
+find_program(FORTRAN gfortran)
+if(FORTRAN)
+    execute_process(
+        COMMAND ${FORTRAN} ${READERS}/read_reference.f90 -o ${folder}/read_fortran
+        COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(
+        COMMAND ${folder}/read_fortran
+        INPUT_FILE ${text}
+        OUTPUT_VARIABLE printed
+        COMMAND_ERROR_IS_FATAL ANY)
+    expect(read_reference.f90 "${printed}" 32)
+else()
+    message("read_reference.f90 is left out: gfortran is not installed")
+endif()
