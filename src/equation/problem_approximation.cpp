@@ -101,6 +101,22 @@ void require_known_far_behaviour(const problem_options& problem) {
     }
 }
 
+// Before a march takes its time.
+void require_one_side(const ode::explicit_system& system, const std::vector<ode::number>& times) {
+    const precision_scope scope(digits_of_judge);
+    bool before = false;
+    bool after = false;
+    for (const ode::number& time : times) {
+        const mpfr distance = ode::constant_value<mpfr>::of(time - system.point());
+        before = before || distance < 0;
+        after = after || distance > 0;
+    }
+    if (before == after) {
+        throw input_error("--method", "endpoint", "needs times on one side of the start, and another than that",
+                          "choose such times");
+    }
+}
+
 // The values that both runs agree on, with all that is beside them.
 compared_values agreed_comparison(long digits, const std::vector<ode::number>& times,
                                   const ode::explicit_system& system,
@@ -210,12 +226,11 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
                           fmt::format("use mpfr:{}, or --method taylor", numbers.scalar.digits));
     }
     const auto at = constants_of_times(times);
+    if (by.method == "endpoint") {
+        require_one_side(problem.choose(), at);
+    }
     try {
         const auto found = compare_with_solution(problem, by, at, numbers);
-        if (by.method == "endpoint" && !found.there.front()) {
-            throw input_error("--method", by.method, "needs times on one side of the start, and another than that",
-                              "choose such times");
-        }
         return table_of_comparison(found, times, numbers);
     } catch (const error& complaint) {
         if (complaint.kind() != error_kind::argument ||
