@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "equation/problem_options.hpp"
+#include "equation/problem_radius.hpp"
 #include "equation/problem_series.hpp"
 #include "libration/convergence/estimate/root_variable.hpp"
 #include "libration/convergence/list/coefficient_noise.hpp"
@@ -37,6 +38,7 @@ struct radius_options {
     std::optional<std::string> at;
     std::optional<std::string> via;
     std::optional<std::string> file;
+    bool prove = false;
 };
 
 // An unknown of a file: its list, or those of the real and of the imaginary parts.
@@ -224,8 +226,32 @@ radius_answers answers_of(const lists_of_unknown& unknown, const arithmetic& num
     return std::move(parts[best]);
 }
 
+// Lower and upper bound of a problem, by discs and loops instead of coefficients.
+int prove_radius(const radius_options& options) {
+    if (!options.problem.given()) {
+        throw input_error("--prove is for differential equations: add --problem P");
+    }
+    for (const auto& [name, value] :
+         {std::pair("--order", options.order), std::pair("--at", options.at), std::pair("--coefficients", options.file),
+          std::pair("--scalar", options.arithmetic.scalar())}) {
+        if (value) {
+            throw input_error(name, *value, "has no part in a proof about the start", "leave it out");
+        }
+    }
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    const long digits = options.arithmetic.choose().digits;
+    const auto answer = naming_option("--problem", [&] { return proved_radius_of(options.problem.choose(), digits); });
+    options.output.write(answer.data, answer.text);
+    return 0;
+}
+
 int run_radius(const radius_options& options) {
     options.output.check();
+    if (options.prove) {
+        return prove_radius(options);
+    }
     const arithmetic numbers = options.arithmetic.choose();
     std::vector<lists_of_unknown> unknowns;
     if (options.problem.given()) {
@@ -279,6 +305,8 @@ subcommand radius_command(CLI::App& program) {
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N; of a file all that it has unless given")
         ->type_name("N");
+    command->add_flag("--prove", options->prove,
+                      "of a problem: proved lower and upper bounds that agree to --digits D (theorems L and C)");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
     command
         ->add_option("--via", options->via,

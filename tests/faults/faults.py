@@ -26,6 +26,8 @@ COLUMNS = "truncation/columns_test.cpp"
 PANELS = "truncation/panels_test.cpp"
 TAILS = "ode/proved/tail_bound_test.cpp"
 MARCHES = "ode/proved/proved_march_test.cpp"
+DISCS = "ode/proved/complex_disc_test.cpp"
+BOUNDS = "ode/proved/radius_bounds_test.cpp"
 
 FAULTS = [
     *in_file(
@@ -286,6 +288,26 @@ FAULTS = [
          "values.push_back(state[i][0]);"),
         ("the errors left behind at a time", "values[i] = widened(values[i], errors_.reach(map, i));", ""),
         ("the start as its midpoint", "widths.emplace_back(each - centre_.back());", "widths.emplace_back();"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/complex_disc.cpp", [DISCS],
+        ("the radii of a step in the plane forgotten", "added.push_back(magnitude(off) * magnitude::of(1, -result.scales[i]));",
+         "added.emplace_back();"),
+        ("the tail of a step in the plane forgotten", "const magnitude tail = tail_->at(i, away);", "const magnitude tail;"),
+        ("the width of a start forgotten", "widths.push_back(magnitude(start_[i] - centre[i].re) * magnitude::of(1, -scales[i]));",
+         "widths.emplace_back();"),
+        ("an imaginary part with the wrong sign", "map[i][size + j] = -im;", "map[i][size + j] = im;"),
+        ("an integral without its last factor", "    sum = sum * distance;\n", ""),
+    ),
+    *in_file(
+        "src/libration/ode/proved/radius_bounds.cpp", [BOUNDS],
+        ("discs of a cell that is nearer than their centre", "if (!certainly_less(ball(c.re * c.re + c.im * c.im), ball(cell.r1 * cell.r1))) {",
+         "if (false) {"),
+        ("one side of a cell left out", "for (const ball* turn : {&cell.t1, &cell.t2}) {", "for (const ball* turn : {&cell.t1}) {"),
+        ("the outer arc of a cell left out", "for (const ball* r : {&cell.r2, &cell.r1}) {", "for (const ball* r : {&cell.r1}) {"),
+        ("half of the sector", "last_turn_ = ball(1) / ball(2 * symmetry.rotation)", "last_turn_ = ball(1) / ball(4 * symmetry.rotation)"),
+        ("a loop that is not closed", "for (int k = 0; k <= loop_corners; ++k) {", "for (int k = 0; k < loop_corners; ++k) {"),
+        ("the way to the loop forgotten", "farthest_ = certainly_less(modulus, farthest_) ? farthest_ : modulus;", ""),
     ),
     *in_file(
         ROOM + "series/blocked_sums.hpp", ["ode/fast_product_test.cpp"],

@@ -57,7 +57,7 @@ std::map<std::string, rooms> order_of_rooms() {
         time = energy + rooms{"pendulum/time"}, solution = time + rooms{"pendulum/solution"},
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
         arc = taylor + rooms{"pendulum/arc"},
-        proofs = balls + rooms{"approximant/proved", "elliptic/proved", "ode/ball", "ode/proved"},
+        proofs = balls + rooms{"approximant/proved", "elliptic/proved", "ode/ball", "ode/singularity", "ode/proved"},
         pendulum = arc + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
         problem = ode + proofs + rooms{"approximant/asymptotic", "problem", "problem/far"},
@@ -86,7 +86,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"ode", convergence + approximant},
         {"ode/text", ode},
         {"ode/ball", ode + balls},
-        {"ode/proved", ode + balls + rooms{"ode/ball"}},
+        {"ode/singularity", ode},
+        {"ode/proved", ode + balls + rooms{"ode/ball", "ode/singularity"}},
         {"elliptic", digits},
         {"elliptic/proved", elliptic + balls},
         {"pendulum/motion", ode + elliptic},

@@ -36,6 +36,15 @@ struct lifted_system {
 /// Throws error where the start is singular: such a system has no polynomial form about it.
 lifted_system lifted(const explicit_system& of);
 
+/// The same for paths in the complex plane of time: where a function of several values was added (a logarithm, a root,
+/// an inverse function), everything counts as given, and goes along the path instead of being computed again from an
+/// argument that may have gone round a branch point.
+lifted_system lifted_for_paths(const explicit_system& of);
+
+/// Whether every solution is analytic in the whole plane: right sides of degree 1 in the unknowns, with coefficients
+/// that are polynomials, exponentials, sines and cosines of such.
+bool has_entire_solutions(const explicit_system& of);
+
 /// The lifted system with the derivatives of its unknowns by the given ones at some point, column after column behind
 /// the unknowns: v_ij' = sum_k df_i/dy_k v_kj.
 explicit_system with_variations(const lifted_system& of);
@@ -98,5 +107,45 @@ private:
     std::vector<R> values_;
     std::unordered_map<const void*, std::pair<expression, R>> done_;
 };
+
+/// All unknowns of the lifted system from the given ones at a time, in any field; on balls enclosures.
+template <field R>
+std::vector<R> lifted_values(const lifted_system& of, const R& time, const std::vector<R>& given) {
+    expression_values<R> values(of.leaves, time);
+    for (const R& each : given) {
+        values.push_back(each);
+    }
+    for (const expression& each : of.added) {
+        values.push_back(values.of(each));
+    }
+    return values.values();
+}
+
+/// The same and, column after column, their derivatives by the given ones.
+template <field R>
+std::vector<R> varied_values(const lifted_system& of, const R& time, const std::vector<R>& given) {
+    std::vector<R> result = lifted_values(of, time, given);
+    const std::size_t count = result.size();
+    expression_values<R> values(of.leaves, time);
+    for (const R& each : std::vector<R>(result)) {
+        values.push_back(each);
+    }
+    for (std::size_t j = 0; j < of.given; ++j) {
+        std::vector<R> derivatives;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i < of.given) {
+                derivatives.emplace_back(i == j ? 1 : 0);
+                continue;
+            }
+            R sum(0);
+            for (const auto& [k, by] : of.gradients[i - of.given]) {
+                sum += values.of(by) * derivatives[k];
+            }
+            derivatives.push_back(sum);
+        }
+        result.insert(result.end(), derivatives.begin(), derivatives.end());
+    }
+    return result;
+}
 
 }  // namespace libration::ode

@@ -190,7 +190,75 @@ private:
     std::unordered_map<const void*, std::pair<expression, expression>> done_;
 };
 
+// A function with one value for each of its argument.
+bool has_one_value(const expression& e) {
+    if (e.kind() == node_kind::quotient) {
+        return true;
+    }
+    if (e.kind() != node_kind::function) {
+        return false;
+    }
+    switch (e.function()) {
+        case elementary::log:
+        case elementary::sqrt:
+        case elementary::asin:
+        case elementary::acos:
+        case elementary::atan: return false;
+        default: return true;
+    }
+}
+
+// Of the variable.
+bool is_entire(const expression& e) {
+    switch (e.kind()) {
+        case node_kind::sum:
+        case node_kind::product: return is_entire(e.left()) && is_entire(e.right());
+        case node_kind::quotient: return is_entire(e.left()) && e.right().is_constant();
+        case node_kind::power: {
+            const auto exponent = e.right().fraction();
+            return e.left().is_constant() ||
+                   (is_entire(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0);
+        }
+        case node_kind::function:
+            switch (e.function()) {
+                case elementary::exp:
+                case elementary::sin:
+                case elementary::cos:
+                case elementary::sinh:
+                case elementary::cosh: return is_entire(e.left());
+                default: return e.is_constant();
+            }
+        default: return true;
+    }
+}
+
 }  // namespace
+
+lifted_system lifted_for_paths(const explicit_system& of) {
+    lifted_system once = lifted(of);
+    return std::ranges::all_of(once.added, has_one_value) ? once : lifted(once.system);
+}
+
+bool has_entire_solutions(const explicit_system& of) {
+    if (of.singular()) {
+        return false;
+    }
+    return std::ranges::all_of(of.right(), [&](const expression& right) {
+        for (const unknown_function& each : of.unknowns()) {
+            for (int j = 0; j < each.order; ++j) {
+                const expression leaf = unknown(each.name, j);
+                const expression by = partial(right, leaf);
+                if (by.has_unknowns() || !is_entire(by)) {
+                    return false;
+                }
+            }
+        }
+        const expression inhomogeneous = replaced(right, [](const expression& leaf) {
+            return leaf.kind() == node_kind::unknown ? std::optional(expression(0)) : std::nullopt;
+        });
+        return is_entire(inhomogeneous);
+    });
+}
 
 lifted_system lifted(const explicit_system& of) {
     if (of.singular()) {

@@ -25,7 +25,7 @@ struct tail_bound {
 
 /// A bound of |x| in the norm of the series.
 inline magnitude size_of(const ball& x) { return magnitude(x); }
-inline magnitude size_of(const complex_number<ball>& x) { return magnitude(x.re) + magnitude(x.im); }
+inline magnitude size_of(const complex_number<ball>& x) { return hypotenuse(magnitude(x.re), magnitude(x.im)); }
 
 /// Theorem T [THEOREMS: Banach's fixed point in the norm ||a|| = sum |a_n| rho^n]. For a polynomial system y' = f(t, y)
 /// of first order, rho = radius, p the exact polynomials of degree N = expansion.order(): where for some s >= 0 and all

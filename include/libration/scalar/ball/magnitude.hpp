@@ -73,6 +73,12 @@ public:
         mag_pow_ui(result.value_, a.value_, n);
         return result;
     }
+    /// At least sqrt(a^2 + b^2).
+    friend magnitude hypotenuse(const magnitude& a, const magnitude& b) {
+        magnitude result;
+        mag_hypot(result.value_, a.value_, b.value_);
+        return result;
+    }
     friend bool operator<(const magnitude& a, const magnitude& b) { return mag_cmp(a.value_, b.value_) < 0; }
     friend bool operator<=(const magnitude& a, const magnitude& b) { return mag_cmp(a.value_, b.value_) <= 0; }
 

@@ -1,13 +1,11 @@
 #include "libration/ode/proved/proved_march.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "libration/ode/step.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "set_values.hpp"
 
 namespace libration::ode {
 
@@ -19,128 +17,8 @@ constexpr long bits_below_the_set = 20;
 constexpr long widest_set = -24;
 // Of the bits of the map of errors, those that its truncation need not keep.
 constexpr long bits_below_truncation = 40;
-// R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
-constexpr std::array<unsigned long, 7> tried_parts{92, 85, 75, 60, 45, 30, 15};
-// Then halves of the last one: the last coefficients say too much where the solution is nearly a polynomial.
-constexpr int tried_halves = 16;
 // log2 of how much shorter the map of errors makes a step.
 constexpr double worth_more_terms = 0.3;
-
-long exponent_of(const magnitude& x) { return x.is_zero() ? std::numeric_limits<int>::min() : x.exponent(); }
-
-// 2^x rounded to 16 bits; how x comes about is no matter of the proof.
-magnitude power_of_two(double x) {
-    const double whole = std::floor(x);
-    return magnitude::of(static_cast<unsigned long>(std::exp2(x - whole + 15)), static_cast<long>(whole) - 15);
-}
-
-double log_of(const magnitude& x) {
-    const long exponent = exponent_of(x);
-    const double mantissa = mag_get_d((x * magnitude::of(1, -exponent)).handle());
-    return std::log2(mantissa) + static_cast<double>(exponent);
-}
-
-magnitude largest_of(const std::vector<ball>& values) {
-    magnitude result;
-    for (const ball& each : values) {
-        result = std::max(result, magnitude(each));
-    }
-    return result;
-}
-
-solution_state<ball> as_state(const std::vector<ball>& values) {
-    solution_state<ball> state;
-    for (const ball& each : values) {
-        state.push_back({each});
-    }
-    return state;
-}
-
-// log2 of the radius of convergence as the last coefficients have it; a large number where they are all 0.
-double estimated_radius(const taylor_expansion<ball>& of, std::size_t unknowns, const magnitude& size) {
-    double least = 1'000;
-    for (int n = of.order() - 1; n <= of.order(); ++n) {
-        magnitude largest;
-        for (std::size_t i = 0; i < unknowns; ++i) {
-            largest = std::max(largest, magnitude(of.coefficients(static_cast<int>(i))[n]));
-        }
-        if (!largest.is_zero()) {
-            least = std::min(least, (log_of(size) - log_of(largest)) / n);
-        }
-    }
-    return least;
-}
-
-std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<ball>& expansion, const ball& point,
-                                    double log_of_radius) {
-    magnitude radius;
-    for (const unsigned long part : tried_parts) {
-        radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
-        if (auto bound = bounded_tail(of, expansion, point, radius)) {
-            return bound;
-        }
-    }
-    for (int half = 0; half < tried_halves; ++half) {
-        radius *= magnitude::of(1, -1);
-        if (auto bound = bounded_tail(of, expansion, point, radius)) {
-            return bound;
-        }
-    }
-    return std::nullopt;
-}
-
-// All unknowns of the lifted system from the given ones.
-std::vector<ball> lifted_values(const lifted_system& of, const ball& time, const std::vector<ball>& given) {
-    expression_values<ball> values(of.leaves, time);
-    for (const ball& each : given) {
-        values.push_back(each);
-    }
-    for (const expression& each : of.added) {
-        values.push_back(values.of(each));
-    }
-    return values.values();
-}
-
-// The same and, column after column, their derivatives by the given ones.
-std::vector<ball> varied_values(const lifted_system& of, const ball& time, const std::vector<ball>& given) {
-    std::vector<ball> result = lifted_values(of, time, given);
-    const std::size_t count = result.size();
-    expression_values<ball> values(of.leaves, time);
-    for (const ball& each : std::vector<ball>(result)) {
-        values.push_back(each);
-    }
-    for (std::size_t j = 0; j < of.given; ++j) {
-        std::vector<ball> derivatives;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (i < of.given) {
-                derivatives.emplace_back(i == j ? 1 : 0);
-                continue;
-            }
-            ball sum(0);
-            for (const auto& [k, by] : of.gradients[i - of.given]) {
-                sum += values.of(by) * derivatives[k];
-            }
-            derivatives.push_back(sum);
-        }
-        result.insert(result.end(), derivatives.begin(), derivatives.end());
-    }
-    return result;
-}
-
-bool all_finite(const std::vector<ball>& values) {
-    return std::ranges::all_of(values, [](const ball& each) { return is_finite(each); });
-}
-
-std::vector<ball> enclosed_start(const explicit_system& system, long bits) {
-    const precision_scope scope(decimal_digits(bits));
-    std::vector<ball> values;
-    for (const auto& of_unknown : system.starts()) {
-        for (const number& each : of_unknown) {
-            values.push_back(constant_value<ball>::of(each));
-        }
-    }
-    return values;
-}
 
 }  // namespace
 

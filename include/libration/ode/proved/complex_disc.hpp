@@ -1,0 +1,92 @@
+// The solution of any system in the complex plane of time, proved: theorems T and V about any point of a path.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/lifted_system.hpp"
+#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/tail_bound.hpp"
+
+namespace libration::ode {
+
+using complex_ball = complex_number<ball>;
+
+/// An enclosure of the solution at the time t0 + offset, t0 the start:
+///     Re y_i in Re centre_i + 2^scales_i e_i,  Im y_i in Im centre_i + 2^scales_i e_(d+i),  e in the set of errors,
+/// centre and offset exact. The scales follow the sizes of the unknowns, which differ by powers of the distance near a
+/// singularity: there a frame without them would be no better than its worst unknown.
+struct complex_set {
+    complex_ball offset;
+    std::vector<complex_ball> centre;
+    std::vector<long> scales;
+    error_frame errors;
+};
+
+/// A system for complex times: what discs about points of its paths share.
+class complex_flow {
+public:
+    /// The working precision of the centres, and that of the maps of errors.
+    static constexpr long usual_error_bits = 96;
+
+    /// Throws error where the start is singular. Where the polynomial form of the system needs a function of several
+    /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice.
+    complex_flow(const explicit_system& system, long bits);
+
+    /// The start of the system.
+    complex_set start() const;
+    long bits() const { return bits_; }
+    /// How many unknowns, with lower derivatives, are the given ones; they come first.
+    std::size_t given() const { return given_; }
+
+private:
+    friend class complex_disc;
+
+    lifted_system lifted_;
+    tape tape_, varied_tape_;
+    std::size_t given_;
+    long bits_;
+    ball origin_;
+    std::vector<ball> start_;
+};
+
+/// Theorem T about a set, for its centre in many bits, and for the whole set with its variations in few: every
+/// solution that starts in the set is analytic in |s| < radius().
+class complex_disc {
+public:
+    /// Throws precision_exhausted where the set is too wide for any radius, or where a function of it is not finite.
+    complex_disc(const complex_flow& flow, complex_set about);
+
+    const complex_set& about() const { return set_; }
+    const magnitude& radius() const { return set_tail_->radius; }
+    /// Theorem V: the set at t0 + offset, |offset - about().offset| < radius(); offset exact.
+    complex_set moved_to(const complex_ball& offset) const;
+    /// An enclosure, over the whole set, of
+    ///     int ((t0 + z - t0 - centre)/scale)^power y_unknown dz
+    /// along the straight line from about().offset to `offset` inside the disc, `scale` exact and not 0.
+    complex_ball integral(std::size_t unknown, const complex_ball& offset, const complex_ball& centre,
+                          const ball& scale, int power) const;
+
+private:
+    ball_matrix scaled_map(const complex_ball& distance, const std::vector<long>& scales) const;
+
+    const complex_flow* flow_;
+    complex_set set_;
+    long bits_;
+    std::unique_ptr<taylor_expansion<complex_ball>> of_centre_, of_set_;
+    std::optional<tail_bound> tail_, set_tail_;
+};
+
+/// The enclosures of the unknowns over a set.
+std::vector<complex_ball> values_of(const complex_set& set);
+
+/// |z| of a ball, from above and from below.
+magnitude farthest_from_zero(const complex_ball& z);
+
+/// Whether |z| < r for every number of the ball.
+bool certainly_within(const complex_ball& z, const magnitude& r);
+
+}  // namespace libration::ode

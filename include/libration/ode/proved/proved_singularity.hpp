@@ -1,0 +1,41 @@
+// Singularities and the radius of convergence of any system, proved: what a search found, by theorems L and C.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "libration/ode/proved/radius_bounds.hpp"
+#include "libration/ode/singularity/singularity_map.hpp"
+
+namespace libration::ode {
+
+/// A singularity in a disc, and what showed it.
+struct proved_singularity {
+    complex_number<mpfr> centre;  ///< relative to the start
+    magnitude reach;              ///< the radius of the disc about it
+    loop_result evidence;
+};
+
+/// Theorem C for a singularity that was found to more digits: some path in a polygon within `reach` of its offset ends
+/// in a singularity of the branch that its path reaches. More bits are taken until the loop closes. Throws error of the
+/// kind undecided where none of the functionals excludes 0, or a million bits do not suffice.
+proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach);
+
+/// lower <= R <= upper.
+struct proved_radius {
+    /// No singularity at all, by the form of the equation.
+    bool infinite = false;
+    ball lower, upper;  ///< exact
+    covering cover;
+    int rotation = 1;
+    std::optional<found_singularity> nearest;
+    std::optional<proved_singularity> evidence;
+};
+
+/// The radius of convergence about the start of the unknowns and their lower derivatives, upper - lower < lower
+/// 10^-digits: the nearest singularity is found in rounded arithmetic, a loop next to it bounds R from above (theorem
+/// C) and a covering of the disc that does not reach it from below (theorem L). Throws error of the kind undecided with
+/// what is proved so far where one of them fails.
+proved_radius prove_radius(const explicit_system& system, long digits);
+
+}  // namespace libration::ode

@@ -1,0 +1,203 @@
+// The solution about a point of the complex plane of time in rounded arithmetic, and what its coefficients say of the
+// nearest singularity. Nothing here is proved.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/lifted_system.hpp"
+#include "libration/ode/taylor_expansion.hpp"
+
+namespace libration::ode {
+
+/// A system for paths in the plane: its polynomial form, which carries functions of several values along.
+struct path_system {
+    explicit path_system(const explicit_system& system)
+        : lifted(lifted_for_paths(system)), points(tape::about_points(lifted.system)), origin(system.point()) {
+        for (const auto& of_unknown : system.starts()) {
+            functions.push_back(starts.size());
+            starts.insert(starts.end(), of_unknown.begin(), of_unknown.end());
+        }
+        if (lifted.given != starts.size()) {
+            first = ode::lifted(system);
+        }
+    }
+
+    lifted_system lifted;
+    tape points;
+    number origin;
+    /// Of the unknowns and lower derivatives of the given system, in order: the first of the unknowns that are carried.
+    std::vector<number> starts;
+    /// Which of them are the unknowns themselves.
+    std::vector<std::size_t> functions;
+    /// The lifted system whose unknowns are all carried, where they are.
+    std::optional<lifted_system> first;
+};
+
+/// The nearest singularity as ratios of coefficients have it.
+template <rounding_scalar T>
+struct nearest_estimate {
+    complex_number<T> distance;  ///< from the point of the series
+    double agreement;            ///< the relative difference of two estimates
+};
+
+/// The Taylor polynomials of the carried unknowns about t0 + offset.
+template <rounding_scalar T>
+class local_series {
+public:
+    using complex = complex_number<T>;
+
+    local_series(const path_system& of, int order)
+        : of_(&of), expansion_(of.points, order), origin_(constant_value<T>::of(of.origin)) {}
+
+    /// About the start.
+    void about_start() {
+        std::vector<complex> values;
+        for (const number& each : of_->starts) {
+            values.push_back(constant_value<complex>::of(each));
+        }
+        if (of_->first) {
+            values = lifted_values(*of_->first, complex(origin_), values);
+        }
+        about(complex(0), values);
+    }
+
+    void about(const complex& offset, const std::vector<complex>& values) {
+        offset_ = offset;
+        const complex time = complex(origin_) + offset;
+        solution_state<complex> state;
+        for (complex& each : lifted_values(of_->lifted, time, values)) {
+            state.push_back({std::move(each)});
+        }
+        expansion_.about(time, state);
+    }
+
+    const complex& offset() const { return offset_; }
+    int order() const { return expansion_.order(); }
+    /// How many unknowns are carried, and how many of them, the first ones, are given.
+    std::size_t carried() const { return of_->lifted.given; }
+    std::size_t given() const { return of_->starts.size(); }
+    const complex* coefficients(std::size_t unknown) const {
+        return expansion_.coefficients(static_cast<int>(unknown));
+    }
+
+    /// The carried unknowns at t0 + offset.
+    std::vector<complex> values_at(const complex& offset) const {
+        const complex distance = offset - offset_;
+        std::vector<complex> values;
+        for (std::size_t i = 0; i < carried(); ++i) {
+            const complex* const a = coefficients(i);
+            complex sum = a[order()];
+            for (int n = order() - 1; n >= 0; --n) {
+                sum = sum * distance + a[n];
+            }
+            values.push_back(std::move(sum));
+        }
+        return values;
+    }
+
+    /// log2 of the radius of convergence of the given unknowns, by the slope of log |a_n| between the middle and the
+    /// end; infinity where coefficients end. A symmetry may leave out all but every `stride`-th.
+    double log_of_radius(int stride = 1) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < given(); ++i) {
+            const auto end = largest_in(i, order() - std::max(3, stride), order());
+            const auto middle = largest_in(i, order() / 2 - std::max(3, stride), order() / 2);
+            if (end.first >= 0 && middle.first >= 0 && end.first > middle.first) {
+                least = std::min(least, (middle.second - end.second) / (end.first - middle.first));
+            }
+        }
+        return least;
+    }
+
+    /// Where one algebraic singularity z is nearest, (n + 1) a_{n+1}/a_n = (n - alpha)/z for y ~ (1 - s/z)^alpha: the
+    /// differences of neighbours are 1/z, right to O(n^-2), of which one step of Richardson's extrapolation over n and
+    /// n/2 takes the first term. Of all given unknowns the one where they agree best; nothing where none does.
+    std::optional<nearest_estimate<T>> nearest() const {
+        std::optional<nearest_estimate<T>> best;
+        for (std::size_t i = 0; i < given(); ++i) {
+            const auto found = nearest_by(i);
+            if (found && (!best || found->agreement < best->agreement)) {
+                best = found;
+            }
+        }
+        return best;
+    }
+
+    /// alpha of unknown i for a singularity at `distance` from the point, extrapolated once over n and n/2.
+    complex exponent(std::size_t unknown, const complex& distance) const {
+        const auto at = [&](int n) {
+            const complex ratio = ratio_of(unknown, n);
+            return complex(T(n)) - ratio * distance;
+        };
+        const int n = order() - 1;
+        const int half = order() / 2;
+        return (at(n) * T(n) - at(half) * T(half)) / T(n - half);
+    }
+
+private:
+    // (n + 1) a_{n+1}/a_n.
+    complex ratio_of(std::size_t unknown, int n) const {
+        const complex* const a = coefficients(unknown);
+        return a[n + 1] / a[n] * T(n + 1);
+    }
+
+    static double log_of(const complex& z) {
+        const long exponent = std::max(binary_exponent(z.re), binary_exponent(z.im));
+        if (exponent == exponent_of_zero) {
+            return -std::numeric_limits<double>::infinity();
+        }
+        using std::ldexp;
+        const T scaled = modulus_of(
+            complex{T(ldexp(z.re, static_cast<int>(-exponent))), T(ldexp(z.im, static_cast<int>(-exponent)))});
+        return std::log2(static_cast<double>(scaled)) + static_cast<double>(exponent);
+    }
+
+    // The place and log2 of the largest coefficient of degree from < n <= to.
+    std::pair<int, double> largest_in(std::size_t unknown, int from, int to) const {
+        std::pair<int, double> found{-1, -std::numeric_limits<double>::infinity()};
+        for (int n = std::max(1, from + 1); n <= to; ++n) {
+            const double size = log_of(coefficients(unknown)[n]);
+            if (size > found.second) {
+                found = {n, size};
+            }
+        }
+        return found;
+    }
+
+    std::optional<nearest_estimate<T>> nearest_by(std::size_t unknown) const {
+        const complex* const a = coefficients(unknown);
+        const int n = order() - 1;
+        const int half = order() / 2;
+        for (const int k : {n + 1, n, n - 1, n - 2, half + 1, half, half - 1}) {
+            if (a[k].re == 0 && a[k].im == 0) {
+                return std::nullopt;
+            }
+        }
+        const complex last = ratio_of(unknown, n) - ratio_of(unknown, n - 1);
+        const complex before = ratio_of(unknown, n - 1) - ratio_of(unknown, n - 2);
+        const complex middle = ratio_of(unknown, half) - ratio_of(unknown, half - 1);
+        const T of_n(static_cast<double>(n) * n);
+        const T of_half(static_cast<double>(half) * half);
+        const complex inverse = (last * of_n - middle * of_half) / T(of_n - of_half);
+        const T size = modulus_of(inverse);
+        if (!(size > 0)) {
+            return std::nullopt;
+        }
+        const double spread = static_cast<double>(T(modulus_of(last - before) / size));
+        const double correction = static_cast<double>(T(modulus_of(last - inverse) / size));
+        return nearest_estimate<T>{complex(T(1)) / inverse, std::max(spread * n / 8, correction)};
+    }
+
+    const path_system* of_;
+    taylor_expansion<complex> expansion_;
+    T origin_;
+    complex offset_;
+};
+
+}  // namespace libration::ode

@@ -1,0 +1,74 @@
+#include "equation/problem_radius.hpp"
+
+#include <fmt/format.h>
+
+#include "libration/ode/first_order_form.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "text/cell.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr long digits_of_place = 12;
+constexpr long most_more_digits = 6;
+
+struct outward_bounds {
+    decimal_parts lower, upper;
+};
+
+// As few digits as keep upper - lower below lower 10^-digits.
+outward_bounds outwards(const ode::proved_radius& radius, long digits) {
+    const precision_scope scope(digits + 40);
+    const mpfr lower = midpoint_of(radius.lower);
+    const mpfr upper = midpoint_of(radius.upper);
+    for (long more = 1;; ++more) {
+        const outward_bounds made{parts_of(lower, digits + more, MPFR_RNDD), parts_of(upper, digits + more, MPFR_RNDU)};
+        const ball gap = made.upper.value() - made.lower.value();
+        if (more >= most_more_digits || certainly_less(gap * pow(ball(10), digits), made.lower.value())) {
+            return made;
+        }
+    }
+}
+
+std::string at_words(const complex_number<mpfr>& z) {
+    if (z.im == 0) {
+        return to_decimal(z.re, digits_of_place);
+    }
+    return fmt::format("{} {} {}i", to_decimal(z.re, digits_of_place), z.im < 0 ? "-" : "+",
+                       to_decimal(mpfr(abs(z.im)), digits_of_place));
+}
+
+}  // namespace
+
+std::string words_of_evidence(const ode::explicit_system& system, const ode::loop_result& loop) {
+    const std::string name = ode::first_order_form(system).names[loop.unknown];
+    if (loop.evidence == ode::loop_evidence::change) {
+        return name + " is another after a turn round it";
+    }
+    return loop.power == 0 ? fmt::format("the round integral of {} is not 0", name)
+                           : fmt::format("the round integral of (t - t*)^{} {} is not 0", loop.power, name);
+}
+
+proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits) {
+    const ode::proved_radius radius = ode::prove_radius(system, digits);
+    proved_radius_answer answer{table({{"lower", ""}, {"upper", ""}, {"digits", ""}, {"rigour", ""}}), ""};
+    if (radius.infinite) {
+        answer.data.add_row({cell::number("inf", digits), cell::number("inf", digits), digits, "proved"});
+        answer.text = "radius  inf  proved: the equation is linear with entire coefficients\n";
+        return answer;
+    }
+    const outward_bounds bounds = outwards(radius, digits);
+    const std::string lower = bounds.lower.text();
+    const std::string upper = bounds.upper.text();
+    answer.data.add_row({number_cell(lower), number_cell(upper), digits, "proved"});
+    answer.text = fmt::format("lower  {}  proved: {} discs cover |t - t0| <= R{}\n", lower, radius.cover.discs.size(),
+                              radius.rotation > 1 ? fmt::format(" but for turns by 1/{}", radius.rotation) : "") +
+                  fmt::format("upper  {}  proved: a singularity within {} of {}, for {}\n", upper,
+                              upper_bound_text(radius.evidence->reach.exact()), at_words(radius.evidence->centre),
+                              words_of_evidence(system, radius.evidence->evidence));
+    return answer;
+}
+
+}  // namespace libration

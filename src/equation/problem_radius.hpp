@@ -1,0 +1,24 @@
+// Proved bounds of the radius of convergence of any differential equation as a table and in words.
+#pragma once
+
+#include <string>
+
+#include "libration/ode/proved/radius_bounds.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+/// lower,upper,digits,rigour, and how it was proved for people.
+struct proved_radius_answer {
+    table data;
+    std::string text;
+};
+
+/// The bounds agree to so many digits (ode::prove_radius), and are printed outwards; inf, inf for a linear equation
+/// with entire coefficients. Throws error of the kind undecided with what is proved, where that is less.
+proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits);
+
+/// What shows that a loop has a singularity in it, in words.
+std::string words_of_evidence(const ode::explicit_system& system, const ode::loop_result& loop);
+
+}  // namespace libration

@@ -1,0 +1,190 @@
+// libration singularities: the map of the complex plane of time, of any problem.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "equation/problem_options.hpp"
+#include "equation/problem_radius.hpp"
+#include "libration/ode/first_order_form.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/constants.hpp"
+#include "option/options.hpp"
+#include "option/subcommand.hpp"
+#include "run/progress.hpp"
+#include "text/cell.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr long usual_digits = 15;
+constexpr long most_digits = 1000;
+constexpr long uncertainty_digits = 3;
+constexpr int exponent_digits = 9;
+
+struct singularities_options {
+    problem_options problem;
+    output_options output;
+    std::optional<std::string> within, digits;
+    bool prove = false;
+};
+
+// Rounding errors of what is 0 or whole do not show.
+double tidied(double x) {
+    const double nearest = std::round(x);
+    return std::abs(x - nearest) < 1e-7 * std::max(1.0, std::abs(x)) ? nearest + 0.0 : x;
+}
+
+cell small_cell(double x) { return number_cell(fmt::format("{:.{}g}", tidied(x), exponent_digits)); }
+
+std::string complex_words(const std::complex<double>& z) {
+    const double re = tidied(z.real());
+    const double im = tidied(z.imag());
+    return im == 0 ? fmt::format("{:.9g}", re) : fmt::format("{:.9g}{:+.9g}i", re, im);
+}
+
+std::string joined(const std::vector<std::complex<double>>& all) {
+    std::string words;
+    for (const auto& each : all) {
+        words += (words.empty() ? "" : " ") + complex_words(each);
+    }
+    return words;
+}
+
+std::vector<column> columns_of_map() {
+    return {{"position_re", "time of the singularity, real part"},
+            {"position_im", "time of the singularity, imaginary part"},
+            {"modulus", "distance from the start"},
+            {"uncertainty", "how far off it may be"},
+            {"kind", "pole, with branches, algebraic, logarithm or complex power"},
+            {"exponent_re", "exponent p of the leading behaviour, real part"},
+            {"exponent_im", "imaginary part"},
+            {"rigour", "proved: of the place alone; the kind is heuristic"},
+            {"unknown", "the unknown with that behaviour"},
+            {"coefficient_re", "c in c (t - t*)^p, or c (1 - (t - t0)/(t* - t0))^p where p is no whole number"},
+            {"coefficient_im", "imaginary part"},
+            {"resonances", "r: perturbations grow like (t - t*)^(p + r)"},
+            {"evidence", "what proves it"}};
+}
+
+table map_table(const singularities_options& options, const ode::explicit_system& system,
+                const ode::singularity_map& map, long digits) {
+    table data(columns_of_map());
+    const auto names = ode::first_order_form(system).names;
+    const precision_scope scope(digits + 30);
+    const mpfr origin = ode::constant_value<mpfr>::of(system.point());
+    progress shown("singularities", map.all.size());
+    std::vector<std::pair<complex_number<mpfr>, ode::proved_singularity>> done;
+    for (const auto& each : map.all) {
+        const mpfr modulus = modulus_of(each.offset);
+        std::string uncertainty = to_decimal(each.uncertainty, uncertainty_digits);
+        std::string evidence;
+        if (options.prove) {
+            // The mirror image of a proved one is proved.
+            const ode::proved_singularity* known = nullptr;
+            for (const auto& [place, proof] : done) {
+                known = place.re == each.offset.re && place.im == -each.offset.im ? &proof : known;
+            }
+            if (known == nullptr) {
+                mpfr reach = pow(mpfr(10), -static_cast<int>(digits)) / 2;
+                reach = modulus < 1 ? mpfr(reach * modulus) : reach;
+                done.emplace_back(each.offset, ode::prove_singularity(system, each, reach));
+                known = &done.back().second;
+            }
+            evidence = words_of_evidence(system, known->evidence);
+            uncertainty = upper_bound_text(known->reach.exact());
+        }
+        data.add_row({decimal_cell(mpfr(origin + each.offset.re), digits), decimal_cell(each.offset.im, digits),
+                      decimal_cell(modulus, digits), number_cell(uncertainty),
+                      ode::words_of(each.kind, each.exponent.real()), small_cell(each.exponent.real()),
+                      small_cell(each.exponent.imag()), options.prove ? "proved" : "heuristic", names[each.unknown],
+                      small_cell(each.coefficient.real()), small_cell(each.coefficient.imag()), joined(each.resonances),
+                      evidence});
+        shown.step();
+    }
+    return data;
+}
+
+std::string text_of(const table& data, const ode::singularity_map& map) {
+    std::string text;
+    if (map.entire) {
+        return "none: the equation is linear with entire coefficients\n";
+    }
+    for (const auto& row : data.rows()) {
+        const bool real = row[1].text() == "0";
+        text +=
+            fmt::format("{}{}  +- {}  {}  {}: {}, exponent {}{}, coefficient {}\n", row[0].text(),
+                        real ? ""
+                             : fmt::format(" {} {}i", row[1].text().starts_with("-") ? "-" : "+",
+                                           row[1].text().substr(row[1].text().starts_with("-") ? 1 : 0)),
+                        row[3].text(), row[7].text(), row[8].text(), row[4].text(), row[5].text(),
+                        row[6].text() == "0" ? "" : fmt::format(" + {}i", row[6].text()),
+                        row[10].text() == "0" ? row[9].text() : fmt::format("{} + {}i", row[9].text(), row[10].text()));
+        if (!row[11].is_empty()) {
+            text += fmt::format("    resonances {}\n", row[11].text());
+        }
+        if (!row[12].is_empty()) {
+            text += fmt::format("    {}\n", row[12].text());
+        }
+    }
+    return text + fmt::format(
+                      "within {:.6g} of the start, on the branch that is reached along rays from it; {} points "
+                      "of expansion{}\n",
+                      map.within, map.points,
+                      map.complete ? ""
+                                   : fmt::format(", {} cells of the plane not explained: singularities "
+                                                 "accumulate, perhaps a natural boundary",
+                                                 map.unexplained));
+}
+
+int run_singularities(const singularities_options& options) {
+    options.output.check();
+    if (!options.problem.given()) {
+        options.problem.require_problem();
+        throw input_error("no problem is given: add --problem P");
+    }
+    const ode::explicit_system system = options.problem.choose();
+    const long digits = options.digits ? digits_of(options.digits) : usual_digits;
+    if (digits > most_digits) {
+        throw input_error("--digits", *options.digits, "is more than 1000", "write a smaller number");
+    }
+    ode::singularity_request request;
+    request.digits = options.prove ? digits + 3 : digits;
+    if (options.within) {
+        const exact within = positive_number_of("--within", *options.within);
+        request.within = from_exact<double>(within);
+    }
+    const auto map = naming_option("--problem", [&] { return ode::singularities_of(system, request); });
+    if (map.all.empty() && !map.entire && !options.within) {
+        throw error(
+            error_kind::undecided, "--problem", *options.problem.problem(),
+            fmt::format("shows no singularity within {:.6g} of its start: --within RHO looks further out", map.within));
+    }
+    const table data = map_table(options, system, map, digits);
+    options.output.write(data, text_of(data, map));
+    return 0;
+}
+
+}  // namespace
+
+subcommand singularities_command(CLI::App& program) {
+    const auto options = std::make_shared<singularities_options>();
+    CLI::App* command = program.add_subcommand(
+        "singularities", "the singularities of any problem in the complex plane of time, proved on request");
+    options->problem.add_to(*command);
+    options->output.add_to(*command);
+    command
+        ->add_option("--within", options->within,
+                     "the distance from the start; twice the nearest where it is not given")
+        ->type_name("RHO");
+    command->add_flag("--prove", options->prove, "encloses each in a disc of radius 10^-D (theorem C)");
+    command->add_option("--digits", options->digits, "digits of the positions (15)")->type_name("D");
+    return {command, [options] { return run_singularities(*options); }};
+}
+
+}  // namespace libration

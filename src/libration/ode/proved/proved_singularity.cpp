@@ -1,0 +1,136 @@
+#include "libration/ode/proved/proved_singularity.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "needed_bits.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long guard_bits = 48;
+constexpr int most_attempts = 6;
+constexpr long shown_digits = 12;
+// Weights of the round integrals beyond the order of a pole that was seen.
+constexpr int largest_power = 8;
+
+ball exact_ball(const mpfr& x) {
+    ball result;
+    arf_set_mpfr(arb_midref(result.handle()), handle(x));
+    return result;
+}
+
+complex_ball exact_ball(const complex_number<mpfr>& z) { return {exact_ball(z.re), exact_ball(z.im)}; }
+
+magnitude magnitude_of(const mpfr& x) { return magnitude(exact_ball(x)); }
+
+int weights_for(const found_singularity& found) {
+    int order = 1;
+    for (const auto& each : found.exponents) {
+        order = std::max(order, static_cast<int>(std::min(-each.real(), 1.0 * largest_power)));
+    }
+    return order - 1;
+}
+
+[[noreturn]] void fail(const std::string& why) { throw error(error_kind::undecided, "problem", "", why); }
+
+std::string shown(const mpfr& x) { return to_decimal(x, shown_digits); }
+
+// More bits until a proof closes, or gives another answer than "too few bits".
+template <class Prove>
+auto with_enough_bits(long digits, const Prove& prove) {
+    long bits = bits_of_digits(digits) + guard_bits;
+    for (int attempt = 0;; ++attempt) {
+        try {
+            return prove(bits);
+        } catch (const precision_exhausted&) {
+            if (attempt >= most_attempts) {
+                throw;
+            }
+            bits = bits + bits / 2;
+        }
+    }
+}
+
+proved_singularity prove_along(const explicit_system& system, const found_singularity& found,
+                               const std::vector<complex_ball>& corners, const mpfr& reach) {
+    const precision_scope wide(static_cast<int>(mpfr_get_prec(handle(found.offset.re)) * 30103L / 100'000L) + 2);
+    const mpfr size = modulus_of(found.offset);
+    const long digits = -static_cast<long>(floor(log10(mpfr(reach / size))));
+    const complex_ball centre = exact_ball(found.offset);
+    try {
+        const loop_result loop = with_enough_bits(std::max(digits, 1L) + 4, [&](long bits) {
+            const complex_flow flow(system, bits);
+            const loop_result made = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
+            if (made.evidence == loop_evidence::none) {
+                throw precision_exhausted("a loop");
+            }
+            return made;
+        });
+        return {found.offset, loop.reach, loop};
+    } catch (const precision_exhausted&) {
+        fail("is not proved to have a singularity near " + shown(found.offset.re) + " + " + shown(found.offset.im) +
+             "i: no change or integral round it is told from 0");
+    }
+}
+
+}  // namespace
+
+proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach) {
+    std::vector<complex_ball> corners;
+    for (const auto& each : found.path) {
+        corners.push_back(exact_ball(complex_number<mpfr>{mpfr(each.real()), mpfr(each.imag())}));
+    }
+    return prove_along(system, found, corners, reach);
+}
+
+proved_radius prove_radius(const explicit_system& system, long digits) {
+    proved_radius result;
+    if (has_entire_solutions(system)) {
+        result.infinite = true;
+        return result;
+    }
+    const long place_digits = digits + 6;
+    singularity_request request;
+    request.digits = place_digits;
+    request.nearest_alone = true;
+    const singularity_map map = singularities_of(system, request);
+    if (map.all.empty()) {
+        fail("shows no singularity within " + std::to_string(map.within) +
+             " of its start, so that nothing bounds its radius from above");
+    }
+    const precision_scope scope(static_cast<int>(place_digits) + 20);
+    const found_singularity& nearest = map.all.front();
+    const mpfr size = modulus_of(nearest.offset);
+    const mpfr gap = size * pow(mpfr(10), -static_cast<int>(digits)) / 4;
+    result.rotation = symmetry_of(system).rotation;
+    result.nearest = nearest;
+    // Straight from the start: nothing nearer is in the way.
+    result.evidence = prove_along(system, nearest, {}, gap);
+    result.upper = result.evidence->evidence.farthest;
+    const ball rho = exact_ball(mpfr(size - gap));
+    covering_limits limits;
+    limits.finest_bits = bits_of_digits(digits) + 8;
+    covering found;
+    long bits = bits_of_digits(digits) + guard_bits;
+    for (int attempt = 0; attempt < most_attempts && !found.complete; ++attempt) {
+        const complex_flow flow(system, bits);
+        found = covered_disc(flow, rho, {result.rotation}, limits);
+        bits += bits / 2;
+    }
+    if (!found.complete) {
+        fail("has a radius of at most " + shown(midpoint_of(result.upper)) + " and at least " +
+             (is_finite(found.covered) ? shown(midpoint_of(found.covered)) : "0") +
+             ", both proved; more is not: " + found.reason);
+    }
+    result.lower = rho;
+    result.cover = std::move(found);
+    return result;
+}
+
+}  // namespace libration::ode

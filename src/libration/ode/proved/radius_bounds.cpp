@@ -1,0 +1,306 @@
+#include "libration/ode/proved/radius_bounds.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr int loop_corners = 16;
+// Of a radius: paths go so far in one step.
+constexpr unsigned long step_part = 19'660;  // 0.6 of 2^15
+constexpr long most_path_discs = 20'000;
+
+std::complex<double> rounded(const complex_ball& z) {
+    return {arf_get_d(arb_midref(z.re.handle()), ARF_RND_NEAR), arf_get_d(arb_midref(z.im.handle()), ARF_RND_NEAR)};
+}
+
+complex_ball rounded_exact(const complex_ball& z) { return {exact_midpoint(z.re), exact_midpoint(z.im)}; }
+
+complex_ball difference(const complex_ball& a, const complex_ball& b) {
+    complex_ball result;
+    arb_sub(result.re.handle(), a.re.handle(), b.re.handle(), ARF_PREC_EXACT);
+    arb_sub(result.im.handle(), a.im.handle(), b.im.handle(), ARF_PREC_EXACT);
+    return result;
+}
+
+// exp(2 pi i turn) for an exact part of a turn.
+complex_ball unit_at(const ball& turn) {
+    complex_ball result;
+    const ball twice = ldexp(turn, 1);
+    arb_sin_cos_pi(result.im.handle(), result.re.handle(), twice.handle(), ball::working_bits());
+    return result;
+}
+
+// A fan r1 <= |z| <= r2, turns t1 .. t2 of 2 pi; all exact.
+struct polar_cell {
+    ball r1, r2, t1, t2;
+};
+
+class covering_search {
+public:
+    covering_search(const complex_flow& flow, ball rho, const plane_symmetry& symmetry, const covering_limits& limits)
+        : flow_(flow), rho_(std::move(rho)), limits_(limits) {
+        finest_ = magnitude(rho_) * magnitude::of(1, -limits.finest_bits);
+        // Beyond the axis of symmetry, for the end has to be exact.
+        last_turn_ = ball(1) / ball(2 * symmetry.rotation) + ldexp(ball(1), -40L);
+        last_turn_ = exact_midpoint(last_turn_);
+    }
+
+    covering result() {
+        covering found;
+        try {
+            discs_.push_back(std::make_unique<complex_disc>(flow_, flow_.start()));
+            note(*discs_.back());
+            const ball inner = exact_midpoint(ldexp(discs_.front()->radius().exact() * 3, -2));
+            nearest_missing_ = inner;
+            found.complete = !certainly_less(inner, rho_) || cover({inner, rho_, ball(0), last_turn_});
+            found.covered = found.complete ? rho_ : nearest_missing_;
+            found.reason = reason_;
+        } catch (const precision_exhausted&) {
+            found.reason = "the start has no proved radius with so many bits";
+            found.covered = ball(0);
+        }
+        found.discs = std::move(made_);
+        return found;
+    }
+
+private:
+    // Depth first: the discs of the cells that hold this one are those that paths go through.
+    bool cover(const polar_cell& cell) {
+        for (std::size_t i = discs_.size(); i-- > 0;) {
+            if (holds(*discs_[i], cell, i == 0)) {
+                return true;
+            }
+        }
+        const auto centre = inner_middle(cell);
+        if (!add_disc(centre)) {
+            nearest_missing_ = cell.r1;
+            return false;
+        }
+        const bool whole = holds(*discs_.back(), cell, false) || cover_parts(cell);
+        discs_.pop_back();
+        return whole;
+    }
+
+    bool cover_parts(const polar_cell& cell) {
+        const ball length = cell.r2 - cell.r1;
+        const ball width = (cell.t2 - cell.t1) * 6 * cell.r2;
+        if (magnitude(length) < finest_ && magnitude(width) < finest_) {
+            reason_ = "the discs become as small as the cells: a singularity is near";
+            nearest_missing_ = cell.r1;
+            return false;
+        }
+        const ball middle = exact_half(cell.r1, cell.r2);
+        const ball turn = exact_half(cell.t1, cell.t2);
+        if (certainly_less(ball(length * 2), width)) {
+            return cover({cell.r1, cell.r2, cell.t1, turn}) && cover({cell.r1, cell.r2, turn, cell.t2});
+        }
+        if (certainly_less(ball(width * 2), length)) {
+            return cover({cell.r1, middle, cell.t1, cell.t2}) && cover({middle, cell.r2, cell.t1, cell.t2});
+        }
+        return cover({cell.r1, middle, cell.t1, turn}) && cover({cell.r1, middle, turn, cell.t2}) &&
+               cover({middle, cell.r2, cell.t1, turn}) && cover({middle, cell.r2, turn, cell.t2});
+    }
+
+    static ball exact_half(const ball& a, const ball& b) { return exact_midpoint(ldexp(a + b, -1L)); }
+
+    // On the bisector, a little inside the inner arc, so that its modulus is no larger whatever its rounding.
+    complex_ball inner_middle(const polar_cell& cell) const {
+        const ball inside = cell.r1 - ldexp(cell.r2 - cell.r1, -6L);
+        const complex_ball way = unit_at(exact_half(cell.t1, cell.t2));
+        return rounded_exact(way * inside);
+    }
+
+    // The four corners in the open disc, and its centre no farther from 0 than the cell.
+    static bool holds(const complex_disc& disc, const polar_cell& cell, bool about_start) {
+        const complex_ball& c = disc.about().offset;
+        if (about_start) {
+            return certainly_less(cell.r2, disc.radius().exact());
+        }
+        if (!certainly_less(ball(c.re * c.re + c.im * c.im), ball(cell.r1 * cell.r1))) {
+            return false;
+        }
+        for (const ball* turn : {&cell.t1, &cell.t2}) {
+            const complex_ball way = unit_at(*turn);
+            for (const ball* r : {&cell.r2, &cell.r1}) {
+                if (!certainly_within(way * *r - c, disc.radius())) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    // By a step from the disc that holds the centre best, of those whose centres are no farther from 0.
+    bool add_disc(const complex_ball& centre) {
+        if (static_cast<long>(made_.size()) >= limits_.most_discs) {
+            reason_ = "it takes more than " + std::to_string(limits_.most_discs) + " discs";
+            return false;
+        }
+        const complex_disc* best = nullptr;
+        magnitude least(1U);
+        const ball farthest = centre.re * centre.re + centre.im * centre.im;
+        for (const auto& each : discs_) {
+            const complex_ball& c = each->about().offset;
+            const magnitude part = size_of(difference(centre, c)) / each->radius();
+            const bool inside = certainly_less(ball(c.re * c.re + c.im * c.im), farthest);
+            if (inside && part < least) {
+                least = part;
+                best = each.get();
+            }
+        }
+        if (best == nullptr) {
+            reason_ = "the discs become too small: a singularity is near, or the bits do not suffice";
+            return false;
+        }
+        try {
+            discs_.push_back(std::make_unique<complex_disc>(flow_, best->moved_to(centre)));
+        } catch (const precision_exhausted&) {
+            reason_ = "the bits do not suffice near a singularity";
+            return false;
+        }
+        note(*discs_.back());
+        return true;
+    }
+
+    void note(const complex_disc& disc) {
+        made_.push_back({rounded(disc.about().offset), mag_get_d(disc.radius().handle())});
+    }
+
+    const complex_flow& flow_;
+    ball rho_;
+    covering_limits limits_;
+    magnitude finest_;
+    ball last_turn_;
+    std::vector<std::unique_ptr<complex_disc>> discs_;  // those of the cells that hold the present one
+    std::vector<covering_disc> made_;
+    ball nearest_missing_;
+    std::string reason_;
+};
+
+bool certainly_not_zero(const complex_ball& z) { return !contains_zero(z.re) || !contains_zero(z.im); }
+
+// A march by discs, each a step inside the one before.
+class disc_path {
+public:
+    explicit disc_path(const complex_flow& flow)
+        : flow_(flow), now_(std::make_unique<complex_disc>(flow, flow.start())) {}
+
+    // In steps of 0.6 of a radius; each(disc, offset) sees every one.
+    template <class Each>
+    void go_to(const complex_ball& target, const Each& each) {
+        while (true) {
+            const complex_ball rest = difference(target, now_->about().offset);
+            const magnitude away = size_of(rest);
+            const magnitude longest = now_->radius() * magnitude::of(step_part, -15);
+            const bool last = away <= longest;
+            if (away.is_zero()) {
+                return;
+            }
+            complex_ball next = target;
+            if (!last) {
+                const ball part = longest.exact() / away.exact();
+                next = rounded_exact(now_->about().offset + rest * part);
+            }
+            if (++discs_ > most_path_discs) {
+                throw precision_exhausted("a path");
+            }
+            each(*now_, next);
+            const ball modulus = upper_bound(sqrt(ball(next.re * next.re + next.im * next.im)));
+            farthest_ = certainly_less(modulus, farthest_) ? farthest_ : modulus;
+            now_ = std::make_unique<complex_disc>(flow_, now_->moved_to(next));
+            if (last) {
+                return;
+            }
+        }
+    }
+
+    const complex_disc& now() const { return *now_; }
+    const ball& farthest() const { return farthest_; }
+    long discs() const { return discs_; }
+
+private:
+    const complex_flow& flow_;
+    std::unique_ptr<complex_disc> now_;
+    ball farthest_;
+    long discs_ = 1;
+};
+
+}  // namespace
+
+plane_symmetry symmetry_of(const explicit_system& system) { return {std::max(1, tape::about_start(system).stride())}; }
+
+covering covered_disc(const complex_flow& flow, const ball& rho, const plane_symmetry& symmetry,
+                      const covering_limits& limits) {
+    const precision_scope scope(decimal_digits(flow.bits()));
+    return covering_search(flow, rho, symmetry, limits).result();
+}
+
+loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>& corners, const complex_ball& centre,
+                       const magnitude& reach, int most_power) {
+    const precision_scope scope(decimal_digits(flow.bits()));
+    loop_result result;
+    disc_path path(flow);
+    const auto none = [](const complex_disc&, const complex_ball&) {};
+    for (const complex_ball& each : corners) {
+        path.go_to(each, none);
+    }
+    // The polygon begins on the side from which the path comes.
+    const complex_ball from = path.now().about().offset;
+    const complex_ball back = from - centre;
+    const ball distance = sqrt(ball(back.re * back.re + back.im * back.im));
+    const complex_ball first = rounded_exact(back / distance * reach.exact());
+    std::vector<complex_ball>& polygon = result.polygon;
+    for (int k = 0; k <= loop_corners; ++k) {
+        const complex_ball turned = first * unit_at(ball(k % loop_corners) / ball(loop_corners));
+        polygon.push_back(rounded_exact(centre + turned));
+    }
+    path.go_to(polygon.front(), none);
+    result.reach = size_of(difference(polygon.front(), centre));
+    const std::vector<complex_ball> before = values_of(path.now().about());
+    const std::size_t powers = static_cast<std::size_t>(most_power) + 1;
+    std::vector<complex_ball> sums(flow.given() * powers, complex_ball(0));
+    for (std::size_t k = 1; k < polygon.size(); ++k) {
+        path.go_to(polygon[k], [&](const complex_disc& disc, const complex_ball& to) {
+            result.reach = std::max(result.reach, size_of(difference(to, centre)));
+            for (std::size_t i = 0; i < flow.given(); ++i) {
+                for (std::size_t power = 0; power < powers; ++power) {
+                    complex_ball& sum = sums[i * powers + power];
+                    sum = sum + disc.integral(i, to, centre, reach.exact(), static_cast<int>(power));
+                }
+            }
+        });
+    }
+    result.farthest = path.farthest();
+    result.discs = path.discs();
+    const std::vector<complex_ball> after = values_of(path.now().about());
+    for (std::size_t i = 0; i < flow.given(); ++i) {
+        for (std::size_t power = 0; power < powers; ++power) {
+            if (certainly_not_zero(sums[i * powers + power])) {
+                result.evidence = loop_evidence::integral;
+                result.unknown = i;
+                result.power = static_cast<int>(power);
+                result.value = sums[i * powers + power];
+                return result;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < flow.given(); ++i) {
+        const complex_ball change = after[i] - before[i];
+        if (certainly_not_zero(change)) {
+            result.evidence = loop_evidence::change;
+            result.unknown = i;
+            result.value = change;
+            return result;
+        }
+    }
+    return result;
+}
+
+}  // namespace libration::ode

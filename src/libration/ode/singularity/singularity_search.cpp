@@ -1,0 +1,375 @@
+#include "singularity_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace libration::ode {
+
+namespace {
+
+constexpr int order = 44;
+// Of a radius: how far values are taken, and how far the series is believed to converge.
+constexpr double step_part = 0.5;
+constexpr double disc_part = 0.8;
+constexpr int loop_points = 16;
+// Relative change of the unknowns after a turn that is no rounding.
+constexpr double least_change = 1e-6;
+// Ratios that agree so far point at one singularity.
+constexpr double good_agreement = 0.03;
+constexpr double better_agreement = 0.003;
+constexpr int most_intermediate_points = 40;
+constexpr double least_progress = 0.95;
+constexpr double least_cell = 1e-4;
+constexpr int polishing_steps = 10;
+constexpr double polishing_part = 0.5;
+constexpr double axis_part = 1e-3;
+
+complex_number<double> number_of(const plane_point& z) { return {z.real(), z.imag()}; }
+plane_point point_of(const complex_number<double>& z) { return {z.re, z.im}; }
+
+}  // namespace
+
+singularity_search::singularity_search(const path_system& of, int rotation, long most_points)
+    : of_(of), rotation_(rotation), most_points_(most_points), series_(of, order) {
+    series_.about_start();
+    std::vector<complex> values;
+    for (std::size_t i = 0; i < series_.carried(); ++i) {
+        values.push_back(series_.coefficients(i)[0]);
+    }
+    expand({0, 0}, values, -1);
+}
+
+void singularity_search::expand(const plane_point& at, const std::vector<complex>& values, int parent) {
+    series_.about(number_of(at), values);
+    point made{at, std::exp2(series_.log_of_radius(parent < 0 ? std::max(2, rotation_) : 1)), {}, parent};
+    for (std::size_t i = 0; i < series_.carried(); ++i) {
+        const complex* const a = series_.coefficients(i);
+        made.coefficients.emplace_back(a, a + order + 1);
+    }
+    if (std::isnan(made.radius) || !(made.radius > 0)) {
+        made.radius = 0;
+    }
+    points_.push_back(std::move(made));
+}
+
+std::vector<complex_number<double>> singularity_search::values_at(const point& of, const plane_point& at) const {
+    const complex s = number_of(at - of.at);
+    std::vector<complex> values;
+    for (const auto& a : of.coefficients) {
+        complex sum = a.back();
+        for (std::size_t n = a.size() - 1; n-- > 0;) {
+            sum = sum * s + a[n];
+        }
+        values.push_back(sum);
+    }
+    return values;
+}
+
+// Behind a branch point, as seen from the start, the plane is cut.
+bool singularity_search::crosses_cut(const plane_point& from, const plane_point& to) const {
+    return std::ranges::any_of(found_, [&](const candidate& each) {
+        if (each.single_valued) {
+            return false;
+        }
+        // In the frame of the branch point, which becomes 1, the cut is the real axis from there.
+        const plane_point a = from / each.at;
+        const plane_point b = to / each.at;
+        const auto on_axis = [](const plane_point& z) { return std::abs(z.imag()) < 1e-12 * std::abs(z); };
+        if (on_axis(a) || on_axis(b) || (a.imag() > 0) == (b.imag() > 0)) {
+            return false;
+        }
+        const double part = a.imag() / (a.imag() - b.imag());
+        return a.real() + part * (b.real() - a.real()) > 1;
+    });
+}
+
+int singularity_search::best_parent(const plane_point& at) const {
+    int best = -1;
+    double least = 1e300;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const double part = std::abs(at - points_[i].at) / points_[i].radius;
+        if (part < least && !crosses_cut(points_[i].at, at)) {
+            least = part;
+            best = static_cast<int>(i);
+        }
+    }
+    return best;
+}
+
+bool singularity_search::add_point(const plane_point& at) {
+    double left = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most_intermediate_points; ++k) {
+        const int parent = best_parent(at);
+        if (parent < 0 || points() >= most_points_) {
+            return false;
+        }
+        const point& from = points_[static_cast<std::size_t>(parent)];
+        const plane_point way = at - from.at;
+        const double reach = step_part * from.radius;
+        const bool arrives = std::abs(way) <= reach;
+        if (!(from.radius > 0) || (!arrives && !(std::abs(way) < least_progress * left))) {
+            return false;
+        }
+        left = std::abs(way);
+        const plane_point next = arrives ? at : from.at + way / std::abs(way) * (0.9 * reach);
+        expand(next, values_at(from, next), parent);
+        look_at_last();
+        if (arrives) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<plane_point> singularity_search::path_to(int index) const {
+    std::vector<plane_point> path;
+    for (int i = index; i > 0; i = points_[static_cast<std::size_t>(i)].parent) {
+        path.push_back(points_[static_cast<std::size_t>(i)].at);
+    }
+    std::ranges::reverse(path);
+    return path;
+}
+
+bool singularity_search::is_explained(const cell& of) const {
+    std::array<plane_point, 5> corners{std::polar(of.r1, of.a1), std::polar(of.r1, of.a2), std::polar(of.r2, of.a1),
+                                       std::polar(of.r2, of.a2), std::polar((of.r1 + of.r2) / 2, (of.a1 + of.a2) / 2)};
+    const auto all_in = [&](const plane_point& centre, double radius) {
+        return std::ranges::all_of(corners, [&](const plane_point& z) { return std::abs(z - centre) < radius; });
+    };
+    if (std::ranges::any_of(found_, [&](const candidate& each) { return all_in(each.at, each.reach); })) {
+        return true;
+    }
+    // Where a cut goes through the cell, each side of it has a point of its own, whose disc holds the whole cell.
+    std::array<bool, 5> explained{};
+    for (const point& each : points_) {
+        if (all_in(each.at, disc_part * each.radius)) {
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                explained[k] = explained[k] || !crosses_cut(each.at, corners[k]);
+            }
+        }
+    }
+    return std::ranges::all_of(explained, [](bool each) { return each; });
+}
+
+// Into the sector of arguments 0 .. pi/rotation.
+plane_point singularity_search::folded(plane_point z, bool& mirrored, int& turns) const {
+    const double sector = 2 * std::numbers::pi / rotation_;
+    turns = static_cast<int>(std::lround(std::arg(z) / sector));
+    z *= std::polar(1.0, -turns * sector);
+    mirrored = z.imag() < 0;
+    return mirrored ? std::conj(z) : z;
+}
+
+std::optional<plane_point> singularity_search::value_at(const plane_point& offset) const {
+    // The reflection alone: what a turn does to an unknown is not known here.
+    const bool below = offset.imag() < 0;
+    const plane_point z = below ? std::conj(offset) : offset;
+    const point* best = nullptr;
+    double least = disc_part;
+    for (const point& each : points_) {
+        const double part = std::abs(z - each.at) / each.radius;
+        if (part < least && !crosses_cut(each.at, z)) {
+            least = part;
+            best = &each;
+        }
+    }
+    if (best == nullptr) {
+        return std::nullopt;
+    }
+    const plane_point value = point_of(values_at(*best, z).front());
+    return below ? std::conj(value) : value;
+}
+
+// What the newest point says of a singularity that is not yet known.
+void singularity_search::look_at_last() {
+    const auto estimate = series_.nearest();
+    if (!estimate || !(estimate->agreement < good_agreement)) {
+        return;
+    }
+    const plane_point at = points_.back().at + point_of(estimate->distance);
+    bool mirrored = false;
+    int turns = 0;
+    const plane_point inside = folded(at, mirrored, turns);
+    if (!(std::abs(at) < 1.2 * within_)) {
+        return;
+    }
+    const double away = std::abs(point_of(estimate->distance));
+    const auto near = [&](const plane_point& z, double reach) { return std::abs(inside - z) < reach; };
+    if (std::ranges::any_of(
+            found_, [&](const candidate& each) { return near(each.at, std::max(0.5 * each.reach, 0.1 * away)); }) ||
+        std::ranges::any_of(refused_, [&](const plane_point& each) { return near(each, 0.02 * away); })) {
+        return;
+    }
+    approach(at);
+}
+
+// The place from nearer by; what is made on the way is forgotten.
+plane_point singularity_search::polished(plane_point centre) {
+    const std::size_t count = points_.size();
+    double best = 1;
+    plane_point result = centre;
+    for (int k = 0; k < polishing_steps; ++k) {
+        const point& from = points_.back();
+        const plane_point next = from.at + polishing_part * (centre - from.at);
+        if (!(std::abs(next - from.at) < 0.6 * from.radius)) {
+            break;
+        }
+        expand(next, values_at(from, next), static_cast<int>(points_.size()) - 1);
+        const auto estimate = series_.nearest();
+        if (!estimate || !(estimate->agreement < good_agreement)) {
+            break;
+        }
+        centre = next + point_of(estimate->distance);
+        const double error = estimate->agreement * std::abs(point_of(estimate->distance));
+        if (k == 0 || error < best) {
+            best = error;
+            result = centre;
+        }
+    }
+    points_.resize(count);
+    return result;
+}
+
+// On the edge of the sector where it is next to it: a singularity that is alone in its loop is its own mirror image.
+plane_point singularity_search::on_axis(const plane_point& z, double reach) const {
+    for (const double angle : {0.0, std::numbers::pi / rotation_}) {
+        const plane_point axis = std::polar(1.0, angle);
+        const double along = (z * std::conj(axis)).real();
+        if (along > 0 && std::abs(z - along * axis) < axis_part * reach) {
+            return along * axis;
+        }
+    }
+    return z;
+}
+
+// Nearer to a guess until a loop round it sees nothing else.
+void singularity_search::approach(const plane_point& guess) {
+    plane_point centre = guess;
+    for (int attempt = 0; attempt < 8; ++attempt) {
+        const auto estimate = series_.nearest();
+        const double away = std::abs(points_.back().at - centre);
+        if (estimate && estimate->agreement < good_agreement) {
+            const plane_point again = points_.back().at + point_of(estimate->distance);
+            if (std::abs(again - guess) > 0.5 * std::abs(points_.back().at - guess) + 0.1 * away) {
+                break;  // it points elsewhere
+            }
+            centre = again;
+            if (estimate->agreement < better_agreement) {
+                const auto loop = loop_round(centre);
+                if (loop) {
+                    candidate made = *loop;
+                    bool mirrored = false;
+                    int turns = 0;
+                    made.at = on_axis(folded(polished(centre), mirrored, turns), made.reach);
+                    for (plane_point& each : made.path) {
+                        each *= std::polar(1.0, -turns * 2 * std::numbers::pi / rotation_);
+                        each = mirrored ? std::conj(each) : each;
+                    }
+                    const bool known = std::ranges::any_of(found_, [&](const candidate& each) {
+                        return std::abs(each.at - made.at) < 0.2 * std::max(each.reach, made.reach);
+                    });
+                    if (!known) {
+                        found_.push_back(std::move(made));
+                    }
+                    return;
+                }
+            }
+        }
+        // The nearest point there is leads on.
+        const point& from = points_.back();
+        const plane_point way = centre - from.at;
+        const double part = std::min(0.5, step_part * from.radius / std::max(std::abs(way), 1e-300));
+        if (!(part > 0.05) || points() >= most_points_) {
+            break;
+        }
+        const plane_point next = from.at + part * way;
+        expand(next, values_at(from, next), static_cast<int>(points_.size()) - 1);
+    }
+    bool mirrored = false;
+    int turns = 0;
+    refused_.push_back(folded(guess, mirrored, turns));
+}
+
+// From the newest point once round: every point of the loop has to have its radius from the centre of it.
+std::optional<candidate> singularity_search::loop_round(const plane_point& centre) {
+    const std::size_t first = points_.size() - 1;
+    const plane_point arm = points_.back().at - centre;
+    const double reach = std::abs(arm);
+    bool alone = true;
+    for (int k = 1; k <= loop_points && alone; ++k) {
+        const point& from = points_.back();
+        const plane_point next = centre + arm * std::polar(1.0, 2 * std::numbers::pi * k / loop_points);
+        alone = points() < most_points_ && std::abs(next - from.at) < 0.6 * from.radius;
+        if (alone) {
+            expand(next, values_at(from, next), static_cast<int>(points_.size()) - 1);
+            alone = points_.back().radius > 0.7 * reach && points_.back().radius < 1.5 * reach;
+        }
+    }
+    std::optional<candidate> made;
+    if (alone) {
+        double change = 0;
+        for (std::size_t i = 0; i < points_.back().coefficients.size(); ++i) {
+            const plane_point before = point_of(points_[first].coefficients[i][0]);
+            const plane_point after = point_of(points_.back().coefficients[i][0]);
+            const double size = std::max({std::abs(before), std::abs(after), 1e-300});
+            change = std::max(change, std::abs(after - before) / size);
+        }
+        made = candidate{centre, reach, change < least_change, path_to(static_cast<int>(first))};
+    }
+    if (!made || !made->single_valued) {
+        points_.resize(first + 1);  // on other sheets, or of no use
+    }
+    // The series of the last point again, for what follows.
+    std::vector<complex> values;
+    for (const auto& each : points_.back().coefficients) {
+        values.push_back(each[0]);
+    }
+    series_.about(number_of(points_.back().at), values);
+    return made;
+}
+
+void singularity_search::search(double within) {
+    within_ = within;
+    unexplained_ = 0;
+    std::priority_queue<cell> cells;
+    cells.push({0, within, 0, std::numbers::pi / rotation_});
+    while (!cells.empty()) {
+        const cell now = cells.top();
+        cells.pop();
+        if (is_explained(now)) {
+            continue;
+        }
+        const double length = now.r2 - now.r1;
+        const double width = (now.a2 - now.a1) * now.r2;
+        if (std::max(length, width) < least_cell * within || points() >= most_points_) {
+            ++unexplained_;
+            continue;
+        }
+        if (std::max(length, width) < 0.7 * within) {
+            add_point(std::polar((now.r1 + now.r2) / 2, (now.a1 + now.a2) / 2));
+            if (is_explained(now)) {
+                continue;
+            }
+        }
+        const double r = (now.r1 + now.r2) / 2;
+        const double a = (now.a1 + now.a2) / 2;
+        if (width > 1.5 * length) {
+            cells.push({now.r1, now.r2, now.a1, a});
+            cells.push({now.r1, now.r2, a, now.a2});
+        } else if (length > 1.5 * width) {
+            cells.push({now.r1, r, now.a1, now.a2});
+            cells.push({r, now.r2, now.a1, now.a2});
+        } else {
+            cells.push({now.r1, r, now.a1, a});
+            cells.push({now.r1, r, a, now.a2});
+            cells.push({r, now.r2, now.a1, a});
+            cells.push({r, now.r2, a, now.a2});
+        }
+    }
+}
+
+}  // namespace libration::ode

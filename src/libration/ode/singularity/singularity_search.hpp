@@ -1,0 +1,77 @@
+// The search of singularity_map in double precision: points, cells, loops.
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "libration/ode/singularity/local_series.hpp"
+
+namespace libration::ode {
+
+using plane_point = std::complex<double>;
+
+/// A singularity in double precision, in the sector of the symmetry that was searched.
+struct candidate {
+    plane_point at;
+    /// The loop that went round it.
+    double reach = 0;
+    bool single_valued = true;
+    std::vector<plane_point> path;
+};
+
+class singularity_search {
+public:
+    singularity_search(const path_system& of, int rotation, long most_points);
+
+    /// Every cell with modulus below is explained or given up.
+    void search(double within);
+
+    const std::vector<candidate>& found() const { return found_; }
+    long points() const { return static_cast<long>(points_.size()); }
+    long unexplained() const { return unexplained_; }
+    /// The first unknown at an offset of the whole plane, by the symmetry and the point that holds it best.
+    std::optional<plane_point> value_at(const plane_point& offset) const;
+    double first_radius() const { return points_.front().radius; }
+
+private:
+    using complex = complex_number<double>;
+
+    struct point {
+        plane_point at;
+        double radius;
+        std::vector<std::vector<complex>> coefficients;  // of the carried unknowns
+        int parent;
+    };
+    struct cell {
+        double r1, r2, a1, a2;
+        bool operator<(const cell& other) const { return r1 > other.r1; }
+    };
+
+    bool add_point(const plane_point& at);
+    int best_parent(const plane_point& at) const;
+    void expand(const plane_point& at, const std::vector<complex>& values, int parent);
+    bool crosses_cut(const plane_point& from, const plane_point& to) const;
+    bool is_explained(const cell& of) const;
+    void look_at_last();
+    void approach(const plane_point& guess);
+    plane_point polished(plane_point centre);
+    plane_point on_axis(const plane_point& z, double reach) const;
+    std::optional<candidate> loop_round(const plane_point& centre);
+    std::vector<complex> values_at(const point& of, const plane_point& at) const;
+    std::vector<plane_point> path_to(int index) const;
+    plane_point folded(plane_point z, bool& mirrored, int& turns) const;
+
+    const path_system& of_;
+    int rotation_;
+    long most_points_;
+    local_series<double> series_;
+    std::vector<point> points_;
+    std::vector<candidate> found_;
+    std::vector<plane_point> refused_;
+    long unexplained_ = 0;
+    double within_ = 0;
+};
+
+}  // namespace libration::ode

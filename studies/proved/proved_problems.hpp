@@ -1,0 +1,46 @@
+// The axes of studies of the whole catalogue: which of its problems.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/problem/catalogue.hpp"
+#include "libration/problem/problem.hpp"
+#include "sweep/study.hpp"
+
+namespace libration::studies {
+
+inline const problem& catalogue_as_problem() {
+    static const problem result{"catalogue",
+                                {{.name = "problem",
+                                  .option = "--problems",
+                                  .help = "names of the catalogue: a,b,c, or all",
+                                  .unit = "",
+                                  .form = axis_form::words,
+                                  .remedy = "write names of `libration problems`, or all",
+                                  .check =
+                                      [](const exact& word) {
+                                          if (word.text != "all") {
+                                              static_cast<void>(problem_text(word.text));
+                                          }
+                                      },
+                                  .coordinate = "problem",
+                                  .to_coordinate = {}}}};
+    return result;
+}
+
+inline std::vector<std::string> problem_names_of(const study_request& request) {
+    std::vector<std::string> names;
+    for (const exact& word : request.values.of("problem")) {
+        if (word.text != "all") {
+            names.push_back(word.text);
+            continue;
+        }
+        for (const catalogue_entry& each : catalogue()) {
+            names.emplace_back(each.name);
+        }
+    }
+    return names;
+}
+
+}  // namespace libration::studies

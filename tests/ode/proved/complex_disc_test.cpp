@@ -1,0 +1,106 @@
+// Discs of theorems T and V along paths in the complex plane against closed forms, on every sheet that they reach.
+#include "libration/ode/proved/complex_disc.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "libration/ode/parse.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/complex_functions.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_complex_disc_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+complex_ball at(int re, int im, int of) {
+    return {from_rational<ball>(rational(re, of)), from_rational<ball>(rational(im, of))};
+}
+
+bool holds(const complex_ball& outside, const complex_ball& value) {
+    return overlaps(outside.re, value.re) && overlaps(outside.im, value.im);
+}
+
+// By straight lines through the corners, in steps of half a radius.
+complex_set moved(const complex_flow& flow, const std::vector<complex_ball>& corners) {
+    complex_set now = flow.start();
+    for (const complex_ball& corner : corners) {
+        for (bool arrived = false; !arrived;) {
+            const complex_disc disc(flow, now);
+            const complex_ball way = corner - now.offset;
+            const magnitude length = size_of(way);
+            const magnitude longest = disc.radius() * magnitude::of(1, -1);
+            arrived = length <= longest;
+            const ball part = arrived ? ball(1) : ball(longest.exact() / length.exact());
+            const complex_ball next = now.offset + way * part;
+            now = disc.moved_to(arrived ? corner : complex_ball{exact_midpoint(next.re), exact_midpoint(next.im)});
+        }
+    }
+    return now;
+}
+
+}  // namespace
+
+// y = 1/(7/3 - t), and the tangent, round their poles; the radius proved about each point is below the distance.
+TEST_CASE("discs follow closed forms round poles", "[ode][proved][singularity]") {
+    const precision_scope scope(60);
+    const complex_flow riccati(explicit_system(parse("y' = y^2; y(0) = 3/7")), 180);
+    const complex_ball target = at(5, 1, 1);
+    const complex_set there = moved(riccati, {at(1, 2, 1), at(4, 2, 1), target});
+    const complex_ball exact = complex_ball(ball(1)) / (complex_ball(ball(7) / 3) - target);
+    const complex_ball value = values_of(there)[0];
+    CHECK(holds(value, exact));
+    CHECK(certainly_less(radius_of(value.re), pow(ball(10), -45)));
+
+    const complex_flow tangent(explicit_system(parse("y' = 1 + y^2; y(0) = 0")), 180);
+    const complex_set beyond = moved(tangent, {at(1, 1, 1), at(3, 1, 1), at(3, 0, 1)});
+    CHECK(holds(values_of(beyond)[0], tan(at(3, 0, 1))));
+    const ball distance = abs(ball(3) - pi<ball>() / 2);
+    CHECK(certainly_less(complex_disc(tangent, beyond).radius().exact(), distance));
+}
+
+// y = (1 + 2t/3)^(3/2) solves y' = y^(1/3): once round t = -3/2 it is -1 at the start, and 1 after two turns. The root
+// is carried along, for the principal one of y would jump.
+TEST_CASE("discs go to other sheets", "[ode][proved][singularity]") {
+    const precision_scope scope(60);
+    const complex_flow flow(explicit_system(parse("y' = y^(1/3); y(0) = 1")), 100);
+    const std::vector<complex_ball> turn{at(-3, 3, 2), at(-6, 0, 2), at(-3, -3, 2), at(0, 0, 1)};
+    std::vector<complex_ball> twice = turn;
+    twice.insert(twice.end(), turn.begin(), turn.end());
+    CHECK(holds(values_of(moved(flow, turn))[0], complex_ball(-1)));
+    CHECK(holds(values_of(moved(flow, twice))[0], complex_ball(1)));
+}
+
+// A start that is not exact widens the set as the derivative of the flow does, 1/(1 - t/3)^2 for y' = y^2 from 1/3.
+TEST_CASE("uncertain starts are carried in the frame", "[ode][proved][singularity]") {
+    const precision_scope scope(60);
+    const complex_flow few(explicit_system(parse("y' = y^2; y(0) = 1/3")), 100);  // 1/3 to 100 bits
+    const complex_set there = moved(few, {at(2, 1, 1)});
+    const complex_ball value = values_of(there)[0];
+    CHECK(holds(value, complex_ball(ball(1)) / (complex_ball(ball(3)) - at(2, 1, 1))));
+    CHECK_FALSE(is_exact(value.re));
+    // |1 - t/3|^-2 = 9/2 times 2^-100 of a third, and at most 64 times as much.
+    CHECK(certainly_less(radius_of(value.re), ball(64 * 3) * pow(ball(2), -101)));
+}
+
+// int dz/(7/3 - z) = -log(1 - 3 z/7), and with the weight ((z - 1)/2)^2.
+TEST_CASE("integrals along a step", "[ode][proved][singularity]") {
+    const precision_scope scope(30);
+    const complex_flow flow(explicit_system(parse("y' = y^2; y(0) = 3/7")), 120);
+    const complex_disc disc(flow, flow.start());
+    const complex_ball z = at(1, 1, 1);
+    const complex_ball pole(ball(7) / 3);
+    const complex_ball plain = -log(complex_ball(1) - z / pole);
+    CHECK(holds(disc.integral(0, z, complex_ball(0), ball(1), 0), plain));
+    // (z - 1)^2 = (p - z)^2 - 2 (p - 1)(p - z) + (p - 1)^2 with p the pole.
+    const complex_ball q = pole - complex_ball(1);
+    const complex_ball half = pole * z - z * z / 2;
+    const complex_ball weighted = (half - q * z * 2 + q * q * plain) / 4;
+    CHECK(holds(disc.integral(0, z, complex_ball(1), ball(2), 2), weighted));
+}
+
+}  // namespace ode_proved_complex_disc_test

@@ -1,0 +1,152 @@
+// Loops and coverings against closed forms, and what must not be proved: a loop that misses the singularity, a disc
+// that is too large, a covering with a hole.
+#include "libration/ode/proved/radius_bounds.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/pendulum/singularity/singularities.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "pendulum/typed.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_radius_bounds_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+explicit_system typed(const std::string& text) { return explicit_system(parse(text)); }
+
+ball tenth_to(int n) { return pow(ball(10), -n); }
+
+ball exact_near(const ball& x) { return exact_midpoint(x); }
+
+// Whether every point of a fan of |z| < rho lies in a disc whose centre is no farther from 0, or in the first one.
+bool covers(const std::vector<covering_disc>& discs, double rho, double angle) {
+    for (int i = 1; i <= 120; ++i) {
+        for (int j = 0; j <= 120; ++j) {
+            // More points towards the rim.
+            const double r = rho * (1 - std::pow(1 - i / 120.0, 3));
+            const auto z = std::polar(r, angle * j / 120);
+            bool held = false;
+            for (const covering_disc& each : discs) {
+                held = held || (std::abs(z - each.centre) < each.radius && std::abs(each.centre) <= std::abs(z));
+            }
+            if (!held) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+// The residue of 1/(7/3 - t) is -1.
+TEST_CASE("a loop round a simple pole, and one that misses it", "[ode][proved][singularity]") {
+    const precision_scope scope(50);
+    const complex_flow flow(typed("y' = y^2; y(0) = 3/7"), 150);
+    const complex_ball pole(exact_near(ball(7) / 3));
+    const auto loop = loop_about(flow, {}, pole, magnitude::of(1, -20), 0);
+    CHECK(loop.evidence == loop_evidence::integral);
+    CHECK(overlaps(loop.value.im, ball(-2) * pi<ball>()));
+    CHECK(contains_zero(loop.value.re));
+    CHECK(certainly_less(loop.farthest, ball(7) / 3 + pow(ball(2), -19)));
+    const complex_ball beside = pole - complex_ball(pow(ball(2), -17));
+    CHECK(loop_about(flow, {}, beside, magnitude::of(1, -20), 2).evidence == loop_evidence::none);
+}
+
+// Double poles have neither residue nor change: the first weight sees them, with 2 pi i/d.
+TEST_CASE("loops round double poles and branch points", "[ode][proved][singularity]") {
+    const precision_scope scope(50);
+    const complex_flow wp(typed("u'' = 6*u^2; u(0) = 1; u'(0) = 2"), 150);  // u = 1/(1 - t)^2
+    const auto plain = loop_about(wp, {}, complex_ball(1), magnitude::of(1, -10), 0);
+    CHECK(plain.evidence == loop_evidence::none);
+    const auto weighted = loop_about(wp, {}, complex_ball(1), magnitude::of(1, -10), 1);
+    CHECK(weighted.evidence == loop_evidence::integral);
+    CHECK(weighted.power == 1);
+    CHECK(overlaps(weighted.value.im, pi<ball>() * 2048));
+    // y = sqrt(1 - t): the sum of both roots is 0, so that the change is 2 y.
+    const complex_flow root(typed("y' = -1/(2*y); y(0) = 1"), 150);
+    CHECK(loop_about(root, {}, complex_ball(1), magnitude::of(1, -10), 0).evidence != loop_evidence::none);
+}
+
+TEST_CASE("coverings end below the radius and are refused beyond it", "[ode][proved][singularity]") {
+    const precision_scope scope(40);
+    const complex_flow flow(typed("y' = 1 + y^2; y(0) = 0"), 120);
+    const ball quarter = pi<ball>() / 2;
+    const ball below = exact_near(quarter * (ball(1) - tenth_to(6)));
+    covering_limits limits;
+    limits.finest_bits = 26;
+    const covering found = covered_disc(flow, below, {2}, limits);
+    CHECK(found.complete);
+    CHECK(covers(found.discs, 1.5707, std::numbers::pi / 2));
+    // Without some single disc there is a hole.
+    const covering near = covered_disc(flow, exact_near(quarter * 99 / 100), {2}, {});
+    CHECK(near.complete);
+    CHECK(covers(near.discs, 1.555, std::numbers::pi / 2));
+    bool holed = false;
+    for (std::size_t i = 1; i < near.discs.size(); ++i) {
+        auto fewer = near.discs;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        holed = holed || !covers(fewer, 1.555, std::numbers::pi / 2);
+    }
+    CHECK(holed);
+    // Beyond the radius, by little and by much.
+    CHECK_FALSE(covered_disc(flow, exact_near(quarter * (ball(1) + tenth_to(6))), {2}, limits).complete);
+    CHECK_FALSE(covered_disc(flow, exact_near(quarter * 2), {2}, limits).complete);
+    CHECK_FALSE(covered_disc(flow, exact_near(quarter * (ball(1) + tenth_to(3))), {1}, limits).complete);
+}
+
+// Radii in closed form: 1/y(0), pi/2, sqrt(pi/6) Gamma(5/6)/Gamma(4/3) [PROBLEMS], and Blasius' of tests/reference.
+TEST_CASE("proved radii hold closed forms", "[ode][proved][singularity]") {
+    const auto holds = [](const std::string& text, const ball& radius, long digits) {
+        const proved_radius found = prove_radius(typed(text), digits);
+        const bool between = !certainly_less(radius, found.lower) && !certainly_less(found.upper, radius);
+        return between && certainly_less(found.upper - found.lower, found.lower * tenth_to(static_cast<int>(digits)));
+    };
+    const precision_scope scope(60);
+    CHECK(holds("y' = y^2; y(0) = 3/7", ball(7) / 3, 20));
+    CHECK(holds("y' = 1 + y^2; y(0) = 0", pi<ball>() / 2, 32));  // beyond the least bits of a centre
+    const auto gamma = [](const ball& x) {
+        ball result;
+        arb_gamma(result.handle(), x.handle(), ball::working_bits());
+        return result;
+    };
+    const ball collapse = sqrt(pi<ball>() / 6) * gamma(ball(5) / 6) / gamma(ball(4) / 3);
+    CHECK(holds(std::string(problem_text("rayleigh")), collapse, 8));
+    CHECK(holds("y' = exp(y); y(0) = 0", ball(1), 10));    // -log(1 - t)
+    CHECK(holds("y' = -1/(2*y); y(1) = 2", ball(4), 10));  // sqrt(5 - t) about 1
+    CHECK(prove_radius(typed("y'' = -cos(t)*y + exp(t); y(0) = 1; y'(0) = 0"), 10).infinite);
+}
+
+// The lattice of the pendulum is known: top, bottom, and in between.
+TEST_CASE("the general way proves the pendulum's radius", "[ode][proved][singularity]") {
+    const precision_scope scope(50);
+    const auto radius_of_motion = [](const pendulum::motion& m) {
+        const auto lattice = pendulum::singularities<ball>(m);
+        return lattice->radius(pendulum::phase_map<ball>(m).at(read_exact("0")));
+    };
+    const struct {
+        const char* theta0;
+        const char* omega0;
+    } motions[] = {{"2", "0"}, {"1/2", "9/4"}};
+    for (const auto& each : motions) {
+        const auto found = prove_radius(
+            typed("theta'' = -sin(theta); theta(0) = " + std::string(each.theta0) + "; theta'(0) = " + each.omega0),
+            10);
+        const ball exact = radius_of_motion(tests::with_state(each.theta0, each.omega0));
+        CHECK_FALSE(certainly_less(exact, found.lower));
+        CHECK_FALSE(certainly_less(found.upper, exact));
+    }
+}
+
+}  // namespace ode_proved_radius_bounds_test
