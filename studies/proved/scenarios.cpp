@@ -20,7 +20,7 @@ namespace {
 constexpr long proof_digits = 10;
 constexpr long existence_digits = 5;
 // Systems of more unknowns have proofs that take minutes: their radius is that of the search.
-constexpr std::size_t most_proved_unknowns = 6;
+constexpr std::size_t most_proved_unknowns = 4;
 
 struct scenario_row {
     std::string problem, domain, scenario;

@@ -7,6 +7,7 @@ main = data.'/sir_radius.csv'
 starts = sorted(main, 2, '1')
 n = words(starts)
 at(i) = sprintf('$2 == "%s"', word(starts, i))
+marks = sorted(main, 1, '1')
 low = least(main, '1', '1', 1); high = greatest(main, '1', '1', 2)
 top = greatest(main, '3', '1', 1); bottom = least(main, '3', '1', 0.1)
 
@@ -24,7 +25,8 @@ do for [kind in terminals] {
     set yrange [bottom / 1.5:top * 1.6]
     set xlabel 'reproduction number r S(0) / a'
     set ylabel 'time a t'
-    set xtics autofreq; set ytics autofreq
+    set xtics (low low, high high); do for [k=1:words(marks)] { eval 'set xtics add ('.word(marks, k).')' }
+    set ytics autofreq
     unset key
     plot for [i=1:n] rows(main, 1, 3, at(i)) using 1:2 with linespoints pt 7 ps 0.6 lw 1.8 lc rgb colour(i, n), \
          for [i=1:n] rows(main, 1, 6, at(i).' && v($6) > 0') using 1:2 with lines dt 2 lw 1.4 lc rgb colour(i, n)

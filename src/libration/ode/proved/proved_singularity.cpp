@@ -15,6 +15,8 @@ namespace {
 
 constexpr long guard_bits = 48;
 constexpr int most_attempts = 6;
+constexpr int most_coverings = 4;
+constexpr long most_discs_a_digit = 300;
 constexpr long shown_digits = 12;
 // Weights of the round integrals beyond the order of a pole that was seen.
 constexpr int largest_power = 8;
@@ -116,9 +118,10 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
     const ball rho = exact_ball(mpfr(size - gap));
     covering_limits limits;
     limits.finest_bits = bits_of_digits(digits) + 8;
+    limits.most_discs = most_discs_a_digit * (digits + 10);
     covering found;
     long bits = bits_of_digits(digits) + guard_bits;
-    for (int attempt = 0; attempt < most_attempts && !found.complete; ++attempt) {
+    for (int attempt = 0; attempt < most_coverings && !found.complete; ++attempt) {
         const complex_flow flow(system, bits);
         found = covered_disc(flow, rho, {result.rotation}, limits);
         bits += bits / 2;

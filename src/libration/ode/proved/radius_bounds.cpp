@@ -14,7 +14,11 @@ namespace {
 constexpr int loop_corners = 16;
 // Of a radius: paths go so far in one step.
 constexpr unsigned long step_part = 19'660;  // 0.6 of 2^15
-constexpr long most_path_discs = 20'000;
+// Besides one a bit; where the discs have nine tenths of the radius it takes one in two bits.
+constexpr long most_path_discs = 60;
+// Of a covering: the longest step, and the most of them to the centre of a cell.
+constexpr unsigned long way_part = 26'214;  // 0.8 of 2^15
+constexpr int most_way_discs = 12;
 
 std::complex<double> rounded(const complex_ball& z) {
     return {arf_get_d(arb_midref(z.re.handle()), ARF_RND_NEAR), arf_get_d(arb_midref(z.im.handle()), ARF_RND_NEAR)};
@@ -137,14 +141,11 @@ private:
         return true;
     }
 
-    // By a step from the disc that holds the centre best, of those whose centres are no farther from 0.
+    // By steps from the disc that holds the centre best, of those whose centres are no farther from 0: the moduli of a
+    // straight way are below that of its end.
     bool add_disc(const complex_ball& centre) {
-        if (static_cast<long>(made_.size()) >= limits_.most_discs) {
-            reason_ = "it takes more than " + std::to_string(limits_.most_discs) + " discs";
-            return false;
-        }
         const complex_disc* best = nullptr;
-        magnitude least(1U);
+        magnitude least = magnitude(static_cast<unsigned long>(most_way_discs));
         const ball farthest = centre.re * centre.re + centre.im * centre.im;
         for (const auto& each : discs_) {
             const complex_ball& c = each->about().offset;
@@ -160,13 +161,35 @@ private:
             return false;
         }
         try {
-            discs_.push_back(std::make_unique<complex_disc>(flow_, best->moved_to(centre)));
+            std::unique_ptr<complex_disc> way;
+            for (int k = 0; k < most_way_discs; ++k) {
+                if (static_cast<long>(made_.size()) >= limits_.most_discs) {
+                    reason_ = "it takes more than " + std::to_string(limits_.most_discs) + " discs";
+                    return false;
+                }
+                const complex_disc& from = way ? *way : *best;
+                const complex_ball rest = difference(centre, from.about().offset);
+                const magnitude longest = from.radius() * magnitude::of(way_part, -15);
+                const bool last = size_of(rest) <= longest;
+                const ball part = last ? ball(1) : ball(longest.exact() / size_of(rest).exact());
+                const complex_ball next = last ? centre : rounded_exact(from.about().offset + rest * part);
+                if (!certainly_within(difference(next, from.about().offset), from.radius())) {
+                    throw precision_exhausted("a disc below the rounding of its centre");
+                }
+                auto made = std::make_unique<complex_disc>(flow_, from.moved_to(next));
+                note(*made);
+                if (last) {
+                    discs_.push_back(std::move(made));
+                    return true;
+                }
+                way = std::move(made);
+            }
         } catch (const precision_exhausted&) {
             reason_ = "the bits do not suffice near a singularity";
             return false;
         }
-        note(*discs_.back());
-        return true;
+        reason_ = "the discs become too small: a singularity is near, or the bits do not suffice";
+        return false;
     }
 
     void note(const complex_disc& disc) {
@@ -208,8 +231,12 @@ public:
                 const ball part = longest.exact() / away.exact();
                 next = rounded_exact(now_->about().offset + rest * part);
             }
-            if (++discs_ > most_path_discs) {
-                throw precision_exhausted("a path");
+            if (++discs_ > most_path_discs + flow_.bits()) {
+                throw error(error_kind::undecided, "problem", "",
+                            "is not followed to a singularity: the proved discs become too small before it");
+            }
+            if (!certainly_within(difference(next, now_->about().offset), now_->radius())) {
+                throw precision_exhausted("a step below the rounding of its place");
             }
             each(*now_, next);
             const ball modulus = upper_bound(sqrt(ball(next.re * next.re + next.im * next.im)));

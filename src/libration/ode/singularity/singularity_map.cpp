@@ -31,6 +31,8 @@ constexpr double near_part = 1e-9;
 // A fraction p/q with a small q is taken for the exponent within so much.
 constexpr double exponent_slack = 1e-5;
 constexpr int largest_denominator = 12;
+// Of a value, what its leading term may leave.
+constexpr double leading_part = 0.01;
 
 // Searches without a bound look so much further out, step by step.
 constexpr double growth = 1.4;
@@ -151,13 +153,17 @@ private:
         }
         find_most_singular(found);
         found.kind = kind_of(found);
-        found.coefficient = leading_coefficient(found, tau);
+        found.coefficient = leading_coefficient(found, found.unknown);
         std::vector<complex> values;
         for (std::size_t i = 0; i < last_->carried(); ++i) {
             values.push_back(last_->coefficients(i)[0]);
         }
+        std::vector<std::complex<double>> balance;
+        for (std::size_t i = 0; i < given; ++i) {
+            balance.push_back(balance_exponent(found, i));
+        }
         found.resonances =
-            resonances_at(of_, complex(constant_value<mpfr>::of(of_.origin)) + now_, values, tau, found.exponents);
+            resonances_at(of_, complex(constant_value<mpfr>::of(of_.origin)) + now_, values, tau, balance);
     }
 
     void find_most_singular(found_singularity& found) const {
@@ -171,21 +177,38 @@ private:
         found.exponent = found.exponents[most];
     }
 
-    // y/(t - t*)^p for whole p, y/(1 - (t - t0)/(t* - t0))^p else; of a logarithm y ~ c log, from a_n ~ -c/(n z^n).
-    std::complex<double> leading_coefficient(const found_singularity& found, const complex& tau) const {
-        const std::complex<double>& p = found.exponent;
-        const complex* const a = last_->coefficients(found.unknown);
-        if (kind_of(found) == singularity_kind::logarithm) {
-            const int n = last_->order();
-            complex term = a[n] * mpfr(-n);
-            for (int k = 0; k < n; ++k) {
-                term = term * distance_;
-            }
-            return rounded(term);
-        }
+    // From a_n of (s - d)^p = (-d)^p (1 - s/d)^p, d the distance; (1 - (t - t0)/(t* - t0))^p = (d/d0)^p (1 - s/d)^p. Of
+    // a logarithm y ~ c log, a_n ~ -c/(n d^n).
+    std::complex<double> leading_coefficient(const found_singularity& found, std::size_t unknown) const {
+        const std::complex<double>& p = found.exponents[unknown];
+        const int n = last_->order();
+        complex term = last_->coefficients(unknown)[n];
         const bool whole = p.imag() == 0 && std::abs(p.real() - std::round(p.real())) < exponent_slack;
-        const complex base = whole ? tau : distance_ / at_;
-        return rounded(a[0] / exp(log(base) * complex(mpfr(p.real()), mpfr(p.imag()))));
+        for (int k = 0; k < n; ++k) {
+            term = term * distance_;
+        }
+        if (whole && p.real() >= 0) {
+            return rounded(term * mpfr(-n));
+        }
+        // binomial(p, n) (-1)^n
+        const complex exponent{mpfr(p.real()), mpfr(p.imag())};
+        for (int k = 0; k < n; ++k) {
+            term = term * mpfr(k + 1) / (complex(mpfr(k)) - exponent);
+        }
+        const complex base = whole ? -distance_ : distance_ / at_;
+        return rounded(term / exp(log(base) * exponent));
+    }
+
+    // The exponent of the leading term: 0 where a constant stands before a power that is singular.
+    std::complex<double> balance_exponent(const found_singularity& found, std::size_t unknown) const {
+        const std::complex<double>& p = found.exponents[unknown];
+        if (!(p.real() > 0)) {
+            return p;
+        }
+        const std::complex<double> c = leading_coefficient(found, unknown);
+        const std::complex<double> power = std::pow(rounded(distance_ / at_), p);
+        const std::complex<double> value = rounded(last_->coefficients(unknown)[0]);
+        return std::abs(value - c * power) < leading_part * std::abs(value) ? p : std::complex<double>(0);
     }
 
     static singularity_kind kind_of(const found_singularity& found) {
