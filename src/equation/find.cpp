@@ -5,12 +5,11 @@
 #include <memory>
 #include <utility>
 
+#include "equation/problem_at_infinity.hpp"
 #include "equation/problem_options.hpp"
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/proved_root.hpp"
-#include "libration/problem/catalogue.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"
@@ -32,48 +31,6 @@ struct found_value {
     proved_decimal value;
 };
 
-// f'(inf) = 1 in its parts, or nothing.
-std::optional<std::string> value_at_infinity(const std::string& condition, const std::string& left) {
-    std::string plain;
-    std::ranges::copy_if(condition, std::back_inserter(plain), [](char c) { return c != ' '; });
-    return plain.starts_with(left + "=") ? std::optional(plain.substr(left.size() + 1)) : std::nullopt;
-}
-
-bool is_at_infinity(const std::string& condition) {
-    std::string plain;
-    std::ranges::copy_if(condition, std::back_inserter(plain), [](char c) { return c != ' '; });
-    return plain.find("(inf)") != std::string::npos;
-}
-
-// Whether the problem is the catalogue's, but for the unknown parameter.
-bool is_blasius(const ode::equation_system& system) {
-    const auto known = ode::parse(problem_text("blasius"));
-    const auto same = [](const ode::equation& a, const ode::equation& b) {
-        return same_form(a.left, b.left) && same_form(a.right, b.right);
-    };
-    const auto same_start = [](const ode::start& a, const ode::start& b) {
-        return same_form(a.of, b.of) && same_form(a.point, b.point) && same_form(a.value, b.value);
-    };
-    return std::ranges::equal(system.equations, known.equations, same) &&
-           std::ranges::equal(system.starts, known.starts, same_start);
-}
-
-found_value found_at_infinity(const find_options& options, const ode::equation_system& system, long digits) {
-    const std::string& condition = options.conditions.front();
-    const auto value = value_at_infinity(condition, "f'(inf)");
-    if (!is_blasius(system) || options.conditions.size() != 1 || options.unknowns.front() != "k" || !value) {
-        throw error(
-            error_kind::undecided, "--such-that", condition,
-            "is a condition at infinity, and this problem brings no lemma for that; the catalogue's blasius has "
-            "one, for k such that f'(inf) is given");
-    }
-    const auto wanted = naming_option("--such-that", [&] { return ode::parse_constant(*value).constant(); });
-    if (wanted.sign() <= 0) {
-        throw input_error("--such-that", condition, "has no solution with k > 0", "give a value above 0");
-    }
-    return {"k", proved_value(digits, [&] { return ode::blasius_shear(ode::constant_value<ball>::of(wanted)); })};
-}
-
 std::vector<found_value> found_unknowns(const find_options& options, long digits) {
     if (options.conditions.size() != options.unknowns.size()) {
         throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",
@@ -81,7 +38,9 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
     }
     const auto system = options.problem.equations();
     if (std::ranges::any_of(options.conditions, is_at_infinity)) {
-        return {found_at_infinity(options, system, digits)};
+        const bool one = options.conditions.size() == 1;
+        return {{options.unknowns.front(), proved_for_infinity(system, options.unknowns.front(),
+                                                               one ? options.conditions.front() : "several", digits)}};
     }
     std::vector<ode::point_condition> conditions;
     for (const std::string& each : options.conditions) {

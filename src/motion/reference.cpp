@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "equation/problem_at_infinity.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
@@ -280,6 +281,9 @@ table reference_of_problem(const reference_options& options, long digits) {
     }
     if (!options.times) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
+    }
+    if (*options.times == "inf") {
+        return state_at_infinity(options.problem.equations(), digits);
     }
     const auto system = options.problem.choose();
     const auto times = times_of_problem(*options.times);
