@@ -176,6 +176,9 @@ private:
                 if (!certainly_within(difference(next, from.about().offset), from.radius())) {
                     throw precision_exhausted("a disc below the rounding of its centre");
                 }
+                if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {
+                    throw precision_exhausted("the modulus of a corner");
+                }
                 auto made = std::make_unique<complex_disc>(flow_, from.moved_to(next));
                 note(*made);
                 if (last) {
