@@ -11,22 +11,22 @@ namespace libration::ode {
 namespace {
 
 using number_pair = std::complex<double>;
-using matrix = std::vector<std::vector<number_pair>>;
+using number_matrix = std::vector<std::vector<number_pair>>;
 
-constexpr std::size_t most_unknowns = 12;
+constexpr std::size_t most_analysed_unknowns = 12;
 constexpr double largest_entry = 1e6;
-constexpr int most_iterations = 500;
+constexpr int most_root_steps = 500;
 
 // x^n + c_1 x^(n-1) + .. of det(x - a), the highest coefficient first [Faddeev, LeVerrier].
-std::vector<number_pair> characteristic_polynomial(const matrix& a) {
+std::vector<number_pair> characteristic_polynomial(const number_matrix& a) {
     const std::size_t n = a.size();
     std::vector<number_pair> c{1};
-    matrix m(n, std::vector<number_pair>(n));
+    number_matrix m(n, std::vector<number_pair>(n));
     for (std::size_t k = 1; k <= n; ++k) {
         for (std::size_t i = 0; i < n; ++i) {
             m[i][i] += c.back();
         }
-        matrix next(n, std::vector<number_pair>(n));
+        number_matrix next(n, std::vector<number_pair>(n));
         number_pair trace = 0;
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = 0; j < n; ++j) {
@@ -53,7 +53,7 @@ std::vector<number_pair> roots_of(const std::vector<number_pair>& c) {
     for (std::size_t k = 0; k < n; ++k) {
         roots.push_back(size * std::pow(number_pair(0.4, 0.9), static_cast<double>(k)));
     }
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_root_steps; ++iteration) {
         double change = 0;
         for (std::size_t i = 0; i < n; ++i) {
             number_pair value = c.front();
@@ -81,7 +81,7 @@ std::vector<std::complex<double>> resonances_at(const path_system& of, const com
                                                 const std::vector<std::complex<double>>& exponents) {
     using complex = complex_number<mpfr>;
     const std::size_t size = exponents.size();
-    if (size > most_unknowns || carried.size() != size) {
+    if (size > most_analysed_unknowns || carried.size() != size) {
         return {};
     }
     // The first coefficient of a variation that starts as a unit vector is a column of the derivative.
@@ -99,7 +99,7 @@ std::vector<std::complex<double>> resonances_at(const path_system& of, const com
     }
     const complex logarithm = log(tau);
     const std::size_t count = of.lifted.leaves.size();
-    matrix k(size, std::vector<number_pair>(size));
+    number_matrix k(size, std::vector<number_pair>(size));
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = 0; j < size; ++j) {
             const std::complex<double> power = 1.0 + p[j] - p[i];

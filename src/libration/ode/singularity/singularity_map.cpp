@@ -14,17 +14,17 @@ namespace libration::ode {
 
 namespace {
 
-using complex = complex_number<mpfr>;
+using wide_complex = complex_number<mpfr>;
 
-constexpr long guard_digits = 25;
-constexpr long most_steps = 5'000;
+constexpr long place_guard_digits = 25;
+constexpr long most_walk_steps = 5'000;
 // Towards a singularity a step goes so far, and its series has the terms that a bit takes there.
 constexpr double approach_part = 0.6;
 constexpr double approach_terms_for_a_bit = 1.36;
 // On the way, which only has to be followed.
 constexpr double way_part = 0.3;
 constexpr double way_terms_for_a_bit = 0.58;
-constexpr int least_order = 40;
+constexpr int least_walk_order = 40;
 constexpr double spare_bits = 40;
 // So near, relative to the modulus, exponents and leading coefficients are read.
 constexpr double near_part = 1e-9;
@@ -35,16 +35,16 @@ constexpr int largest_denominator = 12;
 constexpr double leading_part = 0.01;
 
 // Searches without a bound look so much further out, step by step.
-constexpr double growth = 1.4;
+constexpr double search_growth = 1.4;
 constexpr double farthest_search = 64;
 
-complex number_of(const plane_point& z) { return {mpfr(z.real()), mpfr(z.imag())}; }
+wide_complex wide_number(const plane_point& z) { return {mpfr(z.real()), mpfr(z.imag())}; }
 
-plane_point rounded(const complex& z) { return {static_cast<double>(z.re), static_cast<double>(z.im)}; }
+plane_point rounded_point(const wide_complex& z) { return {static_cast<double>(z.re), static_cast<double>(z.im)}; }
 
-double rounded_size(const complex& z) { return static_cast<double>(mpfr(modulus_of(z))); }
+double rounded_size(const wide_complex& z) { return static_cast<double>(mpfr(modulus_of(z))); }
 
-std::complex<double> tidied(const std::complex<double>& exponent) {
+std::complex<double> tidied_exponent(const std::complex<double>& exponent) {
     for (int q = 1; q <= largest_denominator; ++q) {
         const double p = std::round(exponent.real() * q);
         if (std::abs(exponent - std::complex<double>(p / q, 0)) < exponent_slack) {
@@ -58,10 +58,10 @@ std::complex<double> tidied(const std::complex<double>& exponent) {
 class refined_place {
 public:
     refined_place(const path_system& of, const candidate& from, long digits)
-        : of_(of), from_(from), digits_(digits), bits_(static_cast<double>(digits + guard_digits) * 3.33) {}
+        : of_(of), from_(from), digits_(digits), bits_(static_cast<double>(digits + place_guard_digits) * 3.33) {}
 
     found_singularity result() {
-        const precision_scope scope(static_cast<int>(digits_ + guard_digits));
+        const precision_scope scope(static_cast<int>(digits_ + place_guard_digits));
         walk();
         approach();
         found_singularity found;
@@ -74,9 +74,11 @@ public:
     }
 
 private:
-    int order_for(double bits, double terms) const { return std::max(least_order, static_cast<int>(bits * terms)); }
+    int order_for(double bits, double terms) const {
+        return std::max(least_walk_order, static_cast<int>(bits * terms));
+    }
 
-    void move(local_series<mpfr>& series, const complex& to) {
+    void move(local_series<mpfr>& series, const wide_complex& to) {
         const auto values = series.values_at(to);
         series.about(to, values);
     }
@@ -87,9 +89,9 @@ private:
         series.about_start();
         long steps = 0;
         for (const plane_point& each : from_.path) {
-            const complex target = number_of(each);
+            const wide_complex target = wide_number(each);
             for (bool arrived = false; !arrived;) {
-                const complex way = target - series.offset();
+                const wide_complex way = target - series.offset();
                 const double length = rounded_size(way);
                 const double radius = std::exp2(series.log_of_radius(steps == 0 ? 6 : 1));
                 arrived = length <= way_part * radius;
@@ -102,7 +104,7 @@ private:
     }
 
     static void require_step(long steps, double radius) {
-        if (steps > most_steps || !(radius > 0)) {
+        if (steps > most_walk_steps || !(radius > 0)) {
             throw error(error_kind::undecided, "problem", "",
                         "is not followed to a singularity: the steps become too small");
         }
@@ -110,7 +112,7 @@ private:
 
     // By 0.6 of the way again and again; the place is right to the distance times what the ratios disagree.
     void approach() {
-        at_ = number_of(from_.at);
+        at_ = wide_number(from_.at);
         const double modulus = std::abs(from_.at);
         double bits = bits_;  // those that what is left of the approach needs
         mpfr tolerance = pow(mpfr(10), -static_cast<int>(digits_)) * modulus / 4;
@@ -120,7 +122,7 @@ private:
             local_series<mpfr> series(of_, order_for(bits, approach_terms_for_a_bit));
             series.about(now_, values_);
             const auto estimate = series.nearest();
-            if (!estimate || steps > most_steps) {
+            if (!estimate || steps > most_walk_steps) {
                 throw error(error_kind::undecided, "problem", "", "shows no singularity where one was seen");
             }
             const double away = rounded_size(estimate->distance);
@@ -144,17 +146,18 @@ private:
 
     void read_exponents(found_singularity& found) const {
         const std::size_t given = last_->given();
-        const complex tau = -distance_;
+        const wide_complex tau = -distance_;
         for (std::size_t i = 0; i < given; ++i) {
-            const complex* const a = last_->coefficients(i);
+            const wide_complex* const a = last_->coefficients(i);
             const int n = last_->order();
             const bool ends = (a[n].re == 0 && a[n].im == 0) || (a[n / 2].re == 0 && a[n / 2].im == 0);
-            found.exponents.push_back(ends ? std::complex<double>(0) : tidied(rounded(last_->exponent(i, distance_))));
+            found.exponents.push_back(ends ? std::complex<double>(0)
+                                           : tidied_exponent(rounded_point(last_->exponent(i, distance_))));
         }
         find_most_singular(found);
         found.kind = kind_of(found);
         found.coefficient = leading_coefficient(found, found.unknown);
-        std::vector<complex> values;
+        std::vector<wide_complex> values;
         for (std::size_t i = 0; i < last_->carried(); ++i) {
             values.push_back(last_->coefficients(i)[0]);
         }
@@ -163,7 +166,7 @@ private:
             balance.push_back(balance_exponent(found, i));
         }
         found.resonances =
-            resonances_at(of_, complex(constant_value<mpfr>::of(of_.origin)) + now_, values, tau, balance);
+            resonances_at(of_, wide_complex(constant_value<mpfr>::of(of_.origin)) + now_, values, tau, balance);
     }
 
     void find_most_singular(found_singularity& found) const {
@@ -182,21 +185,21 @@ private:
     std::complex<double> leading_coefficient(const found_singularity& found, std::size_t unknown) const {
         const std::complex<double>& p = found.exponents[unknown];
         const int n = last_->order();
-        complex term = last_->coefficients(unknown)[n];
+        wide_complex term = last_->coefficients(unknown)[n];
         const bool whole = p.imag() == 0 && std::abs(p.real() - std::round(p.real())) < exponent_slack;
         for (int k = 0; k < n; ++k) {
             term = term * distance_;
         }
         if (whole && p.real() >= 0) {
-            return rounded(term * mpfr(-n));
+            return rounded_point(term * mpfr(-n));
         }
         // binomial(p, n) (-1)^n
-        const complex exponent{mpfr(p.real()), mpfr(p.imag())};
+        const wide_complex exponent{mpfr(p.real()), mpfr(p.imag())};
         for (int k = 0; k < n; ++k) {
-            term = term * mpfr(k + 1) / (complex(mpfr(k)) - exponent);
+            term = term * mpfr(k + 1) / (wide_complex(mpfr(k)) - exponent);
         }
-        const complex base = whole ? -distance_ : distance_ / at_;
-        return rounded(term / exp(log(base) * exponent));
+        const wide_complex base = whole ? -distance_ : distance_ / at_;
+        return rounded_point(term / exp(log(base) * exponent));
     }
 
     // The exponent of the leading term: 0 where a constant stands before a power that is singular.
@@ -206,8 +209,8 @@ private:
             return p;
         }
         const std::complex<double> c = leading_coefficient(found, unknown);
-        const std::complex<double> power = std::pow(rounded(distance_ / at_), p);
-        const std::complex<double> value = rounded(last_->coefficients(unknown)[0]);
+        const std::complex<double> power = std::pow(rounded_point(distance_ / at_), p);
+        const std::complex<double> value = rounded_point(last_->coefficients(unknown)[0]);
         return std::abs(value - c * power) < leading_part * std::abs(value) ? p : std::complex<double>(0);
     }
 
@@ -229,8 +232,8 @@ private:
     const candidate& from_;
     long digits_;
     double bits_;
-    complex now_, at_, distance_;
-    std::vector<complex> values_;
+    wide_complex now_, at_, distance_;
+    std::vector<wide_complex> values_;
     mpfr uncertainty_;
     std::optional<local_series<mpfr>> last_;
 };
@@ -240,7 +243,7 @@ std::vector<found_singularity> images_of(const found_singularity& one, int rotat
     std::vector<found_singularity> all;
     const precision_scope scope(static_cast<int>(mpfr_get_prec(handle(one.offset.re)) * 30103L / 100'000L) + 2);
     const mpfr size = modulus_of(one.offset);
-    const auto known = [&](const complex& z) {
+    const auto known = [&](const wide_complex& z) {
         return std::ranges::any_of(
             all, [&](const found_singularity& each) { return mpfr(modulus_of(each.offset - z)) < size / 1'000'000; });
     };
@@ -248,9 +251,9 @@ std::vector<found_singularity> images_of(const found_singularity& one, int rotat
         for (const bool mirrored : {false, true}) {
             found_singularity image = one;
             const mpfr angle = pi<mpfr>() * (2 * turn) / rotation;
-            complex z = mirrored ? complex{one.offset.re, mpfr(-one.offset.im)} : one.offset;
+            wide_complex z = mirrored ? wide_complex{one.offset.re, mpfr(-one.offset.im)} : one.offset;
             if (turn != 0) {
-                z = z * complex{mpfr(cos(angle)), mpfr(sin(angle))};
+                z = z * wide_complex{mpfr(cos(angle)), mpfr(sin(angle))};
             }
             if (abs(z.im) < one.uncertainty) {
                 z.im = mpfr(0);
@@ -302,7 +305,7 @@ std::string words_of(singularity_kind kind, double exponent) {
         case singularity_kind::branch_pole: return fmt::format("pole of order {:g} with branches", -exponent);
         case singularity_kind::algebraic: return "algebraic";
         case singularity_kind::logarithm: return "logarithm";
-        default: return "complex power";
+        default: return "wide_complex power";
     }
 }
 
@@ -322,7 +325,7 @@ singularity_map singularities_of(const explicit_system& system, const singularit
         const double first = search.first_radius();
         const double bound = std::isfinite(first) && first > 0 ? first : 1;
         for (double within = bound; within < farthest_search * bound && search.points() < request.most_points;
-             within *= growth) {
+             within *= search_growth) {
             map.within = within;
             search.search(within);
             if (nearest_modulus(search.found()) <= within) {
@@ -348,8 +351,9 @@ singularity_map singularities_of(const explicit_system& system, const singularit
     std::ranges::stable_sort(map.all, [](const found_singularity& a, const found_singularity& b) {
         const double of_a = rounded_size(a.offset);
         const double of_b = rounded_size(b.offset);
-        return std::abs(of_a - of_b) > 1e-9 * of_a ? of_a < of_b
-                                                   : std::arg(rounded(a.offset)) < std::arg(rounded(b.offset));
+        return std::abs(of_a - of_b) > 1e-9 * of_a
+                   ? of_a < of_b
+                   : std::arg(rounded_point(a.offset)) < std::arg(rounded_point(b.offset));
     });
     return map;
 }

@@ -11,10 +11,10 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int order = 44;
+constexpr int search_order = 44;
 // Of a radius: how far values are taken, and how far the series is believed to converge.
-constexpr double step_part = 0.5;
-constexpr double disc_part = 0.8;
+constexpr double search_step = 0.5;
+constexpr double believed_part = 0.8;
 constexpr int loop_points = 16;
 // Relative change of the unknowns after a turn that is no rounding.
 constexpr double least_change = 1e-6;
@@ -23,18 +23,18 @@ constexpr double good_agreement = 0.03;
 constexpr double better_agreement = 0.003;
 constexpr int most_intermediate_points = 40;
 constexpr double least_progress = 0.95;
-constexpr double least_cell = 1e-4;
+constexpr double least_search_cell = 1e-4;
 constexpr int polishing_steps = 10;
 constexpr double polishing_part = 0.5;
 constexpr double axis_part = 1e-3;
 
-complex_number<double> number_of(const plane_point& z) { return {z.real(), z.imag()}; }
-plane_point point_of(const complex_number<double>& z) { return {z.re, z.im}; }
+complex_number<double> as_number(const plane_point& z) { return {z.real(), z.imag()}; }
+plane_point as_point(const complex_number<double>& z) { return {z.re, z.im}; }
 
 }  // namespace
 
 singularity_search::singularity_search(const path_system& of, int rotation, long most_points)
-    : of_(of), rotation_(rotation), most_points_(most_points), series_(of, order) {
+    : of_(of), rotation_(rotation), most_points_(most_points), series_(of, search_order) {
     series_.about_start();
     std::vector<complex> values;
     for (std::size_t i = 0; i < series_.carried(); ++i) {
@@ -44,11 +44,11 @@ singularity_search::singularity_search(const path_system& of, int rotation, long
 }
 
 void singularity_search::expand(const plane_point& at, const std::vector<complex>& values, int parent) {
-    series_.about(number_of(at), values);
+    series_.about(as_number(at), values);
     point made{at, std::exp2(series_.log_of_radius(parent < 0 ? std::max(2, rotation_) : 1)), {}, parent};
     for (std::size_t i = 0; i < series_.carried(); ++i) {
         const complex* const a = series_.coefficients(i);
-        made.coefficients.emplace_back(a, a + order + 1);
+        made.coefficients.emplace_back(a, a + search_order + 1);
     }
     if (std::isnan(made.radius) || !(made.radius > 0)) {
         made.radius = 0;
@@ -57,7 +57,7 @@ void singularity_search::expand(const plane_point& at, const std::vector<complex
 }
 
 std::vector<complex_number<double>> singularity_search::values_at(const point& of, const plane_point& at) const {
-    const complex s = number_of(at - of.at);
+    const complex s = as_number(at - of.at);
     std::vector<complex> values;
     for (const auto& a : of.coefficients) {
         complex sum = a.back();
@@ -109,7 +109,7 @@ bool singularity_search::add_point(const plane_point& at) {
         }
         const point& from = points_[static_cast<std::size_t>(parent)];
         const plane_point way = at - from.at;
-        const double reach = step_part * from.radius;
+        const double reach = search_step * from.radius;
         const bool arrives = std::abs(way) <= reach;
         if (!(from.radius > 0) || (!arrives && !(std::abs(way) < least_progress * left))) {
             return false;
@@ -146,7 +146,7 @@ bool singularity_search::is_explained(const cell& of) const {
     // Where a cut goes through the cell, each side of it has a point of its own, whose disc holds the whole cell.
     std::array<bool, 5> explained{};
     for (const point& each : points_) {
-        if (all_in(each.at, disc_part * each.radius)) {
+        if (all_in(each.at, believed_part * each.radius)) {
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 explained[k] = explained[k] || !crosses_cut(each.at, corners[k]);
             }
@@ -169,7 +169,7 @@ std::optional<plane_point> singularity_search::value_at(const plane_point& offse
     const bool below = offset.imag() < 0;
     const plane_point z = below ? std::conj(offset) : offset;
     const point* best = nullptr;
-    double least = disc_part;
+    double least = believed_part;
     for (const point& each : points_) {
         const double part = std::abs(z - each.at) / each.radius;
         if (part < least && !crosses_cut(each.at, z)) {
@@ -180,7 +180,7 @@ std::optional<plane_point> singularity_search::value_at(const plane_point& offse
     if (best == nullptr) {
         return std::nullopt;
     }
-    const plane_point value = point_of(values_at(*best, z).front());
+    const plane_point value = as_point(values_at(*best, z).front());
     return below ? std::conj(value) : value;
 }
 
@@ -190,14 +190,14 @@ void singularity_search::look_at_last() {
     if (!estimate || !(estimate->agreement < good_agreement)) {
         return;
     }
-    const plane_point at = points_.back().at + point_of(estimate->distance);
+    const plane_point at = points_.back().at + as_point(estimate->distance);
     bool mirrored = false;
     int turns = 0;
     const plane_point inside = folded(at, mirrored, turns);
     if (!(std::abs(at) < 1.2 * within_)) {
         return;
     }
-    const double away = std::abs(point_of(estimate->distance));
+    const double away = std::abs(as_point(estimate->distance));
     const auto near = [&](const plane_point& z, double reach) { return std::abs(inside - z) < reach; };
     if (std::ranges::any_of(
             found_, [&](const candidate& each) { return near(each.at, std::max(0.5 * each.reach, 0.1 * away)); }) ||
@@ -223,8 +223,8 @@ plane_point singularity_search::polished(plane_point centre) {
         if (!estimate || !(estimate->agreement < good_agreement)) {
             break;
         }
-        centre = next + point_of(estimate->distance);
-        const double error = estimate->agreement * std::abs(point_of(estimate->distance));
+        centre = next + as_point(estimate->distance);
+        const double error = estimate->agreement * std::abs(as_point(estimate->distance));
         if (k == 0 || error < best) {
             best = error;
             result = centre;
@@ -253,7 +253,7 @@ void singularity_search::approach(const plane_point& guess) {
         const auto estimate = series_.nearest();
         const double away = std::abs(points_.back().at - centre);
         if (estimate && estimate->agreement < good_agreement) {
-            const plane_point again = points_.back().at + point_of(estimate->distance);
+            const plane_point again = points_.back().at + as_point(estimate->distance);
             if (std::abs(again - guess) > 0.5 * std::abs(points_.back().at - guess) + 0.1 * away) {
                 break;  // it points elsewhere
             }
@@ -282,7 +282,7 @@ void singularity_search::approach(const plane_point& guess) {
         // The nearest point there is leads on.
         const point& from = points_.back();
         const plane_point way = centre - from.at;
-        const double part = std::min(0.5, step_part * from.radius / std::max(std::abs(way), 1e-300));
+        const double part = std::min(0.5, search_step * from.radius / std::max(std::abs(way), 1e-300));
         if (!(part > 0.05) || points() >= most_points_) {
             break;
         }
@@ -313,8 +313,8 @@ std::optional<candidate> singularity_search::loop_round(const plane_point& centr
     if (alone) {
         double change = 0;
         for (std::size_t i = 0; i < points_.back().coefficients.size(); ++i) {
-            const plane_point before = point_of(points_[first].coefficients[i][0]);
-            const plane_point after = point_of(points_.back().coefficients[i][0]);
+            const plane_point before = as_point(points_[first].coefficients[i][0]);
+            const plane_point after = as_point(points_.back().coefficients[i][0]);
             const double size = std::max({std::abs(before), std::abs(after), 1e-300});
             change = std::max(change, std::abs(after - before) / size);
         }
@@ -328,7 +328,7 @@ std::optional<candidate> singularity_search::loop_round(const plane_point& centr
     for (const auto& each : points_.back().coefficients) {
         values.push_back(each[0]);
     }
-    series_.about(number_of(points_.back().at), values);
+    series_.about(as_number(points_.back().at), values);
     return made;
 }
 
@@ -345,7 +345,7 @@ void singularity_search::search(double within) {
         }
         const double length = now.r2 - now.r1;
         const double width = (now.a2 - now.a1) * now.r2;
-        if (std::max(length, width) < least_cell * within || points() >= most_points_) {
+        if (std::max(length, width) < least_search_cell * within || points() >= most_points_) {
             ++unexplained_;
             continue;
         }
