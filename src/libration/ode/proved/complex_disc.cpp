@@ -14,9 +14,9 @@ namespace libration::ode {
 namespace {
 
 // The centre has so many bits more than the set leaves it.
-constexpr long bits_below_the_set = 24;
+constexpr long bits_below_complex_set = 24;
 // Of the variations: radii of T are within a few hundredths of those of convergence.
-constexpr int set_order = 44;
+constexpr int complex_set_order = 44;
 // Paths go by at most 2/3 of a radius.
 constexpr double terms_for_a_bit = 1.75;
 // Parts of an estimated radius; the estimate may be below the radius by a power of the order.
@@ -60,7 +60,7 @@ long bits_of(const complex_set& set, long most) {
         const long exponent = size.is_zero() ? set.scales[i] : size.exponent();
         needed = std::max(needed, width.is_zero() ? most : exponent - (width.exponent() + set.scales[i]));
     }
-    return std::clamp(needed + bits_below_the_set, complex_flow::usual_error_bits,
+    return std::clamp(needed + bits_below_complex_set, complex_flow::usual_error_bits,
                       std::max(most, complex_flow::usual_error_bits));
 }
 
@@ -135,7 +135,7 @@ complex_disc::complex_disc(const complex_flow& flow, complex_set about)
         if (!all_finite(varied)) {
             throw precision_exhausted("a point of a path");
         }
-        of_set_ = std::make_unique<taylor_expansion<complex_ball>>(flow.varied_tape_, set_order);
+        of_set_ = std::make_unique<taylor_expansion<complex_ball>>(flow.varied_tape_, complex_set_order);
         of_set_->about(time(), as_state(varied));
         const std::size_t count = flow.lifted_.leaves.size();
         const std::vector<complex_ball> own(varied.begin(), varied.begin() + static_cast<std::ptrdiff_t>(count));

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int most_secants = 40;
 constexpr int pieces_of_a_step = 8;
-constexpr long guard_bits = 80;
+constexpr long layer_guard_bits = 80;
 // Bits by which the two sides are farther apart than the working precision.
 constexpr long bits_of_sides = 6;
-constexpr int latest_time = 100'000;
+constexpr int latest_layer_time = 100'000;
 
 rational fraction_of(const mpfr& x) {
     rational q;
@@ -82,7 +82,7 @@ using state_test = std::function<std::optional<side>(const std::vector<ball>&)>;
 
 std::optional<side> side_of(const equation_system& system, long bits, const state_test& decided, const ball& least) {
     proved_march march(explicit_system(system), bits);
-    while (march.prepare() && certainly_less(march.reached(), ball(latest_time))) {
+    while (march.prepare() && certainly_less(march.reached(), ball(latest_layer_time))) {
         if (const auto found = decided(march.values_at(ball(0)))) {
             return found;
         }
@@ -103,8 +103,8 @@ ball between(const equation_system& given, const std::string& name, const mpfr& 
              const ball& least) {
     const long bits = static_cast<long>(ball::working_bits());
     const mpfr away = ldexp(abs(middle), static_cast<int>(bits_of_sides - bits));
-    const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits + guard_bits, decided, least);
-    const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits + guard_bits, decided, least);
+    const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits + layer_guard_bits, decided, least);
+    const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits + layer_guard_bits, decided, least);
     if (!low || !high || *low == *high) {
         throw precision_exhausted("the sides of a value for infinity");
     }
@@ -116,7 +116,7 @@ ball proved_shot(const equation_system& given, const std::string& name, int targ
                  const ball& least, const Time& time) {
     mpfr middle;
     {
-        const precision_scope more(decimal_digits(static_cast<long>(ball::working_bits()) + guard_bits));
+        const precision_scope more(decimal_digits(static_cast<long>(ball::working_bits()) + layer_guard_bits));
         middle = shot(given, name, target, time);
     }
     return between(given, name, middle, decided, least);

@@ -13,8 +13,8 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long guard_bits = 48;
-constexpr int most_attempts = 6;
+constexpr long loop_guard_bits = 48;
+constexpr int most_loop_attempts = 6;
 constexpr int most_coverings = 4;
 constexpr long most_discs_a_digit = 300;
 constexpr long shown_digits = 12;
@@ -39,19 +39,19 @@ int weights_for(const found_singularity& found) {
     return order - 1;
 }
 
-[[noreturn]] void fail(const std::string& why) { throw error(error_kind::undecided, "problem", "", why); }
+[[noreturn]] void refuse_proof(const std::string& why) { throw error(error_kind::undecided, "problem", "", why); }
 
-std::string shown(const mpfr& x) { return to_decimal(x, shown_digits); }
+std::string shown_number(const mpfr& x) { return to_decimal(x, shown_digits); }
 
 // More bits until a proof closes, or gives another answer than "too few bits".
 template <class Prove>
 auto with_enough_bits(long digits, const Prove& prove) {
-    long bits = bits_of_digits(digits) + guard_bits;
+    long bits = bits_of_digits(digits) + loop_guard_bits;
     for (int attempt = 0;; ++attempt) {
         try {
             return prove(bits);
         } catch (const precision_exhausted&) {
-            if (attempt >= most_attempts) {
+            if (attempt >= most_loop_attempts) {
                 throw;
             }
             bits = bits + bits / 2;
@@ -76,8 +76,8 @@ proved_singularity prove_along(const explicit_system& system, const found_singul
         });
         return {found.offset, loop.reach, loop};
     } catch (const precision_exhausted&) {
-        fail("is not proved to have a singularity near " + shown(found.offset.re) + " + " + shown(found.offset.im) +
-             "i: no change or integral round it is told from 0");
+        refuse_proof("is not proved to have a singularity near " + shown_number(found.offset.re) + " + " +
+                     shown_number(found.offset.im) + "i: no change or integral round it is told from 0");
     }
 }
 
@@ -103,8 +103,8 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
     request.nearest_alone = true;
     const singularity_map map = singularities_of(system, request);
     if (map.all.empty()) {
-        fail("shows no singularity within " + std::to_string(map.within) +
-             " of its start, so that nothing bounds its radius from above");
+        refuse_proof("shows no singularity within " + std::to_string(map.within) +
+                     " of its start, so that nothing bounds its radius from above");
     }
     const precision_scope scope(static_cast<int>(place_digits) + 20);
     const found_singularity& nearest = map.all.front();
@@ -120,16 +120,16 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
     limits.finest_bits = bits_of_digits(digits) + 8;
     limits.most_discs = most_discs_a_digit * (digits + 10);
     covering found;
-    long bits = bits_of_digits(digits) + guard_bits;
+    long bits = bits_of_digits(digits) + loop_guard_bits;
     for (int attempt = 0; attempt < most_coverings && !found.complete; ++attempt) {
         const complex_flow flow(system, bits);
         found = covered_disc(flow, rho, {result.rotation}, limits);
         bits += bits / 2;
     }
     if (!found.complete) {
-        fail("has a radius of at most " + shown(midpoint_of(result.upper)) + " and at least " +
-             (is_finite(found.covered) ? shown(midpoint_of(found.covered)) : "0") +
-             ", both proved; more is not: " + found.reason);
+        refuse_proof("has a radius of at most " + shown_number(midpoint_of(result.upper)) + " and at least " +
+                     (is_finite(found.covered) ? shown_number(midpoint_of(found.covered)) : "0") +
+                     ", both proved; more is not: " + found.reason);
     }
     result.lower = rho;
     result.cover = std::move(found);

@@ -13,20 +13,20 @@ namespace {
 
 constexpr int loop_corners = 16;
 // Of a radius: paths go so far in one step.
-constexpr unsigned long step_part = 19'660;  // 0.6 of 2^15
+constexpr unsigned long path_part = 19'660;  // 0.6 of 2^15
 // Besides one a bit; where the discs have nine tenths of the radius it takes one in two bits.
 constexpr long most_path_discs = 60;
 // Of a covering: the longest step, and the most of them to the centre of a cell.
 constexpr unsigned long way_part = 26'214;  // 0.8 of 2^15
 constexpr int most_way_discs = 12;
 
-std::complex<double> rounded(const complex_ball& z) {
+std::complex<double> rounded_place(const complex_ball& z) {
     return {arf_get_d(arb_midref(z.re.handle()), ARF_RND_NEAR), arf_get_d(arb_midref(z.im.handle()), ARF_RND_NEAR)};
 }
 
 complex_ball rounded_exact(const complex_ball& z) { return {exact_midpoint(z.re), exact_midpoint(z.im)}; }
 
-complex_ball difference(const complex_ball& a, const complex_ball& b) {
+complex_ball exact_way(const complex_ball& a, const complex_ball& b) {
     complex_ball result;
     arb_sub(result.re.handle(), a.re.handle(), b.re.handle(), ARF_PREC_EXACT);
     arb_sub(result.im.handle(), a.im.handle(), b.im.handle(), ARF_PREC_EXACT);
@@ -149,7 +149,7 @@ private:
         const ball farthest = centre.re * centre.re + centre.im * centre.im;
         for (const auto& each : discs_) {
             const complex_ball& c = each->about().offset;
-            const magnitude part = size_of(difference(centre, c)) / each->radius();
+            const magnitude part = size_of(exact_way(centre, c)) / each->radius();
             const bool inside = certainly_less(ball(c.re * c.re + c.im * c.im), farthest);
             if (inside && part < least) {
                 least = part;
@@ -168,12 +168,12 @@ private:
                     return false;
                 }
                 const complex_disc& from = way ? *way : *best;
-                const complex_ball rest = difference(centre, from.about().offset);
+                const complex_ball rest = exact_way(centre, from.about().offset);
                 const magnitude longest = from.radius() * magnitude::of(way_part, -15);
                 const bool last = size_of(rest) <= longest;
                 const ball part = last ? ball(1) : ball(longest.exact() / size_of(rest).exact());
                 const complex_ball next = last ? centre : rounded_exact(from.about().offset + rest * part);
-                if (!certainly_within(difference(next, from.about().offset), from.radius())) {
+                if (!certainly_within(exact_way(next, from.about().offset), from.radius())) {
                     throw precision_exhausted("a disc below the rounding of its centre");
                 }
                 if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {
@@ -196,7 +196,7 @@ private:
     }
 
     void note(const complex_disc& disc) {
-        made_.push_back({rounded(disc.about().offset), mag_get_d(disc.radius().handle())});
+        made_.push_back({rounded_place(disc.about().offset), mag_get_d(disc.radius().handle())});
     }
 
     const complex_flow& flow_;
@@ -222,9 +222,9 @@ public:
     template <class Each>
     void go_to(const complex_ball& target, const Each& each) {
         while (true) {
-            const complex_ball rest = difference(target, now_->about().offset);
+            const complex_ball rest = exact_way(target, now_->about().offset);
             const magnitude away = size_of(rest);
-            const magnitude longest = now_->radius() * magnitude::of(step_part, -15);
+            const magnitude longest = now_->radius() * magnitude::of(path_part, -15);
             const bool last = away <= longest;
             if (away.is_zero()) {
                 return;
@@ -238,7 +238,7 @@ public:
                 throw error(error_kind::undecided, "problem", "",
                             "is not followed to a singularity: the proved discs become too small before it");
             }
-            if (!certainly_within(difference(next, now_->about().offset), now_->radius())) {
+            if (!certainly_within(exact_way(next, now_->about().offset), now_->radius())) {
                 throw precision_exhausted("a step below the rounding of its place");
             }
             each(*now_, next);
@@ -292,13 +292,13 @@ loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>
         polygon.push_back(rounded_exact(centre + turned));
     }
     path.go_to(polygon.front(), none);
-    result.reach = size_of(difference(polygon.front(), centre));
+    result.reach = size_of(exact_way(polygon.front(), centre));
     const std::vector<complex_ball> before = values_of(path.now().about());
     const std::size_t powers = static_cast<std::size_t>(most_power) + 1;
     std::vector<complex_ball> sums(flow.given() * powers, complex_ball(0));
     for (std::size_t k = 1; k < polygon.size(); ++k) {
         path.go_to(polygon[k], [&](const complex_disc& disc, const complex_ball& to) {
-            result.reach = std::max(result.reach, size_of(difference(to, centre)));
+            result.reach = std::max(result.reach, size_of(exact_way(to, centre)));
             for (std::size_t i = 0; i < flow.given(); ++i) {
                 for (std::size_t power = 0; power < powers; ++power) {
                     complex_ball& sum = sums[i * powers + power];
