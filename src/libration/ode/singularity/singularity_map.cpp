@@ -258,6 +258,9 @@ std::vector<found_singularity> images_of(const found_singularity& one, int rotat
             if (abs(z.im) < one.uncertainty) {
                 z.im = mpfr(0);
             }
+            if (abs(z.re) < one.uncertainty) {
+                z.re = mpfr(0);
+            }
             if (known(z)) {
                 continue;
             }
