@@ -120,11 +120,12 @@ const equation_study& proved_radius() {
             "time of the proof against D: about ten discs a digit, each of which costs more digits the more there are, "
             "so that the time grows like a small power of D.",
         .parameters = {{"--digits", "10", "D, to which the bounds agree"}},
-        .example = {"falkner_skan", {"b=1/10:1:10"}},
-        .example_words = {{"--digits", "8,16"}},
-        .quick = {{"--digits", "5"}},
-        .seconds = 30,
-        .plan = plan};
+        .example = {"van_der_pol", {"m=1:4:4"}},
+        .example_words = {{"--digits", "5,10,20"}},
+        .quick = {{"--digits", "3"}},
+        .seconds = 60,
+        .plan = plan,
+        .alone = true};
     return result;
 }
 

@@ -21,6 +21,10 @@ constexpr double least_change = 1e-6;
 // Ratios that agree so far point at one singularity.
 constexpr double good_agreement = 0.03;
 constexpr double better_agreement = 0.003;
+constexpr int most_approaches = 8;
+// Of the distance: estimates that move less have settled.
+constexpr double settled_part = 0.01;
+constexpr int enough_settled = 4;
 constexpr int most_intermediate_points = 40;
 constexpr double least_progress = 0.95;
 constexpr double least_search_cell = 1e-4;
@@ -246,10 +250,28 @@ plane_point singularity_search::on_axis(const plane_point& z, double reach) cons
     return z;
 }
 
+// Into the sector, at the polished place, unless it is known.
+void singularity_search::keep(candidate made) {
+    bool mirrored = false;
+    int turns = 0;
+    made.at = on_axis(folded(polished(made.at), mirrored, turns), made.reach);
+    for (plane_point& each : made.path) {
+        each *= std::polar(1.0, -turns * 2 * std::numbers::pi / rotation_);
+        each = mirrored ? std::conj(each) : each;
+    }
+    const bool known = std::ranges::any_of(found_, [&](const candidate& each) {
+        return std::abs(each.at - made.at) < 0.2 * std::max(each.reach, made.reach);
+    });
+    if (!known) {
+        found_.push_back(std::move(made));
+    }
+}
+
 // Nearer to a guess until a loop round it sees nothing else.
 void singularity_search::approach(const plane_point& guess) {
     plane_point centre = guess;
-    for (int attempt = 0; attempt < 8; ++attempt) {
+    int settled = 0;
+    for (int attempt = 0; attempt < most_approaches; ++attempt) {
         const auto estimate = series_.nearest();
         const double away = std::abs(points_.back().at - centre);
         if (estimate && estimate->agreement < good_agreement) {
@@ -257,24 +279,17 @@ void singularity_search::approach(const plane_point& guess) {
             if (std::abs(again - guess) > 0.5 * std::abs(points_.back().at - guess) + 0.1 * away) {
                 break;  // it points elsewhere
             }
+            settled = std::abs(again - centre) < settled_part * away ? settled + 1 : 0;
             centre = again;
             if (estimate->agreement < better_agreement) {
-                const auto loop = loop_round(centre);
-                if (loop) {
-                    candidate made = *loop;
-                    bool mirrored = false;
-                    int turns = 0;
-                    made.at = on_axis(folded(polished(centre), mirrored, turns), made.reach);
-                    for (plane_point& each : made.path) {
-                        each *= std::polar(1.0, -turns * 2 * std::numbers::pi / rotation_);
-                        each = mirrored ? std::conj(each) : each;
-                    }
-                    const bool known = std::ranges::any_of(found_, [&](const candidate& each) {
-                        return std::abs(each.at - made.at) < 0.2 * std::max(each.reach, made.reach);
-                    });
-                    if (!known) {
-                        found_.push_back(std::move(made));
-                    }
+                if (const auto loop = loop_round(centre)) {
+                    keep(*loop);
+                    return;
+                }
+                // No loop of any size closes where singularities of other sheets accumulate.
+                if (settled >= enough_settled) {
+                    keep({centre, std::abs(points_.back().at - centre), false,
+                          path_to(static_cast<int>(points_.size()) - 1)});
                     return;
                 }
             }

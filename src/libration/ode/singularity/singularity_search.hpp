@@ -56,6 +56,7 @@ private:
     bool is_explained(const cell& of) const;
     void look_at_last();
     void approach(const plane_point& guess);
+    void keep(candidate made);
     plane_point polished(plane_point centre);
     plane_point on_axis(const plane_point& z, double reach) const;
     std::optional<candidate> loop_round(const plane_point& centre);
