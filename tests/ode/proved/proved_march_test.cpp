@@ -94,6 +94,17 @@ TEST_CASE("proved marches hold closed forms at random starts, times and precisio
     check_random_values(300, 18);
 }
 
+// All coefficients are 0 there, and those of the variations are not.
+TEST_CASE("an equilibrium is marched", "[ode][proved]") {
+    for (const char* text : {"y' = -y*log(y); y(0) = 1", "y' = y*(1 - y); y(0) = 1"}) {
+        proved_march march(explicit_system(parse(text)), 100);
+        const auto value = march.at(number(rational(24)));
+        REQUIRE(value.has_value());
+        CHECK(contains(value->front(), ball(1)));
+        CHECK(arb_rel_accuracy_bits(value->front().handle()) > 90);
+    }
+}
+
 TEST_CASE("proved marches hold closed forms a hundred thousand times", "[.long][proved]") {
     check_random_values(100'000, 2026);
 }

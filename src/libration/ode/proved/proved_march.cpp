@@ -143,7 +143,11 @@ void proved_march::expand() {
     const auto varied = varied_values(lifted_, time_, whole_set());
     if (all_finite(varied)) {
         now_->of_set.about(time_, as_state(varied));
-        now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, radius);
+        // At an equilibrium the variations alone have a radius.
+        const double of_set = radius < no_radius
+                                  ? radius
+                                  : std::min(radius, estimated_radius(now_->of_set, varied.size(), largest_of(varied)));
+        now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, of_set);
     }
 }
 

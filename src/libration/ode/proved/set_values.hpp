@@ -51,10 +51,13 @@ solution_state<R> as_state(const std::vector<R>& values) {
     return state;
 }
 
-// log2 of the radius of convergence as the last coefficients have it; a large number where they are all 0.
+// log2 of a radius that is none: the last coefficients are 0.
+inline constexpr double no_radius = 1'000;
+
+// log2 of the radius of convergence as the last coefficients have it; no_radius where they are all 0.
 template <field R>
 double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns, const magnitude& size) {
-    double least = 1'000;
+    double least = no_radius;
     for (int n = of.order() - 1; n <= of.order(); ++n) {
         magnitude largest;
         for (std::size_t i = 0; i < unknowns; ++i) {
