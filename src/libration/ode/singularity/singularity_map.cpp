@@ -1,10 +1,9 @@
 #include "libration/ode/singularity/singularity_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "libration/ode/singularity/resonances.hpp"
@@ -304,8 +303,9 @@ double nearest_modulus(const std::vector<candidate>& found) {
 
 std::string words_of(singularity_kind kind, double exponent) {
     switch (kind) {
-        case singularity_kind::pole: return fmt::format("pole of order {:g}", -exponent);
-        case singularity_kind::branch_pole: return fmt::format("pole of order {:g} with branches", -exponent);
+        case singularity_kind::pole: return "pole of order " + std::to_string(std::lround(-exponent));
+        case singularity_kind::branch_pole:
+            return "pole of order " + std::to_string(std::lround(-exponent)) + " with branches";
         case singularity_kind::algebraic: return "algebraic";
         case singularity_kind::logarithm: return "logarithm";
         default: return "wide_complex power";
