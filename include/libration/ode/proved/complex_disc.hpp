@@ -47,7 +47,7 @@ private:
 
     lifted_system lifted_;
     tape tape_, varied_tape_;
-    std::size_t given_;
+    std::size_t given_ = 0;
     long bits_;
     ball origin_;
     std::vector<ball> start_;

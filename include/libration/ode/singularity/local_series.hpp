@@ -189,8 +189,8 @@ private:
         if (!(size > 0)) {
             return std::nullopt;
         }
-        const double spread = static_cast<double>(T(modulus_of(last - before) / size));
-        const double correction = static_cast<double>(T(modulus_of(last - inverse) / size));
+        const auto spread = static_cast<double>(T(modulus_of(last - before) / size));
+        const auto correction = static_cast<double>(T(modulus_of(last - inverse) / size));
         return nearest_estimate<T>{complex(T(1)) / inverse, std::max(spread * n / 8, correction)};
     }
 

@@ -100,7 +100,6 @@ complex_flow::complex_flow(const explicit_system& system, long bits)
     : lifted_(lifted_for_paths(system)),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
-      given_(0),
       bits_(bits) {
     const precision_scope scope(decimal_digits(bits));
     origin_ = constant_value<ball>::of(system.point());

@@ -68,7 +68,7 @@ proved_singularity prove_along(const explicit_system& system, const found_singul
     try {
         const loop_result loop = with_enough_bits(std::max(digits, 1L) + 4, [&](long bits) {
             const complex_flow flow(system, bits);
-            const loop_result made = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
+            loop_result made = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
             if (made.evidence == loop_evidence::none) {
                 throw precision_exhausted("a loop");
             }

@@ -115,7 +115,7 @@ private:
     static ball exact_half(const ball& a, const ball& b) { return exact_midpoint(ldexp(a + b, -1L)); }
 
     // On the bisector, a little inside the inner arc, so that its modulus is no larger whatever its rounding.
-    complex_ball inner_middle(const polar_cell& cell) const {
+    static complex_ball inner_middle(const polar_cell& cell) {
         const ball inside = cell.r1 - ldexp(cell.r2 - cell.r1, -6L);
         const complex_ball way = unit_at(exact_half(cell.t1, cell.t2));
         return rounded_exact(way * inside);

@@ -60,7 +60,7 @@ void singularity_search::expand(const plane_point& at, const std::vector<complex
     points_.push_back(std::move(made));
 }
 
-std::vector<complex_number<double>> singularity_search::values_at(const point& of, const plane_point& at) const {
+std::vector<complex_number<double>> singularity_search::values_at(const point& of, const plane_point& at) {
     const complex s = as_number(at - of.at);
     std::vector<complex> values;
     for (const auto& a : of.coefficients) {

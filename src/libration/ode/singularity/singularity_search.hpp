@@ -60,7 +60,7 @@ private:
     plane_point polished(plane_point centre);
     plane_point on_axis(const plane_point& z, double reach) const;
     std::optional<candidate> loop_round(const plane_point& centre);
-    std::vector<complex> values_at(const point& of, const plane_point& at) const;
+    static std::vector<complex> values_at(const point& of, const plane_point& at);
     std::vector<plane_point> path_to(int index) const;
     plane_point folded(plane_point z, bool& mirrored, int& turns) const;
 
