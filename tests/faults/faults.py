@@ -293,6 +293,10 @@ FAULTS = [
         "src/libration/ode/proved/complex_disc.cpp", [DISCS],
         ("the radii of a step in the plane forgotten", "added.push_back(magnitude(off) * magnitude::of(1, -result.scales[i]));",
          "added.emplace_back();"),
+        ("the tail of a step in the plane forgotten", "const magnitude tail = tail_->at(i, away);", "const magnitude tail;"),
+        ("the width of a start forgotten", "widths.push_back(magnitude(start_[i] - centre[i].re) * magnitude::of(1, -scales[i]));",
+         "widths.emplace_back();"),
+        ("an imaginary part with the wrong sign", "map[i][size + j] = -im;", "map[i][size + j] = im;"),
         ("an integral without its last factor", "    sum = sum * distance;\n", ""),
     ),
     *in_file(
