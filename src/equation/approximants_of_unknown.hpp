@@ -12,6 +12,7 @@
 #include "equation/solution_on_interval.hpp"
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/pade.hpp"
+#include "libration/scalar/integer_power.hpp"
 
 namespace libration {
 
@@ -98,14 +99,6 @@ private:
             }
         }
         return std::nullopt;
-    }
-
-    static T integer_power(const T& x, int n) {
-        T power(1);
-        for (int i = 0; i < n; ++i) {
-            power *= x;
-        }
-        return power;
     }
 
     mpfr start_;

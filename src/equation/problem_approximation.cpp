@@ -29,15 +29,6 @@ struct compared_values {
     std::vector<mpfr> truth;
 };
 
-std::vector<ode::number> constants_of_times(const std::vector<exact>& times) {
-    std::vector<ode::number> at;
-    at.reserve(times.size());
-    for (const exact& each : times) {
-        at.push_back(as_expression(each));
-    }
-    return at;
-}
-
 list_approximation method_named(const std::string& name) {
     return name == "series" ? list_approximation::series
            : name == "pade" ? list_approximation::pade
@@ -225,7 +216,7 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
         throw input_error("--scalar", numbers.scalar.name(), "proves nothing about --method " + by.method,
                           fmt::format("use mpfr:{}, or --method taylor", numbers.scalar.digits));
     }
-    const auto at = constants_of_times(times);
+    const auto at = constants_of(times);
     if (by.method == "endpoint") {
         require_one_side(problem.choose(), at);
     }

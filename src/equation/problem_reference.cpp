@@ -51,11 +51,7 @@ private:
 }  // namespace
 
 table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits) {
-    std::vector<ode::number> at;
-    at.reserve(times.size());
-    for (const exact& each : times) {
-        at.push_back(as_expression(each));
-    }
+    const auto at = constants_of(times);
     way_to_go way(system, at);
     const auto states = ode::proved_trajectory(system, at, digits, [&](const ball& time, long) { way.reached(time); });
     table data(columns_of_states(system));

@@ -58,15 +58,6 @@ constexpr long digits_beyond = 20;
 
 long digits_of_march(const arithmetic& numbers) { return std::max(numbers.digits, numbers.scalar.digits); }
 
-std::vector<ode::number> constants_of(const std::vector<exact>& times) {
-    std::vector<ode::number> at;
-    at.reserve(times.size());
-    for (const exact& each : times) {
-        at.push_back(as_expression(each));
-    }
-    return at;
-}
-
 std::vector<ode::solution_state<mpfr>> states_of(const ode::explicit_system& system,
                                                  const std::vector<ode::number>& times, const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::arbitrary) {
@@ -205,6 +196,15 @@ std::vector<column> columns_of_states(const ode::explicit_system& system) {
     }
     columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
     return columns;
+}
+
+std::vector<ode::number> constants_of(const std::vector<exact>& times) {
+    std::vector<ode::number> at;
+    at.reserve(times.size());
+    for (const exact& each : times) {
+        at.push_back(as_expression(each));
+    }
+    return at;
 }
 
 std::vector<exact> times_of_problem(const std::string& words) {

@@ -15,6 +15,9 @@ namespace libration {
 /// The words of --times of a problem: exact numbers without a unit. Throws input_error.
 std::vector<exact> times_of_problem(const std::string& words);
 
+/// The same as constants of equations.
+std::vector<ode::number> constants_of(const std::vector<exact>& times);
+
 /// time,<unknown and its lower derivatives>...,digits,rigour,time_typed.
 std::vector<column> columns_of_states(const ode::explicit_system& system);
 

@@ -14,30 +14,9 @@ using namespace approximant_norms;
 
 namespace {
 
-constexpr long printed = 12;
-
 const column_list<norm_row>& columns() {
     using row = norm_row;
-    static const column_list<row> all{
-        {"order", "N, last power of the series at the start that is used", [](const row& r) { return r.order; }},
-        {"method", "series | pade: [N - m, m] with the largest m <= N/2 that there is | asymptotic",
-         [](const row& r) { return r.method; }},
-        {"norm",
-         "largest |method - solution| at 401 Chebyshev points from the start to where the solution is its far "
-         "behaviour, in the unit of the unknown; empty where there is no Pade approximant",
-         [](const row& r) { return r.found ? decimal_cell(r.found->norm, printed) : cell(); }},
-        {"time_of_maximum", "which of the points, in the unit of the variable",
-         [](const row& r) { return r.found ? decimal_cell(r.found->place, printed) : cell(); }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return r.found ? log10_cell(r.found->norm) : cell(); }},
-        {"rigour", "two-method: the solution is what two marches agree on, the approximant in as many digits",
-         [](const row& /*r*/) { return "two-method"; }},
-        {"predicted",
-         "what the form says of its norm as N grows, but for a factor: the distance of the solution from its "
-         "far behaviour at the radius of the bracket (power), rho^-N (exponential), N^-(8/5) (branch)",
-         [](const row& r) { return decimal_cell(r.predicted, printed); }},
-        {"log10_predicted", "log10 of predicted", [](const row& r) { return log10_cell(r.predicted); }},
-        unknown_column<row>(),
-    };
+    static const column_list<row> all = joined(columns_of_norms(), {unknown_column<row>()});
     return all;
 }
 

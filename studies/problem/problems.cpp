@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "../equation/list_answers.hpp"
+#include "equation/catalogue_axis.hpp"
 #include "equation/solution_on_interval.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
@@ -22,43 +23,6 @@ constexpr int instants = 101;
 const scalar_spec& arithmetic_of_lists() {
     static const scalar_spec chosen = read_scalar("mpfr:30");
     return chosen;
-}
-
-// The axes of a study of the whole catalogue: which of its problems.
-const problem& whole_catalogue() {
-    static const problem result = [] {
-        const auto require_known = [](const exact& word) { static_cast<void>(problem_text(word.text)); };
-        return problem{"catalogue",
-                       {{.name = "problem",
-                         .option = "--problems",
-                         .help = "names of the catalogue: a,b,c, or all",
-                         .unit = "",
-                         .form = axis_form::words,
-                         .remedy = "write names of `libration problems`, or all",
-                         .check =
-                             [require_known](const exact& word) {
-                                 if (word.text != "all") {
-                                     require_known(word);
-                                 }
-                             },
-                         .coordinate = "problem",
-                         .to_coordinate = {}}}};
-    }();
-    return result;
-}
-
-std::vector<std::string> names_of(const study_request& request) {
-    std::vector<std::string> names;
-    for (const exact& word : request.values.of("problem")) {
-        if (word.text != "all") {
-            names.push_back(word.text);
-            continue;
-        }
-        for (const catalogue_entry& each : catalogue()) {
-            names.emplace_back(each.name);
-        }
-    }
-    return names;
 }
 
 template <class Row>
@@ -201,7 +165,7 @@ std::vector<table> tables_of_problem(const std::string& name, int order) {
 }
 
 study_plan plan(const study_request& request) {
-    const auto names = names_of(request);
+    const auto names = problem_names_of(request.values.of("problem"));
     const auto orders = request.orders();
     const int order = *std::ranges::max_element(orders);
     if (order < of_equation::least_order_of_lists) {
@@ -235,7 +199,7 @@ const study& problems() {
             "the nearest singularities that the radius tests see in them, in the complex plane of time around the "
             "start, with the circle of convergence. Nothing here is proved: positions are those of the verdict of the "
             "tests, whose uncertainty stands in the third table.",
-        .of = &whole_catalogue(),
+        .of = &catalogue_as_problem(),
         .parameters = {{"--problems", "all", "names of the catalogue"},
                        {"--orders", "80", "N, last power of the lists; the largest is taken"}},
         .quick = {{"--problems", "blasius,riccati,thomas_fermi", ""}, {"--orders", "20", ""}},

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include "equation/catalogue_axis.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/decimal.hpp"
-#include "proved_problems.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {
@@ -142,7 +142,7 @@ std::vector<table> tables_of(const std::string& name) {
 }
 
 study_plan plan(const study_request& request) {
-    const auto names = problem_names_of(request);
+    const auto names = problem_names_of(request.values.of("problem"));
     return plan_of_cells(
         {head_of("", read_scalar("double"), value_columns()),
          head_of("singularities", {scalar_kind::arbitrary, place_digits}, place_columns()),

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
+#include "equation/catalogue_axis.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/decimal.hpp"
-#include "proved_problems.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {
@@ -128,7 +128,7 @@ scenario_row row_of(const std::string& name) {
 }
 
 study_plan plan(const study_request& request) {
-    const auto names = problem_names_of(request);
+    const auto names = problem_names_of(request.values.of("problem"));
     return plan_of_cells(
         {head_of("", {scalar_kind::proved, proof_digits}, columns())}, {"problem"}, names.size(),
         [names](std::size_t i) {

@@ -1,4 +1,4 @@
-// Powers of complex numbers with whole exponents.
+// Powers with whole exponents, of real and complex numbers.
 #pragma once
 
 #include <bit>
@@ -9,9 +9,9 @@ namespace libration {
 
 /// z^n, n >= 0, by squaring from the highest bit of n on: O(log n) products. Relative to |z|^n an error of n epsilon;
 /// on balls up to sqrt 2 times that for each product.
-template <scalar T>
-complex_number<T> integer_power(const complex_number<T>& z, long n) {
-    complex_number<T> power{T(1), T(0)};
+template <field R>
+R integer_power(const R& z, long n) {
+    R power(1);
     const auto exponent = static_cast<unsigned long>(n);
     for (unsigned long bit = std::bit_floor(exponent); bit > 0; bit /= 2) {
         power = power * power;

@@ -65,7 +65,7 @@ public:
     /// Theorem V: the set at t0 + offset, |offset - about().offset| < radius(); offset exact.
     complex_set moved_to(const complex_ball& offset) const;
     /// An enclosure, over the whole set, of
-    ///     int ((t0 + z - t0 - centre)/scale)^power y_unknown dz
+    ///     int ((z - centre)/scale)^power y_unknown(t0 + z) dz
     /// along the straight line from about().offset to `offset` inside the disc, `scale` exact and not 0.
     complex_ball integral(std::size_t unknown, const complex_ball& offset, const complex_ball& centre,
                           const ball& scale, int power) const;
@@ -83,8 +83,11 @@ private:
 /// The enclosures of the unknowns over a set.
 std::vector<complex_ball> values_of(const complex_set& set);
 
-/// |z| of a ball, from above and from below.
-magnitude farthest_from_zero(const complex_ball& z);
+/// a - b of exact numbers, exactly.
+complex_ball exact_difference(const complex_ball& a, const complex_ball& b);
+
+/// The midpoint, rounded to the working precision, as an exact number.
+complex_ball exact_midpoint(const complex_ball& z);
 
 /// Whether |z| < r for every number of the ball.
 bool certainly_within(const complex_ball& z, const magnitude& r);

@@ -22,16 +22,10 @@ constexpr double terms_for_a_bit = 1.75;
 // Parts of an estimated radius; the estimate may be below the radius by a power of the order.
 constexpr std::array<unsigned long, 8> parts_of_estimate{125, 116, 108, 100, 92, 82, 70, 55};
 
-complex_ball exact_midpoint_of(const complex_ball& z) { return {exact_midpoint(z.re), exact_midpoint(z.im)}; }
-
 ball exact_sum(const ball& a, const ball& b) {
     ball result;
     arb_add(result.handle(), a.handle(), b.handle(), ARF_PREC_EXACT);
     return result;
-}
-
-complex_ball exact_difference(const complex_ball& a, const complex_ball& b) {
-    return {exact_sum(a.re, -b.re), exact_sum(a.im, -b.im)};
 }
 
 // Powers of two near the sizes of the unknowns; that of the largest one where there is none.
@@ -89,7 +83,11 @@ std::vector<complex_ball> values_of(const complex_set& set) {
     return values;
 }
 
-magnitude farthest_from_zero(const complex_ball& z) { return size_of(z); }
+complex_ball exact_difference(const complex_ball& a, const complex_ball& b) {
+    return {exact_sum(a.re, -b.re), exact_sum(a.im, -b.im)};
+}
+
+complex_ball exact_midpoint(const complex_ball& z) { return {exact_midpoint(z.re), exact_midpoint(z.im)}; }
 
 bool certainly_within(const complex_ball& z, const magnitude& r) {
     const ball limit = r.exact();
@@ -193,7 +191,7 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
         for (std::size_t i = 0; i < size; ++i) {
             const magnitude tail = tail_->at(i, away);
             image.emplace_back(widened(state[i][0].re, tail), widened(state[i][0].im, tail));
-            result.centre.push_back(exact_midpoint_of(image.back()));
+            result.centre.push_back(exact_midpoint(image.back()));
         }
         result.scales = scales_of(result.centre);
         for (const bool imaginary : {false, true}) {

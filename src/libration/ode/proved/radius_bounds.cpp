@@ -24,15 +24,6 @@ std::complex<double> rounded_place(const complex_ball& z) {
     return {arf_get_d(arb_midref(z.re.handle()), ARF_RND_NEAR), arf_get_d(arb_midref(z.im.handle()), ARF_RND_NEAR)};
 }
 
-complex_ball rounded_exact(const complex_ball& z) { return {exact_midpoint(z.re), exact_midpoint(z.im)}; }
-
-complex_ball exact_way(const complex_ball& a, const complex_ball& b) {
-    complex_ball result;
-    arb_sub(result.re.handle(), a.re.handle(), b.re.handle(), ARF_PREC_EXACT);
-    arb_sub(result.im.handle(), a.im.handle(), b.im.handle(), ARF_PREC_EXACT);
-    return result;
-}
-
 // exp(2 pi i turn) for an exact part of a turn.
 complex_ball unit_at(const ball& turn) {
     complex_ball result;
@@ -40,6 +31,8 @@ complex_ball unit_at(const ball& turn) {
     arb_sin_cos_pi(result.im.handle(), result.re.handle(), twice.handle(), ball::working_bits());
     return result;
 }
+
+constexpr const char* too_small_discs = "the discs become too small: a singularity is near, or the bits do not suffice";
 
 // A fan r1 <= |z| <= r2, turns t1 .. t2 of 2 pi; all exact.
 struct polar_cell {
@@ -118,7 +111,7 @@ private:
     static complex_ball inner_middle(const polar_cell& cell) {
         const ball inside = cell.r1 - ldexp(cell.r2 - cell.r1, -6L);
         const complex_ball way = unit_at(exact_half(cell.t1, cell.t2));
-        return rounded_exact(way * inside);
+        return exact_midpoint(way * inside);
     }
 
     // The four corners in the open disc, and its centre no farther from 0 than the cell.
@@ -149,7 +142,7 @@ private:
         const ball farthest = centre.re * centre.re + centre.im * centre.im;
         for (const auto& each : discs_) {
             const complex_ball& c = each->about().offset;
-            const magnitude part = size_of(exact_way(centre, c)) / each->radius();
+            const magnitude part = size_of(exact_difference(centre, c)) / each->radius();
             const bool inside = certainly_less(ball(c.re * c.re + c.im * c.im), farthest);
             if (inside && part < least) {
                 least = part;
@@ -157,7 +150,7 @@ private:
             }
         }
         if (best == nullptr) {
-            reason_ = "the discs become too small: a singularity is near, or the bits do not suffice";
+            reason_ = too_small_discs;
             return false;
         }
         try {
@@ -168,12 +161,12 @@ private:
                     return false;
                 }
                 const complex_disc& from = way ? *way : *best;
-                const complex_ball rest = exact_way(centre, from.about().offset);
+                const complex_ball rest = exact_difference(centre, from.about().offset);
                 const magnitude longest = from.radius() * magnitude::of(way_part, -15);
                 const bool last = size_of(rest) <= longest;
                 const ball part = last ? ball(1) : ball(longest.exact() / size_of(rest).exact());
-                const complex_ball next = last ? centre : rounded_exact(from.about().offset + rest * part);
-                if (!certainly_within(exact_way(next, from.about().offset), from.radius())) {
+                const complex_ball next = last ? centre : exact_midpoint(from.about().offset + rest * part);
+                if (!certainly_within(exact_difference(next, from.about().offset), from.radius())) {
                     throw precision_exhausted("a disc below the rounding of its centre");
                 }
                 if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {
@@ -191,7 +184,7 @@ private:
             reason_ = "the bits do not suffice near a singularity";
             return false;
         }
-        reason_ = "the discs become too small: a singularity is near, or the bits do not suffice";
+        reason_ = too_small_discs;
         return false;
     }
 
@@ -222,7 +215,7 @@ public:
     template <class Each>
     void go_to(const complex_ball& target, const Each& each) {
         while (true) {
-            const complex_ball rest = exact_way(target, now_->about().offset);
+            const complex_ball rest = exact_difference(target, now_->about().offset);
             const magnitude away = size_of(rest);
             const magnitude longest = now_->radius() * magnitude::of(path_part, -15);
             const bool last = away <= longest;
@@ -232,13 +225,13 @@ public:
             complex_ball next = target;
             if (!last) {
                 const ball part = longest.exact() / away.exact();
-                next = rounded_exact(now_->about().offset + rest * part);
+                next = exact_midpoint(now_->about().offset + rest * part);
             }
             if (++discs_ > most_path_discs + flow_.bits()) {
                 throw error(error_kind::undecided, "problem", "",
                             "is not followed to a singularity: the proved discs become too small before it");
             }
-            if (!certainly_within(exact_way(next, now_->about().offset), now_->radius())) {
+            if (!certainly_within(exact_difference(next, now_->about().offset), now_->radius())) {
                 throw precision_exhausted("a step below the rounding of its place");
             }
             each(*now_, next);
@@ -285,20 +278,20 @@ loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>
     const complex_ball from = path.now().about().offset;
     const complex_ball back = from - centre;
     const ball distance = sqrt(ball(back.re * back.re + back.im * back.im));
-    const complex_ball first = rounded_exact(back / distance * reach.exact());
+    const complex_ball first = exact_midpoint(back / distance * reach.exact());
     std::vector<complex_ball>& polygon = result.polygon;
     for (int k = 0; k <= loop_corners; ++k) {
         const complex_ball turned = first * unit_at(ball(k % loop_corners) / ball(loop_corners));
-        polygon.push_back(rounded_exact(centre + turned));
+        polygon.push_back(exact_midpoint(centre + turned));
     }
     path.go_to(polygon.front(), none);
-    result.reach = size_of(exact_way(polygon.front(), centre));
+    result.reach = size_of(exact_difference(polygon.front(), centre));
     const std::vector<complex_ball> before = values_of(path.now().about());
     const std::size_t powers = static_cast<std::size_t>(most_power) + 1;
     std::vector<complex_ball> sums(flow.given() * powers, complex_ball(0));
     for (std::size_t k = 1; k < polygon.size(); ++k) {
         path.go_to(polygon[k], [&](const complex_disc& disc, const complex_ball& to) {
-            result.reach = std::max(result.reach, size_of(exact_way(to, centre)));
+            result.reach = std::max(result.reach, size_of(exact_difference(to, centre)));
             for (std::size_t i = 0; i < flow.given(); ++i) {
                 for (std::size_t power = 0; power < powers; ++power) {
                     complex_ball& sum = sums[i * powers + power];

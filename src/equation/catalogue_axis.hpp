@@ -6,10 +6,10 @@
 
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/problem.hpp"
-#include "sweep/study.hpp"
 
-namespace libration::studies {
+namespace libration {
 
+/// Its one axis: --problems.
 inline const problem& catalogue_as_problem() {
     static const problem result{"catalogue",
                                 {{.name = "problem",
@@ -29,9 +29,10 @@ inline const problem& catalogue_as_problem() {
     return result;
 }
 
-inline std::vector<std::string> problem_names_of(const study_request& request) {
+/// The names that values of that axis mean: all stands for the whole catalogue.
+inline std::vector<std::string> problem_names_of(const std::vector<exact>& words) {
     std::vector<std::string> names;
-    for (const exact& word : request.values.of("problem")) {
+    for (const exact& word : words) {
         if (word.text != "all") {
             names.push_back(word.text);
             continue;
@@ -43,4 +44,4 @@ inline std::vector<std::string> problem_names_of(const study_request& request) {
     return names;
 }
 
-}  // namespace libration::studies
+}  // namespace libration
