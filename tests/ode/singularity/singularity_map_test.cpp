@@ -82,6 +82,26 @@ TEST_CASE("kinds and exponents of closed forms", "[ode][singularity]") {
     CHECK_FALSE(map_of("y'' = -y/(1 + t^2); y(0) = 0; y'(0) = 1").entire);
 }
 
+TEST_CASE("kinds in words", "[ode][singularity]") {
+    CHECK(words_of(singularity_kind::branch_pole, -2) == "pole of order 2 with branches");
+    CHECK(words_of(singularity_kind::complex_power, -1) == "complex power");
+    CHECK(words_of(singularity_kind::logarithm, 0) == "logarithm");
+}
+
+// No loop closes round the pair that is nearest for b = 1. From 400 coefficients the radius is 3.7694 +- 0.0112:
+// `radius --problem falkner_skan --set b=1 --order 400 --scalar mpfr:40`.
+TEST_CASE("a nearest pair round which singularities of other sheets accumulate", "[ode][singularity]") {
+    singularity_request request;
+    request.within = 3.9;
+    request.most_points = 500;
+    const explicit_system layer(parse("f''' + f*f'' + 1 - f'^2 = 0; f(0) = 0; f'(0) = 0; f''(0) = 0.927680039837"));
+    const auto map = singularities_of(layer, request);
+    REQUIRE(map.all.size() >= 2);
+    CHECK(map.all[0].kind == singularity_kind::branch_pole);
+    CHECK(std::abs(std::abs(place(map.all[0])) - 3.7694) < 0.0112);
+    CHECK(place(map.all[0]) == std::conj(place(map.all[1])));
+}
+
 // f ~ 6/(t - t*), and powers t^(-1 + r) with r = 2 +- i sqrt 2 [Blasius: u^(1 +- i sqrt 2)]; the cube root of k scales
 // Boyd's radius 5.6900380545 of f'(inf) = 1 [Boyd1999], k = 0.332057...
 TEST_CASE("the nearest singularities of Blasius", "[ode][singularity]") {

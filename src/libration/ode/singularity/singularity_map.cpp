@@ -27,7 +27,9 @@ constexpr int least_walk_order = 40;
 constexpr double spare_bits = 40;
 // So near, relative to the modulus, exponents and leading coefficients are read.
 constexpr double near_part = 1e-9;
-// A fraction p/q with a small q is taken for the exponent within so much.
+// A whole number within so much is taken for the exponent, where slow powers follow,
+constexpr double whole_exponent_slack = 1e-3;
+// and a fraction p/q with a small q is taken for the exponent within so much.
 constexpr double exponent_slack = 1e-5;
 constexpr int largest_denominator = 12;
 // Of a value, what its leading term may leave.
@@ -46,7 +48,7 @@ double rounded_size(const wide_complex& z) { return static_cast<double>(mpfr(mod
 std::complex<double> tidied_exponent(const std::complex<double>& exponent) {
     for (int q = 1; q <= largest_denominator; ++q) {
         const double p = std::round(exponent.real() * q);
-        if (std::abs(exponent - std::complex<double>(p / q, 0)) < exponent_slack) {
+        if (std::abs(exponent - std::complex<double>(p / q, 0)) < (q == 1 ? whole_exponent_slack : exponent_slack)) {
             return {p == 0 ? 0 : p / q, 0};
         }
     }
@@ -308,7 +310,7 @@ std::string words_of(singularity_kind kind, double exponent) {
             return "pole of order " + std::to_string(std::lround(-exponent)) + " with branches";
         case singularity_kind::algebraic: return "algebraic";
         case singularity_kind::logarithm: return "logarithm";
-        default: return "wide_complex power";
+        default: return "complex power";
     }
 }
 

@@ -21,9 +21,9 @@ constexpr double least_change = 1e-6;
 // Ratios that agree so far point at one singularity.
 constexpr double good_agreement = 0.03;
 constexpr double better_agreement = 0.003;
-constexpr int most_approaches = 8;
+constexpr int most_approaches = 14;
 // Of the distance: estimates that move less have settled.
-constexpr double settled_part = 0.01;
+constexpr double settled_part = 0.05;
 constexpr int enough_settled = 4;
 constexpr int most_intermediate_points = 40;
 constexpr double least_progress = 0.95;
@@ -286,12 +286,12 @@ void singularity_search::approach(const plane_point& guess) {
                     keep(*loop);
                     return;
                 }
-                // No loop of any size closes where singularities of other sheets accumulate.
-                if (settled >= enough_settled) {
-                    keep({centre, std::abs(points_.back().at - centre), false,
-                          path_to(static_cast<int>(points_.size()) - 1)});
-                    return;
-                }
+            }
+            // No loop of any size closes where singularities of other sheets accumulate.
+            if (settled >= enough_settled) {
+                keep({centre, std::abs(points_.back().at - centre), false,
+                      path_to(static_cast<int>(points_.size()) - 1)});
+                return;
             }
         }
         // The nearest point there is leads on.
