@@ -172,7 +172,7 @@ error_frame error_frame::moved(const ball_matrix& map, const std::vector<magnitu
     }
     std::vector<column> midpoints = images;
     for (column& each : midpoints) {
-        std::ranges::transform(each, each.begin(), exact_midpoint);
+        std::ranges::transform(each, each.begin(), [](const ball& x) { return exact_midpoint(x); });
     }
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/ode/proved/frame.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "needed_bits.hpp"
@@ -23,12 +24,6 @@ constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
 
 [[noreturn]] void refuse_root(const std::string& reason) { throw error(error_kind::undecided, "solution", "", reason); }
-
-ball exact_midpoint(const ball& x) {
-    ball result;
-    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
-    return result;
-}
 
 // Near the inverse of the midpoint: exact numbers, no enclosure. Nothing where it is singular.
 std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
