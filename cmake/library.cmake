@@ -57,7 +57,12 @@ add_library(libration STATIC ${library_sources} ${PROJECT_BINARY_DIR}/generated/
 add_library(libration::libration ALIAS libration)
 # The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
-set_target_properties(libration PROPERTIES UNITY_BUILD_BATCH_SIZE 9)
+# Both static libraries are also the inside of a shared one (c_interface.cmake): hidden names keep calls as direct as
+# they are in a program.
+set_target_properties(libration PROPERTIES
+    UNITY_BUILD_BATCH_SIZE 9
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden)
 target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/precompiled.hpp)
 target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
 
@@ -68,7 +73,10 @@ if(FLINT_FOUND)
     add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
-    set_target_properties(libration-proved PROPERTIES EXPORT_NAME proved)
+    set_target_properties(libration-proved PROPERTIES
+        EXPORT_NAME proved
+        POSITION_INDEPENDENT_CODE ON
+        CXX_VISIBILITY_PRESET hidden)
     target_link_libraries(libration-proved
         PUBLIC libration FLINT::FLINT
         PRIVATE $<BUILD_INTERFACE:libration-warnings>)

@@ -12,25 +12,6 @@ namespace libration {
 namespace {
 
 constexpr long digits_of_place = 12;
-constexpr long most_more_digits = 6;
-
-struct outward_bounds {
-    decimal_parts lower, upper;
-};
-
-// As few digits as keep upper - lower below lower 10^-digits.
-outward_bounds outwards(const ode::proved_radius& radius, long digits) {
-    const precision_scope scope(digits + 40);
-    const mpfr lower = midpoint_of(radius.lower);
-    const mpfr upper = midpoint_of(radius.upper);
-    for (long more = 1;; ++more) {
-        const outward_bounds made{parts_of(lower, digits + more, MPFR_RNDD), parts_of(upper, digits + more, MPFR_RNDU)};
-        const ball gap = made.upper.value() - made.lower.value();
-        if (more >= most_more_digits || certainly_less(gap * pow(ball(10), digits), made.lower.value())) {
-            return made;
-        }
-    }
-}
 
 std::string at_words(const complex_number<mpfr>& z) {
     if (z.im == 0) {
@@ -59,9 +40,7 @@ proved_radius_answer proved_radius_of(const ode::explicit_system& system, long d
         answer.text = "radius  inf  proved: the equation is linear with entire coefficients\n";
         return answer;
     }
-    const outward_bounds bounds = outwards(radius, digits);
-    const std::string lower = bounds.lower.text();
-    const std::string upper = bounds.upper.text();
+    const auto [lower, upper] = ode::outward_decimals(radius, digits);
     answer.data.add_row({number_cell(lower), number_cell(upper), digits, "proved"});
     answer.text = fmt::format("lower  {}  proved: {} discs cover |t - t0| <= R{}\n", lower, radius.cover.discs.size(),
                               radius.rotation > 1 ? fmt::format(" but for turns by 1/{}", radius.rotation) : "") +

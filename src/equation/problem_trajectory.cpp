@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "equation/problem_reference.hpp"
+#include "libration/digits/proved/printed_values.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/invariant.hpp"
 #include "libration/ode/path.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/axis.hpp"
-#include "run/digits.hpp"
 #include "run/grid.hpp"
 #include "text/input_error.hpp"
 

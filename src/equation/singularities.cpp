@@ -78,26 +78,19 @@ table map_table(const singularities_options& options, const ode::explicit_system
     const auto names = ode::first_order_form(system).names;
     const precision_scope scope(digits + 30);
     const mpfr origin = ode::constant_value<mpfr>::of(system.point());
-    progress shown("singularities", map.all.size());
-    std::vector<std::pair<complex_number<mpfr>, ode::proved_singularity>> done;
-    for (const auto& each : map.all) {
+    std::vector<ode::proved_singularity> proofs;
+    if (options.prove) {
+        progress shown("singularities", map.all.size());
+        proofs = ode::prove_singularities(system, map.all, digits, [&] { shown.step(); });
+    }
+    for (std::size_t i = 0; i < map.all.size(); ++i) {
+        const auto& each = map.all[i];
         const mpfr modulus = modulus_of(each.offset);
         std::string uncertainty = to_decimal(each.uncertainty, uncertainty_digits);
         std::string evidence;
         if (options.prove) {
-            // The mirror image of a proved one is proved.
-            const ode::proved_singularity* known = nullptr;
-            for (const auto& [place, proof] : done) {
-                known = place.re == each.offset.re && place.im == -each.offset.im ? &proof : known;
-            }
-            if (known == nullptr) {
-                mpfr reach = pow(mpfr(10), -static_cast<int>(digits)) / 2;
-                reach = modulus < 1 ? mpfr(reach * modulus) : reach;
-                done.emplace_back(each.offset, ode::prove_singularity(system, each, reach));
-                known = &done.back().second;
-            }
-            evidence = words_of_evidence(system, known->evidence);
-            uncertainty = upper_bound_text(known->reach.exact());
+            evidence = words_of_evidence(system, proofs[i].evidence);
+            uncertainty = upper_bound_text(proofs[i].reach.exact());
         }
         data.add_row({decimal_cell(mpfr(origin + each.offset.re), digits), decimal_cell(each.offset.im, digits),
                       decimal_cell(modulus, digits), number_cell(uncertainty),
@@ -105,7 +98,6 @@ table map_table(const singularities_options& options, const ode::explicit_system
                       small_cell(each.exponent.imag()), options.prove ? "proved" : "heuristic", names[each.unknown],
                       small_cell(each.coefficient.real()), small_cell(each.coefficient.imag()), joined(each.resonances),
                       evidence});
-        shown.step();
     }
     return data;
 }

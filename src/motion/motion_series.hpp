@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "libration/digits/proved/printed_values.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
 #include "motion/motion_options.hpp"
-#include "run/digits.hpp"
 
 namespace libration {
 

@@ -5,11 +5,11 @@
 
 #include <memory>
 
+#include "libration/digits/proved/printed_values.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "run/digits.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -1,16 +1,13 @@
 // libration radius: the radius of convergence of a series from its coefficients alone, by every test.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "equation/problem_options.hpp"
 #include "equation/problem_radius.hpp"
 #include "equation/problem_series.hpp"
-#include "libration/convergence/estimate/root_variable.hpp"
-#include "libration/convergence/list/coefficient_noise.hpp"
-#include "libration/convergence/list_report.hpp"
+#include "libration/convergence/radius_answers.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "list/coefficient_file.hpp"
 #include "motion/motion_options.hpp"
@@ -41,14 +38,13 @@ struct radius_options {
     bool prove = false;
 };
 
-// An unknown of a file: its list, or those of the real and of the imaginary parts.
+// An unknown of a file or of a problem.
 struct lists_of_unknown {
     std::string name;
-    std::vector<judged_list> parts;
-    int root = 1;  // of the variable, in powers of which the list goes
+    listed_function lists;
 };
 
-judged_list judged_part(const radius_options& options, const arithmetic& numbers, std::vector<exact> written) {
+listed_series judged_part(const radius_options& options, const arithmetic& numbers, std::vector<exact> written) {
     if (options.order) {
         const auto order = static_cast<std::size_t>(order_of("--order", *options.order));
         if (order >= written.size()) {
@@ -65,7 +61,7 @@ judged_list judged_part(const radius_options& options, const arithmetic& numbers
     for (const exact& number : written) {
         values.push_back(from_exact<mpfr>(number));
     }
-    return {power_series<mpfr>(std::move(values)), std::move(written), "", std::nullopt};
+    return {power_series<mpfr>(std::move(values)), std::move(written)};
 }
 
 std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const arithmetic& numbers) {
@@ -79,9 +75,9 @@ std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const
     }
     std::vector<lists_of_unknown> lists;
     for (named_list& list : lists_in_file(*options.file)) {
-        lists_of_unknown unknown{list.name, {judged_part(options, numbers, std::move(list.real))}, 1};
+        lists_of_unknown unknown{list.name, {{judged_part(options, numbers, std::move(list.real))}, 1}};
         if (list.is_complex()) {
-            unknown.parts.push_back(judged_part(options, numbers, std::move(list.imaginary)));
+            unknown.lists.parts.push_back(judged_part(options, numbers, std::move(list.imaginary)));
         }
         lists.push_back(std::move(unknown));
     }
@@ -101,16 +97,22 @@ std::vector<lists_of_unknown> judged_lists_of_problem(const radius_options& opti
     problem_lists found = naming_option("--problem", [&] { return lists_of_problem(request, digits); });
     std::vector<lists_of_unknown> lists;
     for (problem_list& each : found.unknowns) {
-        lists_of_unknown unknown{each.name, {}, found.root};
+        lists_of_unknown unknown{each.name, {{}, found.root}};
         for (auto& part : each.parts) {
-            unknown.parts.push_back({std::move(part), {}, "", std::nullopt});
+            unknown.lists.parts.push_back({std::move(part)});
         }
         lists.push_back(std::move(unknown));
     }
     return lists;
 }
 
-judged_list list_of_motion(const radius_options& options, const arithmetic& numbers) {
+// Of a motion the radius is known otherwise.
+struct list_of_known_radius {
+    listed_series list;
+    known_radius known;
+};
+
+list_of_known_radius list_of_motion(const radius_options& options, const arithmetic& numbers) {
     if (!options.motion.first_given()) {
         throw input_error(
             "no coefficients are given: add a motion (--energy E, --gap G, or --theta0 A with --omega0 W) and --order "
@@ -124,106 +126,7 @@ judged_list list_of_motion(const radius_options& options, const arithmetic& numb
     request.at = point_of(options.at, request.chosen);
     auto radius = exact_radius(request, numbers.digits + radius_guard_digits);
     std::string text = radius ? to_decimal(*radius, numbers.digits) : "inf";
-    return {power_series<mpfr>(coefficient_values(request)), {}, std::move(text), std::move(radius)};
-}
-
-// The report on a list of a file, which may end in a floor of noise; a motion's coefficients are right to the last.
-template <class T>
-list_report<T> report_in(const judged_list& list) {
-    if (!list.written.empty()) {
-        return report_on_list<T>(list.coefficients, noise_of<T>(list.written));
-    }
-    const coefficient_unit unit = unit_of(list.coefficients);
-    return {report_on_radius(in_unit_of<T>(list.coefficients, unit), epsilon<T>()), unit, std::nullopt};
-}
-
-template <class T>
-radius_answers answers_in(const judged_list& list, int root) {
-    const list_report<T> found = report_in<T>(list);
-    const auto& [report, unit, floor] = found;
-    radius_answers answers{report.pattern, found.floor_text(), {}};
-    const auto in_variable = [&](const auto& estimate) {
-        return in_powers_of_root(in_unit(widened(estimate), unit.length), root);
-    };
-    answers.rows.reserve(report.tests.size() + 1);
-    // The radius may be beyond the range of T where the coefficients are.
-    const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
-    answers.rows.push_back(in_variable(report.verdict));
-    for (const auto& test : report.tests) {
-        answers.rows.push_back(in_variable(test));
-    }
-    std::string& note = answers.rows.front().note;
-    if (report.verdict.radius) {
-        note = report.pattern.text() + "; " + note;
-    }
-    if (floor) {
-        note += "; " + answers.floor;
-    }
-    return answers;
-}
-
-// |sum of a_n z^n| over the last half: large for a singularity at z, whose terms all have one argument.
-mpfr aligned_sum(const std::vector<judged_list>& parts, const complex_number<mpfr>& z) {
-    const auto& re = parts[0].coefficients;
-    const auto& im = parts[1].coefficients;
-    complex_number<mpfr> power{mpfr(1)};
-    complex_number<mpfr> sum{mpfr(0)};
-    const int last = std::min(re.order(), im.order());
-    for (int n = 0; n <= last; ++n, power = power * z) {
-        if (2 * n >= last) {
-            sum = sum + complex_number<mpfr>{re[n], im[n]} * power;
-        }
-    }
-    return modulus_of(sum);
-}
-
-// Real and imaginary parts of a list have both of z and its conjugate where the list has one: the one that it has.
-void choose_side(radius_estimate<mpfr>& verdict, const std::vector<judged_list>& parts) {
-    if (!verdict.position || verdict.position->im == 0) {
-        return;
-    }
-    const complex_number<mpfr> above = *verdict.position;
-    const complex_number<mpfr> below{above.re, mpfr(-above.im)};
-    const mpfr at_above = aligned_sum(parts, above);
-    const mpfr at_below = aligned_sum(parts, below);
-    if (at_below >= at_above * 2) {
-        verdict.position = below;
-    }
-    if (at_below >= at_above * 2 || at_above >= at_below * 2) {
-        verdict.count = std::max(1, verdict.count / 2);
-    }
-}
-
-// Which of several verdicts is that of all: the nearest, or the most certain of those that agree with it.
-std::size_t nearest_of(const std::vector<radius_answers>& all) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < all.size(); ++i) {
-        const auto& now = all[i].rows.front();
-        const auto& before = all[best].rows.front();
-        if (!now.radius || !before.radius) {
-            best = now.radius ? i : best;
-            continue;
-        }
-        const bool agree = abs(*now.radius - *before.radius) <= now.uncertainty + before.uncertainty;
-        best = (agree ? now.uncertainty < before.uncertainty : *now.radius < *before.radius) ? i : best;
-    }
-    return best;
-}
-
-// The answers to an unknown: of its list, or of that part of it which has the nearer singularity.
-radius_answers answers_of(const lists_of_unknown& unknown, const arithmetic& numbers) {
-    std::vector<radius_answers> parts;
-    for (const judged_list& list : unknown.parts) {
-        parts.push_back(with_scalar(numbers.scalar, 0, [&]<class T>() { return answers_in<T>(list, unknown.root); }));
-    }
-    const std::size_t best = nearest_of(parts);
-    if (parts.size() > 1) {
-        const precision_scope scope(numbers.scalar.digits + radius_guard_digits);
-        auto& verdict = parts[best].rows.front();
-        choose_side(verdict, unknown.parts);
-        verdict.note += best == 0 ? "; from the real parts" : "; from the imaginary parts";
-    }
-    return std::move(parts[best]);
+    return {{power_series<mpfr>(coefficient_values(request))}, {std::move(text), std::move(radius)}};
 }
 
 // Lower and upper bound of a problem, by discs and loops instead of coefficients.
@@ -254,6 +157,7 @@ int run_radius(const radius_options& options) {
     }
     const arithmetic numbers = options.arithmetic.choose();
     std::vector<lists_of_unknown> unknowns;
+    known_radius known;
     if (options.problem.given()) {
         if (options.file) {
             throw input_error("--coefficients", *options.file, "come together with --problem", "give one of them");
@@ -267,17 +171,18 @@ int run_radius(const radius_options& options) {
             throw input_error("--via", *options.via, "is a way through the complex times of a --problem",
                               "leave it out");
         }
-        unknowns.push_back({"", {list_of_motion(options, numbers)}, 1});
+        auto of_motion = list_of_motion(options, numbers);
+        unknowns.push_back({"", {{std::move(of_motion.list)}, 1}});
+        known = std::move(of_motion.known);
     }
     std::vector<radius_answers> all;
     all.reserve(unknowns.size());
     for (const auto& unknown : unknowns) {
-        all.push_back(answers_of(unknown, numbers));
+        all.push_back(answers_of(unknown.lists, numbers.scalar));
     }
-    const judged_list& list = unknowns.front().parts.front();
     if (all.size() == 1) {
-        const table data = radius_table(all.front(), list, numbers.digits);
-        options.output.write(data, radius_text(all.front(), list, data));
+        const table data = radius_table(all.front(), known, numbers.digits);
+        options.output.write(data, radius_text(all.front(), known, data));
         return 0;
     }
     std::vector<std::string> names;
@@ -286,8 +191,8 @@ int run_radius(const radius_options& options) {
         names.push_back(unknown.name);
     }
     const std::size_t nearest = nearest_of(all);
-    const table data = radius_table_of_unknowns(all, names, nearest, list, numbers.digits);
-    options.output.write(data, radius_text_of_unknowns(all[nearest], names[nearest], list, data));
+    const table data = radius_table_of_unknowns(all, names, nearest, known, numbers.digits);
+    options.output.write(data, radius_text_of_unknowns(all[nearest], names[nearest], known, data));
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/convergence/radius_verdict.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration {
@@ -22,39 +23,12 @@ const std::vector<column> radius_columns{{"method", ""},      {"radius", ""},   
 
 constexpr long uncertainty_digits = 3;
 
-// floor(log10 |x|).
-long exponent_of_ten(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
-
-// The digits of x down to the last place of its uncertainty as that is printed; 0 or less where x is below it.
-long supported_digits(const mpfr& x, const mpfr& uncertainty) {
-    return exponent_of_ten(x) - exponent_of_ten(uncertainty) + uncertainty_digits;
-}
-
-// x with the digits that its uncertainty supports, and no more than asked.
-std::string supported(const mpfr& x, const mpfr& uncertainty, long digits) {
-    if (uncertainty == 0) {
-        const integer whole = nearest_integer(x);
-        return x == whole ? whole.str() : to_decimal(x, digits);
-    }
-    const long count = x == 0 ? 0 : supported_digits(x, uncertainty);
-    return count < 1 ? "0" : to_decimal(x, std::min(count, digits));
-}
-
-std::string relative_error(const std::string& radius, const judged_list& list, long digits) {
-    if (radius.empty() || !list.true_size) {
+std::string relative_error(const std::string& radius, const known_radius& known, long digits) {
+    if (radius.empty() || !known.true_size) {
         return "";
     }
     const precision_scope scope(digits + radius_guard_digits);
-    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(radius)) / *list.true_size - 1)), uncertainty_digits);
-}
-
-// The uncertainty of the radius as printed: where the digits asked cut it off, with a unit of its last place.
-mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
-    if (supported_digits(*estimate.radius, estimate.uncertainty) <= digits) {
-        return estimate.uncertainty;
-    }
-    const int last_place = static_cast<int>(exponent_of_ten(*estimate.radius) - digits + 1);
-    return estimate.uncertainty + pow(mpfr(10), last_place);
+    return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(radius)) / *known.true_size - 1)), uncertainty_digits);
 }
 
 // Without commas, so that a reader that knows no quotes is right too.
@@ -64,27 +38,21 @@ std::string note_of(const radius_estimate<mpfr>& estimate) {
     return note;
 }
 
-table_row_cells row_of(const radius_estimate<mpfr>& estimate, const judged_list& list, long digits) {
-    const bool found = estimate.radius.has_value();
-    const auto text = [&](const mpfr& x) { return supported(x, estimate.uncertainty, digits); };
-    std::string radius = found ? text(*estimate.radius) : "";
-    if (radius == "0") {  // a radius is more than 0, however uncertain
-        radius = to_decimal(*estimate.radius, 1);
-    }
-    return {
-        estimate.method,
-        number_cell(radius),
-        found ? decimal_cell(printed_uncertainty(estimate, digits), uncertainty_digits) : cell(),
-        number_cell(list.exact_text),
-        number_cell(relative_error(radius, list, digits)),
-        estimate.position ? number_cell(text(estimate.position->re)) : cell(),
-        estimate.position ? number_cell(text(estimate.position->im)) : cell(),
-        estimate.kind == singularity_kind::unknown ? "" : name_of(estimate.kind),
-        estimate.count > 0 ? cell(estimate.count) : cell(),
-        note_of(estimate),
-        estimate.exponent ? number_cell(supported(*estimate.exponent, estimate.exponent_uncertainty, digits)) : cell(),
-        estimate.exponent ? decimal_cell(estimate.exponent_uncertainty, uncertainty_digits) : cell(),
-        "heuristic"};
+table_row_cells row_of(const radius_estimate<mpfr>& estimate, const known_radius& known, long digits) {
+    const printed_estimate shown = printed(estimate, digits);
+    return {estimate.method,
+            number_cell(shown.radius),
+            number_cell(shown.uncertainty),
+            number_cell(known.text),
+            number_cell(relative_error(shown.radius, known, digits)),
+            number_cell(shown.position_re),
+            number_cell(shown.position_im),
+            estimate.kind == singularity_kind::unknown ? "" : name_of(estimate.kind),
+            estimate.count > 0 ? cell(estimate.count) : cell(),
+            note_of(estimate),
+            number_cell(shown.exponent),
+            number_cell(shown.exponent_uncertainty),
+            "heuristic"};
 }
 
 // "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points".
@@ -119,7 +87,7 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_
     return words;
 }
 
-std::string verdict_in_words(const radius_answers& answers, const judged_list& list, const table& data) {
+std::string verdict_in_words(const radius_answers& answers, const known_radius& known, const table& data) {
     const radius_estimate<mpfr>& verdict = answers.rows.front();
     const auto& row = data.rows().front();
     std::string text;
@@ -135,9 +103,8 @@ std::string verdict_in_words(const radius_answers& answers, const judged_list& l
     } else {
         say("radius", "none");
     }
-    if (!list.exact_text.empty()) {
-        say("exact",
-            row[4].is_empty() ? list.exact_text : fmt::format("{}, relative error {}", list.exact_text, row[4].text()));
+    if (!known.text.empty()) {
+        say("exact", row[4].is_empty() ? known.text : fmt::format("{}, relative error {}", known.text, row[4].text()));
     }
     say("why", row[9].text());
     return text;
@@ -145,28 +112,28 @@ std::string verdict_in_words(const radius_answers& answers, const judged_list& l
 
 }  // namespace
 
-table radius_table(const radius_answers& answers, const judged_list& list, long digits) {
+table radius_table(const radius_answers& answers, const known_radius& known, long digits) {
     table data(radius_columns);
     for (const auto& answer : answers.rows) {
-        data.add_row(row_of(answer, list, digits));
+        data.add_row(row_of(answer, known, digits));
     }
     return data;
 }
 
-std::string radius_text(const radius_answers& answers, const judged_list& list, const table& data) {
+std::string radius_text(const radius_answers& answers, const known_radius& known, const table& data) {
     const table shown = data.with_columns({0, 1, 2, 4, 9});
     const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
-    return verdict_in_words(answers, list, data) + "\n" + to_text(tests) +
+    return verdict_in_words(answers, known, data) + "\n" + to_text(tests) +
            "\nheuristic: coefficients prove no radius\n";
 }
 
 table radius_table_of_unknowns(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
-                               std::size_t nearest, const judged_list& list, long digits) {
+                               std::size_t nearest, const known_radius& known, long digits) {
     auto columns = radius_columns;
     columns.push_back({"unknown", ""});
     table data(columns);
     const auto add = [&](std::size_t unknown, const radius_estimate<mpfr>& answer) {
-        auto row = row_of(answer, list, digits);
+        auto row = row_of(answer, known, digits);
         row.emplace_back(names[unknown]);
         data.add_row(std::move(row));
     };
@@ -179,11 +146,11 @@ table radius_table_of_unknowns(const std::vector<radius_answers>& all, const std
     return data;
 }
 
-std::string radius_text_of_unknowns(const radius_answers& nearest, const std::string& name, const judged_list& list,
+std::string radius_text_of_unknowns(const radius_answers& nearest, const std::string& name, const known_radius& known,
                                     const table& data) {
     const table shown = data.with_columns({radius_columns.size(), 0, 1, 2, 9});
     const table rows(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
-    return verdict_in_words(nearest, list, data) + "unknown       " + name + "\n\n" + to_text(rows) +
+    return verdict_in_words(nearest, known, data) + "unknown       " + name + "\n\n" + to_text(rows) +
            "\nheuristic: coefficients prove no radius\n";
 }
 

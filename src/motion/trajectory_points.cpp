@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "libration/digits/proved/printed_values.hpp"
 #include "libration/ode/numerical_solution.hpp"
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
@@ -12,7 +13,6 @@
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/scalar/exponent_range.hpp"
-#include "run/digits.hpp"
 #include "run/parallel.hpp"
 #include "text/input_error.hpp"
 

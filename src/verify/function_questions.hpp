@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "libration/verify/proved/compare_rules.hpp"
 #include "table/elliptic_columns.hpp"
-#include "verify/compare_rules.hpp"
 #include "verify/row_question.hpp"
 
 namespace libration {

@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/proved/condition.hpp"
+#include "libration/verify/proved/motion_truths.hpp"
 #include "motion/motion_cells.hpp"
-#include "verify/compare_rules.hpp"
 #include "verify/row_question.hpp"
 
 namespace libration {
@@ -44,23 +43,11 @@ public:
     row_question read(const std::vector<std::string>& cells) override;
 
 private:
-    struct known_motion {
-        std::string key;
-        pendulum::typed_motion typed;
-        pendulum::motion exactly;
-        mpfr theta_scale;
-        mpfr omega_scale;
-        std::vector<std::pair<long, std::unique_ptr<pendulum::conditioned_motion>>> by_digits = {};
-
-        const pendulum::conditioned_motion& in_precision(long digits);
-        std::vector<true_value> at(const exact& time, long digits);
-    };
-
-    known_motion& motion_for(const motion_cells& cells);
+    pendulum::motion_truths& motion_for(const motion_cells& cells);
 
     const motion_layout& layout_;
     const compare_rules& rules_;
-    std::vector<std::unique_ptr<known_motion>> known_ = {};  // latest first
+    std::vector<std::pair<std::string, std::unique_ptr<pendulum::motion_truths>>> known_ = {};  // by key, latest first
 };
 
 }  // namespace libration

@@ -1,4 +1,4 @@
-// What a row asks `verify`: values, and where their truths come from.
+// What a row of a file asks `verify`: values, and where their truths come from.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/scalar/ball/comparison.hpp"
+#include "libration/verify/proved/row_question.hpp"
 
 namespace libration {
 
@@ -14,18 +14,6 @@ namespace libration {
 struct compared_column {
     std::string name;
     std::size_t at;
-};
-
-/// A row, read exactly.
-struct row_question {
-    /// The digits of the first attempt that serves so many decimal places.
-    std::function<long(long places)> first_digits;
-    /// The truths of the compared columns, at the working precision of so many digits, or nothing where it is too
-    /// small. May throw precision_exhausted.
-    std::function<std::vector<true_value>(long digits)> truths;
-    /// The condition number of the first column, or the largest of all where the reader says so, three digits;
-    /// "inf" where it has none.
-    std::function<std::string(long digits)> condition;
 };
 
 /// Reads rows of one kind: motions, or arguments of elliptic functions. One object for each thread; questions hold as

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "libration/verify/proved/compare_rules.hpp"
 #include "text/column_file.hpp"
 #include "text/column_names.hpp"
-#include "verify/compare_rules.hpp"
 #include "verify/row_question.hpp"
 #include "verify/row_writer.hpp"
 
@@ -38,13 +38,9 @@ public:
     compared_row operator()(const csv_record& record);
 
 private:
-    struct answers {
-        std::vector<comparison> values;
-        std::string condition;
-    };
-
-    answers compared(const std::vector<std::string>& cells);
-    compared_row row_of(const csv_record& record, const std::vector<std::string>& cells, const answers& here) const;
+    compared_values compared(const std::vector<std::string>& cells);
+    compared_row row_of(const csv_record& record, const std::vector<std::string>& cells,
+                        const compared_values& here) const;
     compared_row malformed(const csv_record& record, std::vector<std::string> cells, const std::string& reason) const;
     const std::string& own_name(std::size_t i) const { return names_.own(reader_->columns()[i].at); }
 

@@ -61,7 +61,7 @@ std::map<std::string, rooms> order_of_rooms() {
         pendulum = arc + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
         problem = ode + proofs + rooms{"approximant/asymptotic", "problem", "problem/far"},
-        library = pendulum + problem + rooms{"problem/known"},
+        library = pendulum + problem + rooms{"problem/known", "verify/proved"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
         equation = option + rooms{"src/equation"}, journal = equation + rooms{"src/journal"},
@@ -105,7 +105,9 @@ std::map<std::string, rooms> order_of_rooms() {
         {"problem", ode + proofs},
         {"problem/far", ode + proofs + rooms{"approximant/asymptotic", "problem"}},
         {"problem/known", pendulum + problem},
+        {"verify/proved", pendulum + problem},
         {"library", library},
+        {"src/c", library},
         {"src/libration", {}},
         {"src/text", problem},
         {"src/run", text},

@@ -73,6 +73,27 @@ TEST_CASE("coefficients are those of the equation", "[pendulum][digits]") {
                proved::coefficient(motion, "top", 6, 20));
 }
 
+TEST_CASE("radii about points", "[pendulum][digits]") {
+    // About the top of E = 1 the lemniscate constant, about the bottom of E = 4 the effective period T* itself.
+    check_both("2.6220575542921198105", rounded::radius({.energy = "1"}, "top", 20),
+               proved::radius({.energy = "1"}, "top", 20));
+    const std::string quarter = proved::effective_period({.energy = "4"}, 20).text;
+    check_both(quarter, rounded::radius({.energy = "4"}, "bottom", 20), proved::radius({.energy = "4"}, "bottom", 20));
+    check_both("inf", rounded::radius({.energy = "0"}, "top", 20), proved::radius({.energy = "0"}, "top", 20));
+}
+
+TEST_CASE("a motion is given by formulas too", "[pendulum][digits]") {
+    check_both("1.4142135623730950488", rounded::energy({.energy = "sqrt(2)"}, 20),
+               proved::energy({.energy = "sqrt(2)"}, 20));
+    check_both("7.4162987092054876737", rounded::period({.theta0 = "pi/2", .omega0 = "sqrt(2)-sqrt(2)"}, 20),
+               proved::period({.theta0 = "acos(0)", .omega0 = "0"}, 20));
+    CHECK(refused([] { rounded::period({.energy = "90deg"}, 20); }).reason() == "has a unit");
+    CHECK(refused([] { rounded::period({.theta0 = "T/4+1", .omega0 = "0"}, 20); }).reason() == "is a time");
+    CHECK(refused([] { rounded::theta({.energy = "2"}, "T/4+1", 20); }).subject() == "time");
+    CHECK(refused([] { rounded::period({.gap = "3"}, 20); }).reason() == "makes the energy negative");
+    CHECK(refused([] { rounded::period({.energy = "1", .length = "0", .gravity = "1"}, 20); }).subject() == "length");
+}
+
 TEST_CASE("the norm of order 0 of the series is the angle of release", "[pendulum][digits]") {
     // |theta - a_0| is largest at the bottom: a_0 = pi/2 for E = 1.
     const auto norm = [](const auto& f) { return f({.energy = "1"}, arc_method::series, 0, 25); };

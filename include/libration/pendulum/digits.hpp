@@ -31,6 +31,10 @@ rounded_decimal gap(const pendulum::given_motion& motion, long digits);
 /// The coefficient of the power n of the Taylor series of theta about a point: "top", "bottom", "start" or a time.
 rounded_decimal coefficient(const pendulum::given_motion& motion, const std::string& point, long n, long digits);
 
+/// The radius of convergence of the Taylor series of theta about a point: "top", "bottom", "start" or a time [paper
+/// (librationROC), (rotationROCgood)]; inf at rest.
+rounded_decimal radius(const pendulum::given_motion& motion, const std::string& point, long digits);
+
 /// max |theta - approximation| on [0, T*] from the top, in radians, of the series or its resummation of order N [paper
 /// fig:error]; of a motion whose energy is rational and neither 0 nor 2.
 rounded_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits);

@@ -101,6 +101,16 @@ rounded_decimal coefficient(const pendulum::given_motion& motion, const std::str
         [&] { return vanishing_at(m, at, n, n); });
 }
 
+rounded_decimal radius(const pendulum::given_motion& motion, const std::string& point, long digits) {
+    const pendulum::motion m = exact_motion(motion);
+    const pendulum::expansion_point at = exact_point(m, point, 0);
+    if (at_rest(m.regime())) {
+        return {"inf"};
+    }
+    return agreed(given_digits(digits),
+                  [&] { return mpfr(*radius_about(pendulum::exact_solution<mpfr>(m), at) * time_unit<mpfr>(m)); });
+}
+
 rounded_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits) {
     const pendulum::motion m = pendulum::motion::of_energy(energy_of_norm(exact_motion(motion), order));
     const long below = digits_below(m, order);

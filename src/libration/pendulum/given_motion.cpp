@@ -1,6 +1,6 @@
 #include "libration/pendulum/given_motion.hpp"
 
-#include "libration/pendulum/motion/motion.hpp"
+#include "libration/pendulum/motion/typed_motion.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/given_number.hpp"
 
@@ -12,15 +12,31 @@ void refuse_both(const char* one, const std::string& value, const char* other) {
     throw error(error_kind::argument, one, value, std::string("comes together with the ") + other);
 }
 
-rational squared_frequency_of(const given_motion& given) {
+// A number without a unit: a fraction or a formula.
+exact pure_number(const std::string& quantity, const std::string& text) {
+    exact number = given_number(quantity, text);
+    if (!number.is_number()) {
+        throw error(error_kind::argument, quantity, text, "has a unit");
+    }
+    return number;
+}
+
+exact positive_number(const std::string& quantity, const std::string& text) {
+    exact number = pure_number(quantity, text);
+    if (sign_of_exact(number) <= 0) {
+        throw error(error_kind::argument, quantity, text, "is not positive");
+    }
+    return number;
+}
+
+exact squared_frequency_of(const given_motion& given) {
     if (given.length.empty() != given.gravity.empty()) {
         throw error(error_kind::argument, given.length.empty() ? "gravity" : "length",
                     given.length.empty() ? given.gravity : given.length,
                     given.length.empty() ? "comes without a length" : "comes without a gravity");
     }
-    return given.length.empty()
-               ? rational(1)
-               : rational(given_positive("gravity", given.gravity) / given_positive("length", given.length));
+    return given.length.empty() ? exactly(1)
+                                : positive_number("gravity", given.gravity) / positive_number("length", given.length);
 }
 
 int direction_of(const given_motion& given) {
@@ -33,22 +49,20 @@ int direction_of(const given_motion& given) {
     return -1;
 }
 
-motion of_energy(const given_motion& given) {
+// The energy or the gap.
+void read_energy(const given_motion& given, typed_motion& typed) {
     const bool by_gap = !given.gap.empty();
-    const rational energy =
-        by_gap ? rational(2 - given_fraction("gap", given.gap)) : given_fraction("energy", given.energy);
-    if (energy < 0) {
+    (by_gap ? typed.gap : typed.energy) = by_gap ? pure_number("gap", given.gap) : pure_number("energy", given.energy);
+    if (sign_of_exact(typed.exact_energy()) < 0) {
         throw error(error_kind::argument, by_gap ? "gap" : "energy", by_gap ? given.gap : given.energy,
                     by_gap ? "makes the energy negative" : "is negative");
     }
-    const int direction = direction_of(given);
-    return given.theta0.empty() ? motion::of_energy(energy, direction)
-                                : motion::of_energy_from(energy, given_angle("theta0", given.theta0), direction);
+    typed.direction = direction_of(given);
 }
 
 }  // namespace
 
-motion exact_motion(const given_motion& given) {
+typed_motion exact_numbers(const given_motion& given) {
     const bool energetic = !given.energy.empty() || !given.gap.empty();
     if (!given.energy.empty() && !given.gap.empty()) {
         refuse_both("gap", given.gap, "energy");
@@ -56,18 +70,25 @@ motion exact_motion(const given_motion& given) {
     if (energetic && !given.omega0.empty()) {
         refuse_both("omega0", given.omega0, given.gap.empty() ? "energy" : "gap");
     }
-    const rational squared_frequency = squared_frequency_of(given);
-    if (energetic) {
-        return of_energy(given).with_squared_frequency(squared_frequency);
-    }
-    if (given.theta0.empty() || given.omega0.empty()) {
+    if (!energetic && (given.theta0.empty() || given.omega0.empty())) {
         throw error(error_kind::argument, "motion", "", "needs an energy, a gap, or theta0 and omega0");
     }
-    if (!given.direction.empty()) {
+    if (!energetic && !given.direction.empty()) {
         refuse_both("direction", given.direction, "omega0, which has a sign of its own");
     }
-    const rational omega0 = given_fraction("omega0", given.omega0);
-    return motion::of_state(given_angle("theta0", given.theta0), {omega0, unit::one, given.omega0}, squared_frequency);
+    typed_motion typed;
+    typed.squared_frequency = squared_frequency_of(given);
+    if (!given.theta0.empty()) {
+        typed.theta0 = given_angle("theta0", given.theta0);
+    }
+    if (energetic) {
+        read_energy(given, typed);
+    } else {
+        typed.omega0 = pure_number("omega0", given.omega0);
+    }
+    return typed;
 }
+
+motion exact_motion(const given_motion& given) { return exact_numbers(given).motion(); }
 
 }  // namespace libration::pendulum

@@ -9,7 +9,7 @@ namespace libration::pendulum {
 
 exact exact_time(const motion& m, const std::string& text) {
     exact time = given_time("time", text);
-    if (time.measure == unit::period && at_critical_energy(m.regime())) {
+    if (time.has_periods() && at_critical_energy(m.regime())) {
         throw error(error_kind::argument, "time", text, "is a multiple of an infinite period");
     }
     return time;

@@ -1,8 +1,10 @@
 // Singularities and the radius of convergence of any system, proved: what a search found, by theorems L and C.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "libration/ode/proved/radius_bounds.hpp"
 #include "libration/ode/singularity/singularity_map.hpp"
@@ -21,6 +23,12 @@ struct proved_singularity {
 /// kind undecided where none of the functionals excludes 0, or a million bits do not suffice.
 proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach);
 
+/// Theorem C for all singularities of a map, each within 10^-digits/2 of its place, relative to it below 1; the mirror
+/// image of a proved one is proved by it. Tells `done` after each. Throws as prove_singularity.
+std::vector<proved_singularity> prove_singularities(const explicit_system& system,
+                                                    const std::vector<found_singularity>& found, long digits,
+                                                    const std::function<void()>& done = {});
+
 /// lower <= R <= upper.
 struct proved_radius {
     /// No singularity at all, by the form of the equation.
@@ -37,5 +45,12 @@ struct proved_radius {
 /// C) and a covering of the disc that does not reach it from below (theorem L). Throws error of the kind undecided with
 /// what is proved so far where one of them fails.
 proved_radius prove_radius(const explicit_system& system, long digits);
+
+/// Its bounds as decimals, rounded outwards, with as few digits as keep upper - lower below lower 10^-digits; inf, inf
+/// where it is infinite.
+struct outward_bounds {
+    std::string lower, upper;
+};
+outward_bounds outward_decimals(const proved_radius& radius, long digits);
 
 }  // namespace libration::ode

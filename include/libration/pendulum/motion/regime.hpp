@@ -22,4 +22,7 @@ inline std::string_view name_of(regime r) {
 /// E = 2 exactly: the period is infinite and there is no top to expand about.
 constexpr bool at_critical_energy(regime r) { return r == regime::separatrix || r == regime::unstable_equilibrium; }
 
+/// theta is constant: its Taylor series converge everywhere.
+constexpr bool at_rest(regime r) { return r == regime::stable_equilibrium || r == regime::unstable_equilibrium; }
+
 }  // namespace libration::pendulum

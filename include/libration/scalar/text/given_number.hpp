@@ -14,9 +14,6 @@ exact given_number(const std::string& quantity, const std::string& text);
 /// The same for what must have no unit.
 rational given_fraction(const std::string& quantity, const std::string& text);
 
-/// The same for what must be above 0.
-rational given_positive(const std::string& quantity, const std::string& text);
-
 /// The same for an angle: a number, a multiple of pi or degrees, no multiple of a period.
 exact given_angle(const std::string& quantity, const std::string& text);
 

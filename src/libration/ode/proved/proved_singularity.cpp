@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -91,6 +92,31 @@ proved_singularity prove_singularity(const explicit_system& system, const found_
     return prove_along(system, found, corners, reach);
 }
 
+std::vector<proved_singularity> prove_singularities(const explicit_system& system,
+                                                    const std::vector<found_singularity>& found, long digits,
+                                                    const std::function<void()>& done) {
+    const precision_scope scope(digits + 30);
+    std::vector<proved_singularity> proved;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const complex_number<mpfr>& at = found[i].offset;
+        const auto before = found.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto image = std::find_if(found.begin(), before, [&](const found_singularity& each) {
+            return each.offset.re == at.re && each.offset.im == -at.im;
+        });
+        if (image != before) {
+            proved.push_back(proved[static_cast<std::size_t>(image - found.begin())]);
+        } else {
+            const mpfr modulus = modulus_of(at);
+            const mpfr reach = pow(mpfr(10), -static_cast<int>(digits)) / 2;
+            proved.push_back(prove_singularity(system, found[i], modulus < 1 ? mpfr(reach * modulus) : reach));
+        }
+        if (done) {
+            done();
+        }
+    }
+    return proved;
+}
+
 proved_radius prove_radius(const explicit_system& system, long digits) {
     proved_radius result;
     if (has_entire_solutions(system)) {
@@ -134,6 +160,24 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
     result.lower = rho;
     result.cover = std::move(found);
     return result;
+}
+
+outward_bounds outward_decimals(const proved_radius& radius, long digits) {
+    if (radius.infinite) {
+        return {"inf", "inf"};
+    }
+    const precision_scope scope(digits + 40);
+    const mpfr lower = midpoint_of(radius.lower);
+    const mpfr upper = midpoint_of(radius.upper);
+    constexpr long most_more_digits = 6;
+    for (long more = 1;; ++more) {
+        const decimal_parts below = parts_of(lower, digits + more, MPFR_RNDD);
+        const decimal_parts above = parts_of(upper, digits + more, MPFR_RNDU);
+        const ball gap = above.value() - below.value();
+        if (more >= most_more_digits || certainly_less(gap * pow(ball(10), digits), below.value())) {
+            return {below.text(), above.text()};
+        }
+    }
 }
 
 }  // namespace libration::ode

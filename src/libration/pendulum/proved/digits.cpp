@@ -69,6 +69,17 @@ proved_decimal coefficient(const pendulum::given_motion& motion, const std::stri
         .front();
 }
 
+proved_decimal radius(const pendulum::given_motion& motion, const std::string& point, long digits) {
+    const pendulum::motion m = exact_motion(motion);
+    const pendulum::expansion_point at = exact_point(m, point, 0);
+    if (at_rest(m.regime())) {
+        return {"inf", "0"};
+    }
+    return proved_value(given_digits(digits), [&] {
+        return ball(*radius_about(pendulum::exact_solution<ball>(m), at) * time_unit<ball>(m));
+    });
+}
+
 proved_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits) {
     const rational energy = energy_of_norm(exact_motion(motion), order);
     const long below = digits_below(pendulum::motion::of_energy(energy), order);

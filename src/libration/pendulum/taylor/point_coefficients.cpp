@@ -39,7 +39,7 @@ expansion_point point_of_motion(const motion& m, const std::string& name) {
     if (critical && point.where == expansion_point::place::top) {
         throw error(error_kind::argument, "point", name, "is not a point of a motion with E = 2");
     }
-    if (critical && point.time.measure == unit::period) {
+    if (critical && point.time.has_periods()) {
         throw error(error_kind::argument, "point", name, "is a multiple of an infinite period");
     }
     return point;

@@ -21,17 +21,9 @@ rational given_fraction(const std::string& quantity, const std::string& text) {
     return number.coefficient;
 }
 
-rational given_positive(const std::string& quantity, const std::string& text) {
-    rational number = given_fraction(quantity, text);
-    if (number <= 0) {
-        throw error(error_kind::argument, quantity, text, "is not positive");
-    }
-    return number;
-}
-
 exact given_angle(const std::string& quantity, const std::string& text) {
     exact number = given_number(quantity, text);
-    if (number.measure == unit::period) {
+    if (number.has_periods()) {
         throw error(error_kind::argument, quantity, text, "is a time");
     }
     return number;

@@ -1,4 +1,4 @@
-#include "verify/compare_rules.hpp"
+#include "libration/verify/proved/compare_rules.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
-// What a command prints in the arithmetic that was chosen: the one place that tells fixed scalars, mpfr and balls
-// apart.
+// Numbers as they are printed in an arithmetic that is chosen at run time: the one place that tells fixed scalars, mpfr
+// and balls apart.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,226 @@
+#include "libration/verify/proved/problem_truths.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "libration/ode/constant_value.hpp"
+#include "libration/ode/proved/proved_march.hpp"
+#include "libration/ode/step.hpp"
+#include "libration/ode/taylor_expansion.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long first_guard = 20;
+constexpr long second_guard = 45;
+constexpr long first_proof_bits = 96;
+constexpr long most_proof_bits = 200'000;
+constexpr long most_error_bits = 4'096;
+
+bool is_start(const explicit_system& system, const exact& time) {
+    const auto plain = (as_expression(time) - system.point()).plain();
+    return plain && plain->coefficient == 0;
+}
+
+}  // namespace
+
+std::vector<solution_component> components_of(const explicit_system& system) {
+    std::vector<solution_component> all;
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        for (int j = 0; j < system.unknowns()[i].order; ++j) {
+            all.push_back({i, static_cast<std::size_t>(j)});
+        }
+    }
+    return all;
+}
+
+std::size_t problem_truths::place_of(const solution_component& of) const {
+    const auto found = std::ranges::find_if(all_, [&](const solution_component& each) {
+        return each.unknown == of.unknown && each.derivative == of.derivative;
+    });
+    return static_cast<std::size_t>(found - all_.begin());
+}
+
+// Two marches, and where they are.
+struct problem_truths::march_pair {
+    long digits;
+    std::unique_ptr<taylor_march<mpfr>> first;
+    std::unique_ptr<taylor_march<mpfr>> second;
+
+    march_pair(const explicit_system& system, long printed) : digits(printed) {
+        first = made(system, first_guard);
+        second = made(system, second_guard);
+    }
+
+    std::unique_ptr<taylor_march<mpfr>> made(const explicit_system& system, long guard) const {
+        const precision_scope scope(digits + guard);
+        return std::make_unique<taylor_march<mpfr>>(system);
+    }
+
+    solution_state<mpfr> state(taylor_march<mpfr>& march, const exact& time, long guard) const {
+        const precision_scope scope(digits + guard);
+        return march.advance_to(constant_value<mpfr>::of(as_expression(time)));
+    }
+};
+
+problem_truths::march_pair& problem_truths::marches(long digits) {
+    auto& made = by_digits_[digits];
+    if (!made) {
+        made = std::make_shared<march_pair>(system_, digits);
+    }
+    return *made;
+}
+
+// A proved march with its latest time, and its bits.
+struct problem_truths::proved_way {
+    std::unique_ptr<proved_march> march;
+    number latest;
+    long bits = 0;
+};
+
+// All unknowns and their lower derivatives, in order. More bits where the enclosure becomes too wide on the way.
+std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
+    const number at = as_expression(time);
+    auto& way = proved_by_digits_[digits];
+    if (!way) {
+        way = std::make_shared<proved_way>();
+        way->bits = digits * 3322 / 1000 + first_proof_bits;
+    }
+    const int direction = (at - system_.point()).sign();
+    while (way->bits <= most_proof_bits) {
+        if (!way->march || ((at - way->latest) * number(rational(direction))).sign() < 0) {
+            way->march = std::make_unique<proved_march>(system_, way->bits);
+        }
+        way->latest = at;
+        if (const auto state = way->march->at(at)) {
+            return *state;
+        }
+        if (way->march->end() == march_end::steps) {
+            break;
+        }
+        way->march.reset();
+        way->bits *= 2;
+    }
+    throw error(error_kind::undecided, "time", time.text, "is not reached by a proof: a singularity is near, or chaos");
+}
+
+std::vector<true_value> problem_truths::truths_at(const exact& time, const components& asked, long digits) {
+    std::vector<true_value> truths;
+    if (is_start(system_, time)) {
+        for (const auto& [unknown, derivative] : asked) {
+            const number& value = system_.starts()[unknown][derivative];
+            truths.push_back({constant_value<ball>::of(value), value.fraction()});
+        }
+        return truths;
+    }
+    if (!system_.singular()) {
+        const auto state = proved_state(time, digits);
+        for (const auto& each : asked) {
+            truths.push_back({state[place_of(each)]});
+        }
+        return truths;
+    }
+    march_pair& pair = marches(digits);
+    const auto a = pair.state(*pair.first, time, first_guard);
+    const auto b = pair.state(*pair.second, time, second_guard);
+    const precision_scope scope(digits + second_guard);
+    const mpfr last = pow(mpfr(10), static_cast<int>(-digits));
+    for (const auto& [unknown, derivative] : asked) {
+        const mpfr& here = b[unknown][derivative];
+        const mpfr apart = abs(mpfr(a[unknown][derivative] - here)) * 16 + abs(here) * last;
+        truths.push_back({enclose(ball(here), ball(apart))});
+    }
+    return truths;
+}
+
+// |t y'|/max(1, |y|) of the first column, from a singular start.
+std::string problem_truths::condition_of_slope(const exact& time, const solution_component& of, long digits) {
+    const auto [unknown, derivative] = of;
+    if (time.is_zero()) {
+        return "0";
+    }
+    if (is_start(system_, time)) {
+        return "inf";
+    }
+    march_pair& pair = marches(digits);
+    const auto state = pair.state(*pair.second, time, second_guard);
+    const precision_scope scope(digits + second_guard);
+    const mpfr t = constant_value<mpfr>::of(as_expression(time));
+    const tape tape = tape::about_points(system_);
+    taylor_expansion<mpfr> there(tape, 1);
+    there.about(t, state);
+    const mpfr slope = there.coefficients(static_cast<int>(unknown), static_cast<int>(derivative))[1];
+    const mpfr size = abs(state[unknown][derivative]);
+    return to_decimal(mpfr(abs(mpfr(t * slope)) / (size > 1 ? size : mpfr(1))), 3);
+}
+
+// A march that keeps its derivative by starts and parameters, and where it was asked last.
+struct problem_truths::dependent_way {
+    explicit dependent_way(const equation_system& equations) : on(equations) {}
+
+    dependence on;
+    std::unique_ptr<proved_march> march;
+    number latest;
+    long bits = first_proof_bits;
+    long error_bits = proved_march::usual_error_bits;
+};
+
+// Three digits. Nothing where so many bits do not settle them.
+std::optional<std::vector<moved_value>> problem_truths::moved_at(const number& time) {
+    if (!dependent_) {
+        dependent_ = std::make_shared<dependent_way>(equations_);
+    }
+    dependent_way& way = *dependent_;
+    const auto& system = way.on.system();
+    const int direction = (time - system.point()).sign();
+    while (way.bits <= most_proof_bits && way.error_bits <= most_error_bits) {
+        if (!way.march || ((time - way.latest) * number(rational(direction))).sign() < 0) {
+            way.march = std::make_unique<proved_march>(system, way.bits, march_watch(), way.error_bits);
+            way.march->keep_derivative();
+        }
+        way.latest = time;
+        if (const auto state = way.march->at(time)) {
+            if (auto moved = way.on.moved(*way.march, time, *state, 0)) {
+                return moved;
+            }
+            way.error_bits *= 2;
+        } else if (way.march->end() == march_end::steps) {
+            return std::nullopt;
+        }
+        way.march.reset();
+        way.bits *= 2;
+    }
+    return std::nullopt;
+}
+
+std::string problem_truths::condition_at(const exact& time, const components& asked, long digits) {
+    if (system_.singular()) {
+        return condition_of_slope(time, asked.front(), digits);
+    }
+    const auto moved = moved_at(as_expression(time));
+    if (!moved) {
+        return "inf";
+    }
+    const auto truths = truths_at(time, asked, digits);
+    const precision_scope few(20);
+    mpfr largest(0);
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const moved_value& own = (*moved)[place_of(asked[i])];
+        const mpfr size = abs(midpoint_of(truths[i].value()));
+        const mpfr sum = own.by_start + own.by_parameters + own.by_time;
+        largest = std::max(largest, mpfr(sum / (size > 1 ? size : mpfr(1))));
+    }
+    return to_decimal(largest, 3);
+}
+
+row_question problem_truths::at(const exact& time, const std::vector<solution_component>& asked) {
+    row_question question;
+    question.first_digits = [](long places) { return (places + 29) / 10 * 10; };
+    question.truths = [this, time, asked](long digits) { return truths_at(time, asked, digits); };
+    question.condition = [this, time, asked](long digits) { return condition_at(time, asked, digits); };
+    return question;
+}
+
+}  // namespace libration::ode

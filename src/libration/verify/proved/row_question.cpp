@@ -1,0 +1,85 @@
+#include "libration/verify/proved/row_question.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "libration/digits/growing_precision.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/text/written_number.hpp"
+
+namespace libration {
+
+namespace {
+
+// By how many turns a value is away, to the nearest.
+true_value turned_towards(const std::string& value, true_value truth) {
+    written_number written{0, 1};
+    try {
+        written = read_written(value);
+    } catch (const error&) {
+        return truth;  // nan, or what the comparison complains of
+    }
+    const ball turn = pi<ball>() * 2;
+    const integer turns = nearest_integer(ball((from_rational<ball>(written.value) - truth.value()) / turn));
+    if (turns != 0) {
+        truth.enclosure = truth.value() + from_rational<ball>(rational(turns)) * turn;
+        truth.exactly = std::nullopt;
+    }
+    return truth;
+}
+
+// The decimal places that the values ask for.
+long places_of_row(const std::vector<written_value>& values, const compare_rules& rules) {
+    long places = 0;
+    for (const written_value& value : values) {
+        if (value.text.empty()) {
+            throw error(error_kind::argument, value.name, "", "is empty");
+        }
+        try {
+            places = std::max(places, places_for(value.text, rules));
+        } catch (const error& problem) {
+            throw error(problem.kind(), value.name, value.text, problem.reason());
+        }
+    }
+    return places;
+}
+
+}  // namespace
+
+bool compared_values::within() const {
+    return std::ranges::all_of(values, [](const comparison& each) { return each.within; });
+}
+
+void require_numbers(const std::vector<written_value>& values, const compare_rules& rules) {
+    static_cast<void>(places_of_row(values, rules));
+}
+
+compared_values compare_row(const std::vector<written_value>& values, const row_question& question,
+                            const compare_rules& rules) {
+    const long start = question.first_digits(places_of_row(values, rules));
+    constexpr int attempts = 5;
+    const auto attempt = [&](const precision_run& run) -> std::optional<compared_values> {
+        compared_values here;
+        auto truths = question.truths(run.more);
+        for (std::size_t i = 0; i < truths.size(); ++i) {
+            if (i == 0 && rules.modulo_turn) {
+                truths[i] = turned_towards(values[i].text, truths[i]);
+            }
+            auto value = compare_value(values[i].text, truths[i], rules, run.last);
+            if (!value) {
+                return std::nullopt;
+            }
+            here.values.push_back(*std::move(value));
+        }
+        here.condition = question.condition(run.more);
+        return here;
+    };
+    return with_growing_precision({0, start, attempts * start, digit_growth::by_first}, values.front().name, attempt);
+}
+
+std::string correct_digits_text(const std::optional<long>& tenths) {
+    return tenths ? std::to_string(*tenths / 10) + "." + std::to_string(*tenths % 10) : "inf";
+}
+
+}  // namespace libration
