@@ -136,4 +136,4 @@ install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
 
 # What `cmake --install` takes: `./run install` builds that much.
-add_custom_target(libration-installable DEPENDS libration libration-proved libration-command)
+add_custom_target(libration-installable DEPENDS libration libration-proved libration-c libration-command)

@@ -14,6 +14,9 @@ if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the tests need FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
 endif()
 target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2WithMain libration-warnings)
+# The C interface, as a program of its own would link it.
+target_link_libraries(libration-tests PRIVATE libration-c)
+target_compile_definitions(libration-tests PRIVATE LIBRATION_SYMBOLS="${c_symbols}")
 # MPFI, under Boost's intervals: a type that the library does not know.
 target_link_libraries(libration-tests PRIVATE mpfi)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
@@ -77,6 +80,16 @@ add_test(NAME equations_example
         -D BUILD=${PROJECT_BINARY_DIR}/equations
         -D README=${PROJECT_SOURCE_DIR}/docs/equations.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+# The examples for C and Fortran, compiled with what is installed alone.
+add_test(NAME c_examples
+    COMMAND ${CMAKE_COMMAND}
+        -D PREFIX=${installed}
+        -D EXAMPLES=${PROJECT_SOURCE_DIR}/docs/examples
+        -D EXPECTED=${PROJECT_SOURCE_DIR}/tests/reference/c_examples.csv
+        -D WORK=${PROJECT_BINARY_DIR}/c_examples
+        -D FLAGS=${consumer_flags}
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_c_examples.cmake)
+set_tests_properties(c_examples PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 120)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
 set_tests_properties(consumer consumer_of_balls readme_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 

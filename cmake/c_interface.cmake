@@ -1,0 +1,36 @@
+# The C interface, include/libration.h: a shared library of what the static ones have, whose only symbols are those of
+# that header. Its number is that of the interface, which only grows, and not the version of the project.
+
+file(GLOB c_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/c/*.cpp)
+add_library(libration-c SHARED ${c_sources})
+set_target_properties(libration-c PROPERTIES
+    OUTPUT_NAME libration
+    SOVERSION 1
+    VERSION 1.0
+    CXX_VISIBILITY_PRESET hidden
+    UNITY_BUILD_BATCH_SIZE 25)
+target_compile_definitions(libration-c PRIVATE LIBRATION_VERSION="${PROJECT_VERSION}")
+target_include_directories(libration-c
+    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(libration-c PRIVATE libration-proved libration-warnings)
+target_link_options(libration-c PRIVATE
+    LINKER:--version-script=${PROJECT_SOURCE_DIR}/src/c/symbols.map
+    LINKER:--no-undefined)
+set_property(TARGET libration-c APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/c/symbols.map)
+
+# Its symbols, for the test that compares them with the header.
+set(c_symbols ${PROJECT_BINARY_DIR}/libration.symbols)
+add_custom_command(TARGET libration-c POST_BUILD
+    COMMAND ${CMAKE_NM} -D --defined-only $<TARGET_FILE:libration-c> > ${c_symbols}
+    BYPRODUCTS ${c_symbols}
+    VERBATIM)
+
+file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(cmake/libration.pc.in ${PROJECT_BINARY_DIR}/libration.pc @ONLY)
+install(TARGETS libration-c
+    LIBRARY COMPONENT c_interface NAMELINK_COMPONENT headers)
+install(FILES include/libration.h include/libration.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT headers)
+install(FILES ${PROJECT_BINARY_DIR}/libration.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT headers)

@@ -1,0 +1,141 @@
+#include "guarded.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "libration/scalar/ball/quotient.hpp"
+#include "libration/scalar/supplied_quotient.hpp"
+
+namespace libration::c {
+
+namespace {
+
+// For all calls: whole sequences of mpfr numbers are divided by FLINT, as in the command.
+const whole_quotient_scope by_whole_sequences(quotient_by_flint);
+
+struct last_error {
+    std::string message, subject, value, reason;
+};
+
+last_error& error_here() {
+    thread_local last_error kept;
+    return kept;
+}
+
+// What a moment without memory leaves of it: texts this short need none.
+void keep_message(const char* message) noexcept {
+    last_error& here = error_here();
+    for (std::string* text : {&here.message, &here.subject, &here.value, &here.reason}) {
+        text->clear();
+    }
+    constexpr std::size_t kept = 15;
+    here.message.append(message, std::min(std::string_view(message).size(), std::max(kept, here.message.capacity())));
+}
+
+int keep(int code, const char* message) noexcept {
+    try {
+        error_here() = {message, "", "", message};
+    } catch (const std::bad_alloc&) {
+        keep_message(message);
+    }
+    return code;
+}
+
+int keep(int code, const error& problem) noexcept {
+    try {
+        error_here() = {problem.what(), problem.subject(), problem.value(), problem.reason()};
+    } catch (const std::bad_alloc&) {
+        keep_message(problem.what());
+    }
+    return code;
+}
+
+int code_of(error_kind kind) {
+    switch (kind) {
+        case error_kind::argument: return LIBRATION_ARGUMENT;
+        case error_kind::range: return LIBRATION_RANGE;
+        default: return LIBRATION_UNDECIDED;
+    }
+}
+
+}  // namespace
+
+int code_of_exception() noexcept {
+    try {
+        throw;
+    } catch (const cancelled& problem) {
+        return keep(LIBRATION_CANCELLED, problem.what());
+    } catch (const error& problem) {
+        return keep(code_of(problem.kind()), problem);
+    } catch (const std::bad_alloc&) {
+        return keep(LIBRATION_NO_MEMORY, "no memory");
+    } catch (const std::exception& problem) {
+        return keep(LIBRATION_FAULT, problem.what());
+    } catch (...) {
+        return keep(LIBRATION_FAULT, "an unknown failure");
+    }
+}
+
+void require_powers(long first, long last) {
+    constexpr long most_rows = 1'000'001;
+    if (first < 0 || last < first || last - first >= most_rows) {
+        throw error(error_kind::argument, "powers", std::to_string(first) + " .. " + std::to_string(last),
+                    "are no powers from 0 on, a million of them at most");
+    }
+}
+
+bool asks_proof(int rigour) {
+    if (rigour != LIBRATION_ROUNDED && rigour != LIBRATION_PROVED) {
+        throw error(error_kind::argument, "rigour", std::to_string(rigour),
+                    "is neither LIBRATION_ROUNDED nor LIBRATION_PROVED");
+    }
+    return rigour == LIBRATION_PROVED;
+}
+
+std::string trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    return first == std::string_view::npos ? std::string()
+                                           : std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
+}
+
+std::vector<std::string> items_of(const std::string& list, const char* name) {
+    std::vector<std::string> items;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        items.push_back(trimmed(std::string_view(list).substr(begin, end - begin)));
+        if (items.back().empty()) {
+            throw error(error_kind::argument, name, list, "has an empty item");
+        }
+        begin = end + 1;
+    }
+    return items;
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(const std::string& text, const char* subject) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(';', begin), text.size());
+        const std::string part = trimmed(std::string_view(text).substr(begin, end - begin));
+        begin = end + 1;
+        if (part.empty()) {
+            continue;
+        }
+        const std::size_t sign = part.find('=');
+        if (sign == std::string::npos) {
+            throw error(error_kind::argument, subject, part, "has no =");
+        }
+        settings.emplace_back(trimmed(part.substr(0, sign)), trimmed(part.substr(sign + 1)));
+    }
+    return settings;
+}
+
+}  // namespace libration::c
+
+using libration::c::error_here;
+
+const char* libration_version(void) { return LIBRATION_VERSION; }
+const char* libration_error_message(void) { return error_here().message.c_str(); }
+const char* libration_error_subject(void) { return error_here().subject.c_str(); }
+const char* libration_error_value(void) { return error_here().value.c_str(); }
+const char* libration_error_reason(void) { return error_here().reason.c_str(); }

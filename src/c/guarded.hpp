@@ -1,0 +1,98 @@
+// The border of the C interface: exceptions become codes, arguments are looked at, a watch is heard.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "handles.hpp"
+#include "libration/scalar/ball/failure.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/precision_scope.hpp"
+
+namespace libration::c {
+
+/// Thrown where a watch wants to stop.
+class cancelled : public std::exception {
+public:
+    const char* what() const noexcept override { return "the call was cancelled"; }
+};
+
+/// The code of the exception that is being handled, which is kept as the thread's error.
+int code_of_exception() noexcept;
+
+/// The code of what work() does. It begins with the same precision in every thread.
+template <class Work>
+int guarded(const Work& work) noexcept {
+    try {
+        constexpr long usual_digits = 50;
+        const failure_scope failures;
+        const precision_scope digits(usual_digits);
+        work();
+        return LIBRATION_OK;
+    } catch (...) {
+        return code_of_exception();
+    }
+}
+
+/// Throws error of the kind argument for NULL.
+template <class T>
+const T& given(const T* argument, const char* name) {
+    if (argument == nullptr) {
+        throw error(error_kind::argument, name, "", "is NULL");
+    }
+    return *argument;
+}
+
+/// The text of an argument; throws as given().
+inline std::string text_of(const char* text, const char* name) { return &given(text, name); }
+
+/// The code of make(), whose result goes to a handle of the caller.
+template <class T, class Make>
+int made(T** handle, const Make& make) noexcept {
+    return guarded([&] {
+        given(handle, "the place for the result");
+        *handle = new T(make());
+    });
+}
+
+/// Whether a text that may be left out is there.
+inline bool is_given(const char* text) { return text != nullptr && *text != 0; }
+
+/// ROUNDED or PROVED; throws error of the kind argument for another number.
+bool asks_proof(int rigour);
+
+/// Throws error of the kind argument for powers below 0, none, or more than a million.
+void require_powers(long first, long last);
+
+/// The items of a list, without blanks around; throws error for one that is empty, and for an empty list.
+std::vector<std::string> items_of(const std::string& list, const char* name);
+
+/// "name = value" between semicolons, in the order given; empty parts are left out. Throws error of this subject where
+/// there is no =.
+std::vector<std::pair<std::string, std::string>> settings_of(const std::string& text, const char* subject);
+
+/// Without blanks around.
+std::string trimmed(std::string_view text);
+
+/// Tells a watch how much is done; throws cancelled.
+class watcher {
+public:
+    watcher(libration_watch watch, void* context) : watch_(watch), context_(context) {}
+    void operator()(double part) const {
+        if (watch_ != nullptr && watch_(part, context_) != 0) {
+            throw cancelled();
+        }
+    }
+    void operator()(std::size_t done, std::size_t all) const {
+        (*this)(static_cast<double>(done) / static_cast<double>(all));
+    }
+
+private:
+    libration_watch watch_;
+    void* context_;
+};
+
+}  // namespace libration::c

@@ -1,0 +1,69 @@
+// What stands behind the handles of the C interface.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "libration/pendulum/given_motion.hpp"
+#include "libration/pendulum/motion/typed_motion.hpp"
+#include "libration/pendulum/sampler/sampler.hpp"
+#include "libration/scalar/text/printed_number.hpp"
+
+// What this header declares is what the shared library shows; all else is hidden.
+#pragma GCC visibility push(default)
+#include "libration.h"
+#pragma GCC visibility pop
+
+struct libration_number {
+    std::string decimal;
+    std::string uncertainty;
+    int rigour = LIBRATION_HEURISTIC;
+};
+
+/// Rows of cells; words are numbers of no rigour.
+struct libration_table {
+    struct cell {
+        libration_number number;
+        bool is_number = false;
+    };
+
+    std::vector<std::string> names;
+    std::vector<cell> cells;
+
+    void add(libration_number number) { cells.push_back({std::move(number), true}); }
+    void add(std::string words) { cells.push_back({{std::move(words), "", LIBRATION_HEURISTIC}, false}); }
+};
+
+struct libration_motion {
+    libration::pendulum::given_motion given;
+    libration::pendulum::typed_motion typed;
+    libration::pendulum::motion of;
+};
+
+struct libration_problem {
+    libration::ode::equation_system equations;
+    libration::ode::explicit_system system;
+    std::vector<std::string> names;  ///< of the unknowns and their lower derivatives
+};
+
+struct libration_sampler {
+    libration::pendulum::sampler<double> of;
+};
+
+namespace libration::c {
+
+/// A decimal that is right to one unit in the last; 0 and inf are exact.
+libration_number rounded_number(const std::string& decimal);
+inline libration_number rounded_number(const rounded_decimal& number) { return rounded_number(number.text); }
+inline libration_number proved_number(const proved_decimal& number) {
+    return {number.text, number.uncertainty, LIBRATION_PROVED};
+}
+/// A whole number.
+inline libration_number count_number(long n) { return {std::to_string(n), "0", LIBRATION_PROVED}; }
+/// What was typed, as it was typed.
+inline libration_number typed_number(const std::string& text) { return {text, "0", LIBRATION_PROVED}; }
+
+}  // namespace libration::c

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "guarded.hpp"
+#include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/scalar/ball/binary_parts.hpp"
+#include "libration/scalar/text/given_number.hpp"
+
+namespace libration::c {
+
+libration_number rounded_number(const std::string& decimal) {
+    if (decimal == "0" || decimal.find_first_of("in") != std::string::npos) {
+        return {decimal, "0", LIBRATION_ROUNDED};
+    }
+    const std::size_t e = std::min(decimal.find('e'), decimal.size());
+    const std::size_t point = std::min(decimal.find('.'), e);
+    const long exponent = e < decimal.size() ? std::stol(decimal.substr(e + 1)) : 0;
+    const long places = point < e ? static_cast<long>(e - point - 1) : 0;
+    return {decimal, place_point(false, "1", exponent - places + 1), LIBRATION_ROUNDED};
+}
+
+namespace {
+
+// Bits beyond the digits of a decimal, with which it is converted.
+constexpr long digits_beyond = 25;
+
+// +1 or -1 where the number is infinite.
+int infinity_of(const libration_number& x) { return x.decimal == "inf" ? 1 : x.decimal == "-inf" ? -1 : 0; }
+
+// The numbers that this one may be. Throws error where nothing is known of them.
+ball enclosure_of(const libration_number& x) {
+    const precision_scope scope(std::max<long>(static_cast<long>(x.decimal.size()), 17) + digits_beyond);
+    if (x.uncertainty.empty()) {
+        throw error(error_kind::undecided, "number", x.decimal, "has no bound of its error");
+    }
+    try {
+        return enclose(from_rational<ball>(read_exact(x.decimal).coefficient),
+                       from_rational<ball>(read_exact(x.uncertainty).coefficient));
+    } catch (const error& problem) {  // beyond the exponents that are read
+        throw error(error_kind::range, "number", x.decimal, problem.reason());
+    }
+}
+
+double nearest_double(const libration_number& x) {
+    if (infinity_of(x) != 0) {
+        return infinity_of(x) * std::numeric_limits<double>::infinity();
+    }
+    const ball enclosure = enclosure_of(x);
+    const double below = mpfr_get_d(handle(midpoint_of(lower_bound(enclosure))), MPFR_RNDN);
+    const double above = mpfr_get_d(handle(midpoint_of(upper_bound(enclosure))), MPFR_RNDN);
+    if (!(below == above)) {
+        throw error(error_kind::undecided, "number", x.decimal, "does not decide its double: ask for more digits");
+    }
+    return below;
+}
+
+void write_text(const std::string& text, char* place, std::size_t size) {
+    given(place, "the place for the text");
+    if (text.size() >= size) {
+        throw error(error_kind::range, "size", std::to_string(size),
+                    "is too small: " + std::to_string(text.size() + 1) + " characters are needed");
+    }
+    std::memcpy(place, text.c_str(), text.size() + 1);
+}
+
+std::string exact_text(const std::string& mantissa, long exponent) {
+    const std::size_t first = mantissa.starts_with('-') || mantissa.starts_with('+') ? 1 : 0;
+    const bool whole =
+        mantissa.size() > first && std::all_of(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                               [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (!whole) {
+        throw error(error_kind::argument, "mantissa", mantissa, "is not a whole number");
+    }
+    return mantissa + "*2^" + (exponent < 0 ? "(" + std::to_string(exponent) + ")" : std::to_string(exponent));
+}
+
+std::size_t mantissa_size(const libration_number& x) {
+    // The digits of the decimal and of the bits beyond, a sign, the 0 at the end.
+    return x.decimal.size() + static_cast<std::size_t>(2 * digits_beyond);
+}
+
+}  // namespace
+
+}  // namespace libration::c
+
+using namespace libration;
+using namespace libration::c;
+
+int libration_number_read(const char* text, long digits, libration_number** number) {
+    return made(number, [&] {
+        const exact read = given_number("number", text_of(text, "number"));
+        return proved_number(sign_of_exact(read) == 0
+                                 ? proved_decimal{"0", "0"}
+                                 : proved_value(given_digits(digits), [&] { return from_exact<ball>(read); }));
+    });
+}
+
+int libration_exact_text(const char* mantissa, long exponent, char* text, size_t size) {
+    return guarded([&] { write_text(exact_text(text_of(mantissa, "mantissa"), exponent), text, size); });
+}
+
+const char* libration_number_decimal(const libration_number* number) {
+    return number == nullptr ? "" : number->decimal.c_str();
+}
+
+const char* libration_number_uncertainty(const libration_number* number) {
+    return number == nullptr ? "" : number->uncertainty.c_str();
+}
+
+int libration_number_rigour(const libration_number* number) {
+    return number == nullptr ? LIBRATION_HEURISTIC : number->rigour;
+}
+
+int libration_number_double(const libration_number* number, double* nearest) {
+    return guarded([&] {
+        const double found = nearest_double(given(number, "number"));
+        given(nearest, "the place for the result");
+        *nearest = found;
+    });
+}
+
+int libration_number_bounds(const libration_number* number, double* lower, double* upper) {
+    return guarded([&] {
+        const libration_number& x = given(number, "number");
+        given(lower, "the place for the lower bound");
+        given(upper, "the place for the upper bound");
+        if (infinity_of(x) != 0) {
+            *lower = *upper = infinity_of(x) * std::numeric_limits<double>::infinity();
+            return;
+        }
+        const ball enclosure = enclosure_of(x);
+        *lower = mpfr_get_d(handle(midpoint_of(lower_bound(enclosure))), MPFR_RNDD);
+        *upper = mpfr_get_d(handle(midpoint_of(upper_bound(enclosure))), MPFR_RNDU);
+    });
+}
+
+size_t libration_number_mantissa_size(const libration_number* number) {
+    return number == nullptr ? 0 : mantissa_size(*number);
+}
+
+int libration_number_exact(const libration_number* number, char* mantissa, size_t size, long* exponent,
+                           unsigned long* radius, long* radius_exponent) {
+    return guarded([&] {
+        const libration_number& x = given(number, "number");
+        given(exponent, "the place for the exponent");
+        given(radius, "the place for the radius");
+        given(radius_exponent, "the place for the exponent of the radius");
+        if (infinity_of(x) != 0) {
+            throw error(error_kind::range, "number", x.decimal, "is infinite");
+        }
+        const binary_parts parts = parts_of(enclosure_of(x));
+        write_text(parts.mantissa.str(), mantissa, size);
+        *exponent = parts.exponent;
+        *radius = parts.radius;
+        *radius_exponent = parts.radius_exponent;
+    });
+}
+
+void libration_number_free(libration_number* number) { delete number; }

@@ -1,0 +1,27 @@
+// What radii and singularities become in tables of the C interface.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "handles.hpp"
+#include "libration/convergence/radius_answers.hpp"
+
+namespace libration::c {
+
+/// The answers to functions, the verdict of the nearest first and then all of each; to so many digits at most.
+libration_table table_of_radii(const std::vector<convergence::listed_function>& functions,
+                               const std::vector<std::string>& names, long digits);
+
+/// Of the unknowns of a system, from coefficients 0 .. last about its start.
+libration_table radius_table(const ode::explicit_system& system, long last, long digits);
+
+/// The singularities within a distance of the start, "" for twice the nearest, and whether all of it was searched.
+struct found_singularities {
+    libration_table table;
+    bool complete;
+};
+found_singularities singularity_table(const ode::explicit_system& system, const std::string& within, long digits,
+                                      bool proved);
+
+}  // namespace libration::c

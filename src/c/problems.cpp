@@ -1,0 +1,253 @@
+#include <algorithm>
+#include <memory>
+
+#include "guarded.hpp"
+#include "libration/digits/proved/printed_values.hpp"
+#include "libration/ode/ball/fast_product.hpp"
+#include "libration/ode/constant_value.hpp"
+#include "libration/ode/first_order_form.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/problem_coefficients.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/trajectory.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/exponent_range.hpp"
+#include "libration/scalar/text/given_number.hpp"
+#include "problem_tables.hpp"
+
+namespace libration::c {
+
+namespace {
+
+libration_problem make_problem(const std::string& text, const std::string& settings) {
+    const bool typed = text.find('=') != std::string::npos;
+    ode::equation_system equations = ode::parse(typed ? text : std::string(problem_text(trimmed(text))));
+    for (const auto& [name, value] : settings_of(settings, "settings")) {
+        equations = ode::changed(std::move(equations), name + " = " + value);
+    }
+    const ode::explicit_system system(equations);
+    libration_problem made{std::move(equations), system, {}};
+    for (const auto& unknown : system.unknowns()) {
+        for (int j = 0; j < unknown.order; ++j) {
+            made.names.push_back(ode::primed(unknown.name, j));
+        }
+    }
+    return made;
+}
+
+ode::number time_of(const std::string& text) {
+    const exact time = given_time("time", text);
+    if (time.has_periods()) {
+        throw error(error_kind::argument, "time", text, "is a multiple of a period, which a problem has not");
+    }
+    return as_expression(time);
+}
+
+// How far a proof has come from the start to the farthest time.
+class way_to_go {
+public:
+    way_to_go(const ode::explicit_system& system, const std::vector<ode::number>& times, const watcher& watch)
+        : watch_(watch), origin_(ode::constant_value<mpfr>::of(system.point())) {
+        for (const ode::number& each : times) {
+            whole_ = std::max(whole_, mpfr(abs(ode::constant_value<mpfr>::of(each) - origin_)));
+        }
+    }
+    void operator()(const ball& reached) const {
+        const precision_scope few(20);
+        const mpfr part = whole_ == 0 ? mpfr(0) : mpfr(abs(midpoint_of(reached) - origin_) / whole_);
+        watch_(std::clamp(part.convert_to<double>(), 0.0, 1.0));
+    }
+
+private:
+    const watcher& watch_;
+    mpfr origin_;
+    mpfr whole_ = mpfr(0);
+};
+
+libration_table states_of(const libration_problem& p, const std::string& list, long digits, bool proved,
+                          const watcher& watch) {
+    const auto items = items_of(list, "times");
+    std::vector<ode::number> times;
+    std::transform(items.begin(), items.end(), std::back_inserter(times), time_of);
+    libration_table table{{"time"}, {}};
+    table.names.insert(table.names.end(), p.names.begin(), p.names.end());
+    if (proved) {
+        const way_to_go way(p.system, times, watch);
+        const auto states = ode::proved_trajectory(p.system, times, given_digits(digits),
+                                                   [&](const ball& reached, long) { way(reached); });
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            table.add(items[i]);
+            for (const proved_decimal& value : states[i]) {
+                table.add(proved_number(value));
+            }
+        }
+        return table;
+    }
+    const auto states = ode::trajectory(p.system, times, given_digits(digits), ode::fast_product<mpfr>());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        table.add(items[i]);
+        for (const auto& of_unknown : states[i]) {
+            for (const mpfr& value : of_unknown) {
+                table.add(rounded_number(to_decimal(value, digits)));
+            }
+        }
+    }
+    return table;
+}
+
+std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool parts) {
+    std::vector<std::string> names;
+    for (const auto& each : system.unknowns()) {
+        if (parts) {
+            names.insert(names.end(), {each.name + "_re", each.name + "_im"});
+        } else {
+            names.push_back(each.name);
+        }
+    }
+    return names;
+}
+
+// A row a power; `as_number` makes numbers of what the list has.
+template <class Number, class AsNumber>
+libration_table table_of(const ode::coefficient_request& request, const ode::coefficient_list<Number>& list,
+                         const AsNumber& as_number) {
+    libration_table table{{"n"}, {}};
+    const auto names = names_of_unknowns(request.system, list.complex);
+    table.names.insert(table.names.end(), names.begin(), names.end());
+    if (list.root > 1) {
+        table.names.emplace_back("power");
+    }
+    for (std::size_t at = 0; at < list.values.size(); at += names.size()) {
+        const long n = request.first + static_cast<long>(at / names.size());
+        table.add(count_number(n));
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            table.add(as_number(list.values[at + i]));
+        }
+        if (list.root > 1) {
+            table.add(typed_number(rational(n, list.root).str()));
+        }
+    }
+    return table;
+}
+
+ode::complex_constant read_point(const std::string& text) {
+    try {
+        return ode::parse_complex_constant(text);
+    } catch (const error& problem) {
+        throw error(problem.kind(), "point", text, problem.reason());
+    }
+}
+
+libration_table coefficients_of(const ode::coefficient_request& request, long digits, bool proved) {
+    require_powers(request.first, request.order);
+    const whole_exponent_range exponents;
+    if (proved) {
+        return table_of(request, ode::proved_coefficients(request, given_digits(digits)), proved_number);
+    }
+    return table_of(request, ode::rounded_coefficients({scalar_kind::arbitrary, given_digits(digits)}, request),
+                    [&](const mpfr& value) { return rounded_number(to_decimal(value, digits)); });
+}
+
+ode::coefficient_request request_of(const libration_problem& p, const char* point, const char* corners, long first,
+                                    long last) {
+    ode::coefficient_request request{p.system, first, last};
+    if (is_given(point)) {
+        request.at = read_point(point);
+    } else if (is_given(corners)) {
+        throw error(error_kind::argument, "corners", corners, "are a way to a point and there is none");
+    }
+    if (is_given(corners)) {
+        for (const std::string& each : items_of(corners, "corners")) {
+            request.corners.push_back(read_point(each));
+        }
+    }
+    return request;
+}
+
+}  // namespace
+
+}  // namespace libration::c
+
+using namespace libration;
+using namespace libration::c;
+
+int libration_problem_new(const char* text, const char* settings, libration_problem** problem) {
+    return made(problem, [&] { return make_problem(text_of(text, "problem"), settings == nullptr ? "" : settings); });
+}
+
+size_t libration_problem_size(const libration_problem* problem) {
+    return problem == nullptr ? 0 : problem->names.size();
+}
+
+const char* libration_problem_name(const libration_problem* problem, size_t i) {
+    return i < libration_problem_size(problem) ? problem->names[i].c_str() : "";
+}
+
+int libration_problem_states(const libration_problem* problem, const char* times, long digits, int rigour,
+                             libration_watch watch, void* context, libration_table** states) {
+    return made(states, [&] {
+        return states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
+                         watcher(watch, context));
+    });
+}
+
+int libration_problem_coefficients(const libration_problem* problem, const char* point, const char* corners, long first,
+                                   long last, long digits, int rigour, libration_table** coefficients) {
+    return made(coefficients, [&] {
+        return coefficients_of(request_of(given(problem, "problem"), point, corners, first, last), digits,
+                               asks_proof(rigour));
+    });
+}
+
+int libration_problem_fractions(const libration_problem* problem, long first, long last,
+                                libration_table** coefficients) {
+    return made(coefficients, [&] {
+        require_powers(first, last);
+        const ode::coefficient_request request{given(problem, "problem").system, first, last};
+        return table_of(request, ode::exact_coefficients(request),
+                        [](const rational& value) { return typed_number(value.str()); });
+    });
+}
+
+int libration_problem_radius(const libration_problem* problem, long last, long digits, libration_table** tests) {
+    return made(tests, [&] { return radius_table(given(problem, "problem").system, last, given_digits(digits)); });
+}
+
+int libration_problem_radius_bounds(const libration_problem* problem, long digits, libration_number** lower,
+                                    libration_number** upper) {
+    return guarded([&] {
+        given(lower, "the place for the lower bound");
+        given(upper, "the place for the upper bound");
+        const auto proof = ode::prove_radius(given(problem, "problem").system, given_digits(digits));
+        const auto [below, above] = ode::outward_decimals(proof, digits);
+        auto first = std::make_unique<libration_number>(typed_number(below));
+        *upper = new libration_number(typed_number(above));
+        *lower = first.release();
+    });
+}
+
+int libration_problem_singularities(const libration_problem* problem, const char* within, long digits, int rigour,
+                                    libration_table** singularities, int* complete) {
+    return made(singularities, [&] {
+        if (rigour != LIBRATION_HEURISTIC && rigour != LIBRATION_PROVED) {
+            throw error(error_kind::argument, "rigour", std::to_string(rigour),
+                        "is neither LIBRATION_HEURISTIC nor LIBRATION_PROVED");
+        }
+        auto found = singularity_table(given(problem, "problem").system, within == nullptr ? "" : within, digits,
+                                       rigour == LIBRATION_PROVED);
+        if (complete != nullptr) {
+            *complete = found.complete ? 1 : 0;
+        }
+        return std::move(found.table);
+    });
+}
+
+void libration_problem_free(libration_problem* problem) { delete problem; }
+
+size_t libration_catalogue_size(void) { return catalogue().size(); }
+
+const char* libration_catalogue_name(size_t i) { return i < catalogue().size() ? catalogue()[i].name.data() : ""; }
+
+const char* libration_catalogue_text(size_t i) { return i < catalogue().size() ? catalogue()[i].text.data() : ""; }

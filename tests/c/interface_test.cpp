@@ -1,0 +1,235 @@
+// The C interface: what it answers, against closed forms.
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "c/called.hpp"
+
+namespace c_interface_test {
+
+using namespace c_test;
+
+// Gamma(1/4)^2/sqrt(pi), the lemniscate constant, sqrt(2), pi/2, tan(1) by mpmath.
+constexpr const char* period_of_90_degrees = "7.4162987092054876737354013887810401848";
+constexpr const char* lemniscate = "2.6220575542921198104648395898911194137";
+constexpr const char* root_of_2 = "1.4142135623730950488016887242096980786";
+constexpr const char* half_pi = "1.5707963267948966192313216916397514421";
+constexpr const char* tangent_of_1 = "1.5574077246549022305069748074583601731";
+
+// Of so many digits all but the last two, which may round.
+bool agrees(const std::string& printed, const std::string& truth, std::size_t digits) {
+    return printed.size() >= digits && printed.substr(0, digits - 1) == truth.substr(0, digits - 1);
+}
+
+TEST_CASE("numbers come out as decimals, doubles and exact parts", "[c]") {
+    const auto root = made<number>([](auto** to) { return libration_number_read("sqrt(2)", 30, to); });
+    CHECK(agrees(digits_of(root), root_of_2, 30));
+    CHECK(libration_number_rigour(root.get()) == LIBRATION_PROVED);
+    double nearest = 0;
+    double lower = 0;
+    double upper = 0;
+    REQUIRE(libration_number_double(root.get(), &nearest) == LIBRATION_OK);
+    REQUIRE(libration_number_bounds(root.get(), &lower, &upper) == LIBRATION_OK);
+    CHECK(nearest == std::sqrt(2.0));  // IEEE 754 rounds a root correctly
+    CHECK(lower < upper);
+    CHECK(std::nextafter(lower, 2.0) == upper);
+    // (m 2^e - r 2^f)^2 < 2 < (m 2^e + r 2^f)^2, in whole numbers.
+    std::vector<char> text(libration_number_mantissa_size(root.get()));
+    long e = 0;
+    long f = 0;
+    unsigned long r = 0;
+    REQUIRE(libration_number_exact(root.get(), text.data(), text.size(), &e, &r, &f) == LIBRATION_OK);
+    using boost::multiprecision::cpp_int;
+    const long common = std::min(e, f);
+    REQUIRE(common < 0);
+    const cpp_int m = cpp_int(text.data()) << static_cast<unsigned>(e - common);
+    const cpp_int radius = cpp_int(r) << static_cast<unsigned>(f - common);
+    const cpp_int two = cpp_int(2) << static_cast<unsigned>(-2 * common);
+    CHECK((m - radius) * (m - radius) < two);
+    CHECK(two < (m + radius) * (m + radius));
+}
+
+TEST_CASE("a double is refused where the digits do not tell it", "[c]") {
+    const auto third = made<number>([](auto** to) { return libration_number_read("1/3", 3, to); });
+    double nearest = 7;
+    CHECK(libration_number_double(third.get(), &nearest) == LIBRATION_UNDECIDED);
+    CHECK(nearest == 7);
+    const auto zero = made<number>([](auto** to) { return libration_number_read("pi-pi", 3, to); });
+    CHECK(digits_of(zero) == "0");
+    CHECK(libration_number_double(zero.get(), &nearest) == LIBRATION_OK);
+    CHECK(nearest == 0);
+}
+
+TEST_CASE("exact binary numbers go in as mantissa and exponent", "[c]") {
+    char text[64];
+    REQUIRE(libration_exact_text("3602879701896397", -55, text, sizeof text) == LIBRATION_OK);
+    // 0.1 in double is 0.1000000000000000055511151231257827...
+    const auto tenth = made<number>([&](auto** to) { return libration_number_read(text, 30, to); });
+    CHECK(digits_of(tenth) == "0.100000000000000005551115123126");
+    const auto as_written =
+        made<number>([](auto** to) { return libration_number_read("3602879701896397*2^-55", 30, to); });
+    CHECK(digits_of(as_written) == digits_of(tenth));
+    const auto swing = motion_of(std::string("energy = ") + text);
+    const auto energy =
+        made<number>([&](auto** to) { return libration_motion_energy(swing.get(), 60, LIBRATION_PROVED, to); });
+    CHECK(digits_of(energy) == "0.1000000000000000055511151231257827021181583404541015625");
+}
+
+TEST_CASE("motions have their closed forms", "[c]") {
+    const auto swing = motion_of("theta0 = 90deg; omega0 = 0");
+    CHECK(libration_motion_regime(swing.get()) == std::string("libration"));
+    for (const int rigour : {LIBRATION_ROUNDED, LIBRATION_PROVED}) {
+        const auto period =
+            made<number>([&](auto** to) { return libration_motion_period(swing.get(), 35, rigour, to); });
+        CHECK(agrees(digits_of(period), period_of_90_degrees, 35));
+        CHECK(libration_number_rigour(period.get()) == rigour);
+        const auto radius =
+            made<number>([&](auto** to) { return libration_motion_radius(swing.get(), nullptr, 35, rigour, to); });
+        CHECK(agrees(digits_of(radius), lemniscate, 35));
+        const auto zero =
+            made<number>([&](auto** to) { return libration_motion_theta(swing.get(), "T/4", 35, rigour, to); });
+        CHECK(digits_of(zero) == "0");
+        // theta = pi/2 - t^2/2 + t^6/240 + ..., omega(T/4) = -sqrt(2).
+        const auto terms = made<table>(
+            [&](auto** to) { return libration_motion_coefficients(swing.get(), "top", 0, 6, 20, rigour, to); });
+        CHECK(libration_table_rows(terms.get()) == 7);
+        CHECK(cell(terms, 2, 1) == "-0.50000000000000000000");
+        CHECK(cell(terms, 4, 1) == "0");
+        CHECK(cell(terms, 6, 1) == "0.0041666666666666666667");
+        const auto states = made<table>([&](auto** to) {
+            return libration_motion_states(swing.get(), "0, T/4", 30, rigour, nullptr, nullptr, to);
+        });
+        CHECK(agrees(cell(states, 1, 2), std::string("-") + root_of_2, 30));
+        CHECK(libration_table_name(states.get(), 2) == std::string("omega"));
+    }
+    const auto critical = motion_of("theta0 = 120deg; omega0 = 1");
+    CHECK(libration_motion_regime(critical.get()) == std::string("separatrix"));
+    const auto infinite = made<number>(
+        [&](auto** to) { return libration_motion_effective_period(critical.get(), 20, LIBRATION_PROVED, to); });
+    double value = 0;
+    CHECK(libration_number_double(infinite.get(), &value) == LIBRATION_OK);
+    CHECK(value == HUGE_VAL);
+}
+
+TEST_CASE("the tangent is known by its equation", "[c]") {
+    const auto tangent = problem_of("x' = a + x^2; x(0) = 0; a = 2", "a = 1");
+    CHECK(libration_problem_size(tangent.get()) == 1);
+    CHECK(libration_problem_name(tangent.get(), 0) == std::string("x"));
+    for (const int rigour : {LIBRATION_ROUNDED, LIBRATION_PROVED}) {
+        const auto states = made<table>([&](auto** to) {
+            return libration_problem_states(tangent.get(), "1,pi/4", 35, rigour, nullptr, nullptr, to);
+        });
+        CHECK(agrees(cell(states, 0, 1), tangent_of_1, 35));
+        const auto terms = made<table>([&](auto** to) {
+            return libration_problem_coefficients(tangent.get(), nullptr, nullptr, 3, 3, 20, rigour, to);
+        });
+        CHECK(cell(terms, 0, 0) == "3");
+        CHECK(cell(terms, 0, 1) == "0.33333333333333333333");
+    }
+    const auto fractions = made<table>([&](auto** to) { return libration_problem_fractions(tangent.get(), 0, 7, to); });
+    CHECK(cell(fractions, 7, 1) == "17/315");
+    // tan(i) = i tanh(1).
+    const auto complex = made<table>([&](auto** to) {
+        return libration_problem_coefficients(tangent.get(), "i", nullptr, 0, 0, 20, LIBRATION_ROUNDED, to);
+    });
+    CHECK(libration_table_name(complex.get(), 2) == std::string("x_im"));
+    CHECK(agrees(cell(complex, 0, 2), "0.761594155955764888119458", 20));
+}
+
+TEST_CASE("the radius of the tangent is pi/2", "[c]") {
+    const auto tangent = problem_of("x' = 1 + x^2; x(0) = 0");
+    const auto tests = made<table>([&](auto** to) { return libration_problem_radius(tangent.get(), 80, 20, to); });
+    CHECK(agrees(cell(tests, 0, 2), half_pi, 19));
+    CHECK(libration_number_rigour(libration_table_number(tests.get(), 0, 2)) == LIBRATION_HEURISTIC);
+    libration_number* lower = nullptr;
+    libration_number* upper = nullptr;
+    REQUIRE(libration_problem_radius_bounds(tangent.get(), 12, &lower, &upper) == LIBRATION_OK);
+    const number below(lower);
+    const number above(upper);
+    CHECK(digits_of(below) < std::string(half_pi));
+    CHECK(digits_of(above) > std::string(half_pi));
+    CHECK(agrees(digits_of(below), half_pi, 12));
+    CHECK(agrees(digits_of(above), half_pi, 12));
+    int complete = 0;
+    const auto map = made<table>([&](auto** to) {
+        return libration_problem_singularities(tangent.get(), nullptr, 12, LIBRATION_PROVED, to, &complete);
+    });
+    CHECK(complete == 1);
+    REQUIRE(libration_table_rows(map.get()) == 2);
+    CHECK(cell(map, 0, 3) == "pole of order 1");
+    CHECK(libration_number_rigour(libration_table_number(map.get(), 0, 0)) == LIBRATION_PROVED);
+    CHECK(agrees(cell(map, 0, 2), half_pi, 12));
+    // 1/(1 - x/2).
+    const auto list = made<table>(
+        [](auto** to) { return libration_list_radius("1,1/2,1/4,1/8,1/16,1/32,1/64,1/128,1/256,1/512", 15, to); });
+    double radius = 0;
+    double highest = 0;
+    REQUIRE(libration_number_bounds(libration_table_number(list.get(), 0, 2), &radius, &highest) == LIBRATION_OK);
+    CHECK(radius <= 2);
+    CHECK(highest >= 2);
+}
+
+TEST_CASE("values are judged by proved ones", "[c]") {
+    const auto tangent = problem_of("x' = 1 + x^2; x(0) = 0");
+    const auto typed = made<table>([&](auto** to) {
+        return libration_problem_verify(tangent.get(), "x", "1, 1", "1.5574077, 1.5574079", nullptr, nullptr, nullptr,
+                                        to);
+    });
+    CHECK(cell(typed, 0, 1) == "ok");
+    CHECK(cell(typed, 1, 1) == "miss");
+    CHECK(agrees(cell(typed, 0, 3), tangent_of_1, 10));
+    const auto swing = motion_of("theta0 = 90deg; omega0 = 0");
+    // theta and omega after three periods and half a turn more or less; sqrt(2) in double is off by 9.7e-17.
+    const double times[] = {0.0, 0.0};
+    const double values[] = {1.5707963267948966 + 2 * 3.141592653589793, 0.0, 1.6, 0.0};
+    const auto doubles = made<table>([&](auto** to) {
+        return libration_motion_verify_doubles(swing.get(), "theta,omega", 2, times, values,
+                                               "tolerance = 1e-12; modulo = 2pi", nullptr, nullptr, to);
+    });
+    CHECK(cell(doubles, 0, 1) == "ok");
+    CHECK(cell(doubles, 1, 1) == "miss");
+    CHECK(libration_table_name(doubles.get(), 6) == std::string("omega_reference"));
+    CHECK(cell(doubles, 0, 6) == "0");
+}
+
+TEST_CASE("the sampler serves arrays of doubles", "[c]") {
+    const auto swing = motion_of("theta0 = 90deg; omega0 = 0");
+    const auto fast = made<sampler>([&](auto** to) { return libration_sampler_new(swing.get(), to); });
+    const std::vector<double> times{0, 0.7, -3.5, 1e9};
+    std::vector<double> theta(times.size());
+    std::vector<double> omega(times.size());
+    REQUIRE(libration_sampler_at(fast.get(), times.size(), times.data(), theta.data(), omega.data()) == LIBRATION_OK);
+    const char* const texts[] = {"0", "7/10", "-7/2", "1e9"};
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const auto truth = made<number>(
+            [&](auto** to) { return libration_motion_theta(swing.get(), texts[i], 30, LIBRATION_PROVED, to); });
+        double nearest = 0;
+        // 7/10 is not the double 0.7: theta' < sqrt(2), so that the angle moves by less than half a unit in the last place of 1.
+        REQUIRE(libration_number_double(truth.get(), &nearest) == LIBRATION_OK);
+        CHECK(std::abs(theta[i] - nearest) <= 5 * 0x1p-52);
+    }
+    CHECK(libration_sampler_at(fast.get(), 0, nullptr, nullptr, nullptr) == LIBRATION_OK);
+    const double infinite = HUGE_VAL;
+    CHECK(libration_sampler_at(fast.get(), 1, &infinite, theta.data(), omega.data()) == LIBRATION_ARGUMENT);
+}
+
+TEST_CASE("a watch hears of a proof and ends it", "[c]") {
+    const auto lorenz = problem_of("lorenz");
+    const auto watch = [](double part, void* context) {
+        auto& last = *static_cast<double*>(context);
+        last = part;
+        return part > 0.2 ? 1 : 0;
+    };
+    double last = -1;
+    libration_table* states = nullptr;
+    CHECK(libration_problem_states(lorenz.get(), "5", 20, LIBRATION_PROVED, watch, &last, &states) ==
+          LIBRATION_CANCELLED);
+    CHECK(states == nullptr);
+    CHECK(last > 0.2);
+    CHECK(libration_error_message() == std::string("the call was cancelled"));
+}
+
+}  // namespace c_interface_test
