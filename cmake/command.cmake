@@ -127,13 +127,13 @@ install(DIRECTORY studies/
     COMPONENT command
     FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")
 if(TARGET libration-gsl-theta)
-    install(TARGETS libration-gsl-theta RUNTIME DESTINATION ${installed_peers_dir} COMPONENT command)
+    install(TARGETS libration-gsl-theta RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 endif()
 # The documentation, with the readers of tables.
 install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR}
-    COMPONENT command)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+    COMPONENT documents)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 
 # What `cmake --install` takes: `./run install` builds that much.
 add_custom_target(libration-installable DEPENDS libration libration-proved libration-c libration-command)

@@ -37,6 +37,14 @@ module libration
             integer(c_long), value :: digits
             type(c_ptr), intent(out) :: number
         end function
+        function libration_number_of(decimal, uncertainty, rigour, number) bind(c)
+            import :: c_char, c_int, c_ptr
+            integer(c_int) :: libration_number_of
+            character(kind=c_char), intent(in) :: decimal(*)
+            character(kind=c_char), intent(in) :: uncertainty(*)
+            integer(c_int), value :: rigour
+            type(c_ptr), intent(out) :: number
+        end function
         function libration_exact_text(mantissa, exponent, text, size) bind(c)
             import :: c_char, c_long, c_size_t, c_int
             integer(c_int) :: libration_exact_text

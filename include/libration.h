@@ -65,6 +65,9 @@ const char *libration_error_reason(void);
 
 /* The number that a text stands for, to proved digits. */
 int libration_number_read(const char *text, long digits, libration_number **number);
+/* A number as it was written down before, a file say: its digits, the bound of what they miss and its rigour, which are
+ * believed. */
+int libration_number_of(const char *decimal, const char *uncertainty, int rigour, libration_number **number);
 /* mantissa * 2^exponent as a text that every function here reads exactly; the mantissa a decimal integer. RANGE where
  * `size` characters, the last one 0, do not hold it: the mantissa and 32 more are enough. */
 int libration_exact_text(const char *mantissa, long exponent, char *text, size_t size);

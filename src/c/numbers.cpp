@@ -98,6 +98,22 @@ int libration_number_read(const char* text, long digits, libration_number** numb
     });
 }
 
+int libration_number_of(const char* decimal, const char* uncertainty, int rigour, libration_number** number) {
+    return made(number, [&] {
+        if (rigour < LIBRATION_HEURISTIC || rigour > LIBRATION_PROVED) {
+            throw error(error_kind::argument, "rigour", std::to_string(rigour), "is none of the three");
+        }
+        libration_number written{text_of(decimal, "decimal"), text_of(uncertainty, "uncertainty"), rigour};
+        if (infinity_of(written) == 0) {
+            given_fraction("decimal", written.decimal);
+            if (!written.uncertainty.empty() && given_fraction("uncertainty", written.uncertainty) < 0) {
+                throw error(error_kind::argument, "uncertainty", written.uncertainty, "is negative");
+            }
+        }
+        return written;
+    });
+}
+
 int libration_exact_text(const char* mantissa, long exponent, char* text, size_t size) {
     return guarded([&] { write_text(exact_text(text_of(mantissa, "mantissa"), exponent), text, size); });
 }

@@ -63,6 +63,21 @@ TEST_CASE("a double is refused where the digits do not tell it", "[c]") {
     CHECK(nearest == 0);
 }
 
+TEST_CASE("a number that was written down comes back", "[c]") {
+    const auto third =
+        made<number>([](auto** to) { return libration_number_of("0.333", "0.000334", LIBRATION_PROVED, to); });
+    double lower = 0;
+    double upper = 0;
+    REQUIRE(libration_number_bounds(third.get(), &lower, &upper) == LIBRATION_OK);
+    CHECK(lower < 1.0 / 3);
+    CHECK(upper > 1.0 / 3);
+    CHECK(upper - lower < 0.00067);
+    libration_number* none = nullptr;
+    CHECK(libration_number_of("much", "0", LIBRATION_PROVED, &none) == LIBRATION_ARGUMENT);
+    CHECK(libration_number_of("1", "-1", LIBRATION_PROVED, &none) == LIBRATION_ARGUMENT);
+    CHECK(libration_number_of("1", "0", 3, &none) == LIBRATION_ARGUMENT);
+}
+
 TEST_CASE("exact binary numbers go in as mantissa and exponent", "[c]") {
     char text[64];
     REQUIRE(libration_exact_text("3602879701896397", -55, text, sizeof text) == LIBRATION_OK);

@@ -108,6 +108,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"verify/proved", pendulum + problem},
         {"library", library},
         {"src/c", library},
+        {"src/python", {}},
         {"src/libration", {}},
         {"src/text", problem},
         {"src/run", text},

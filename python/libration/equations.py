@@ -1,0 +1,69 @@
+"""Equations of SymPy as the text that the library reads. SymPy is imported where it is used alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+_functions = ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh")
+
+
+def _printer(variable: Any) -> Any:
+    import sympy
+    from sympy.printing.str import StrPrinter
+
+    class Printer(StrPrinter):
+        def _print_Float(self, expr: Any) -> str:
+            raise TypeError(f"the float {expr} is in the equations: write Rational(...), or an exact text as a parameter")
+
+        def _print_Exp1(self, expr: Any) -> str:
+            return "exp(1)"
+
+        def _print_Derivative(self, expr: Any) -> str:
+            if any(symbol != variable for symbol, _ in expr.variable_count):
+                raise ValueError(f"{expr} is a derivative by something else than {variable}")
+            return self._print(expr.expr) + "'" * sum(int(count) for _, count in expr.variable_count)
+
+        def _print_Function(self, expr: Any) -> str:
+            name = expr.func.__name__
+            if isinstance(expr, sympy.core.function.AppliedUndef):
+                if expr.args != (variable,):
+                    raise ValueError(f"{expr} is no function of {variable} alone")
+                return name
+            if name not in _functions or len(expr.args) != 1:
+                raise ValueError(f"the library has no function {name}")
+            return f"{name}({self._print(expr.args[0])})"
+
+        def emptyPrinter(self, expr: Any) -> str:
+            raise ValueError(f"{expr} of the type {type(expr).__name__} is nothing that the library reads")
+
+    return Printer()
+
+
+def constant_text(number: Any) -> str:
+    """A constant of SymPy, sqrt(2)*pi, as a text. Raises TypeError for floats and for what is no real constant."""
+    import sympy
+
+    if not isinstance(number, sympy.Expr) or number.free_symbols or number.is_real is not True:
+        raise TypeError(f"{number} is no real constant")
+    return _printer(None).doprint(number)
+
+
+def text_of_equations(equations: Any) -> str:
+    """Equalities of SymPy, or expressions that are 0, in functions of one variable: Eq(x(t).diff(t), y(t)). Symbols
+    besides the variable are parameters. Raises ValueError for what the library has not, TypeError for floats."""
+    import sympy
+
+    listed = list(equations) if isinstance(equations, (list, tuple)) else [equations]
+    if not all(isinstance(each, (sympy.Eq, sympy.Expr)) for each in listed):
+        raise TypeError("a problem is a text, or equations of SymPy")
+    unknowns = {each for equation in listed for each in equation.atoms(sympy.core.function.AppliedUndef)}
+    variables = {argument for each in unknowns for argument in each.args}
+    if len(variables) != 1:
+        raise ValueError(f"the unknowns {sorted(map(str, unknowns))} are not functions of one variable")
+    variable = variables.pop()
+    printer = _printer(variable)
+    lines = [] if str(variable) == "t" else [f"variable {variable}"]
+    for each in listed:
+        left, right = (each.lhs, each.rhs) if isinstance(each, sympy.Eq) else (each, sympy.Integer(0))
+        lines.append(f"{printer.doprint(left)} = {printer.doprint(right)}")
+    return "\n".join(lines)

@@ -1,0 +1,37 @@
+"""What goes wrong, by what a caller can do about it."""
+
+from __future__ import annotations
+
+
+class LibrationError(Exception):
+    """An error of the library: `subject` is the quantity, `value` what was given, `reason` what is wrong with it."""
+
+    def __init__(self, message: str, subject: str = "", value: str = "", reason: str = "") -> None:
+        super().__init__(message)
+        self.subject = subject
+        self.value = value
+        self.reason = reason
+
+
+class ArgumentError(LibrationError, ValueError):
+    """Malformed or outside the domain: give another value."""
+
+
+class RangeError(LibrationError, OverflowError):
+    """Beyond the range of the type that was asked for."""
+
+
+class UndecidedError(LibrationError, ArithmeticError):
+    """No precision within the limits decides; nothing is wrong with the value."""
+
+
+class Fault(LibrationError, RuntimeError):
+    """A mistake of the library, or of one under it."""
+
+
+_classes = {1: ArgumentError, 2: RangeError, 3: UndecidedError}
+
+
+def error_of(code: int, message: str, subject: str, value: str, reason: str) -> LibrationError:
+    """The exception of a code of libration.h."""
+    return _classes.get(code, Fault)(message, subject, value, reason)

@@ -1,0 +1,163 @@
+"""Any differential equation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from . import _libration
+from .ball import Ball
+from .tables import Row, Table
+from .texts import digits_and_rigour, rigour_of, text_of, times_text
+
+
+class Radius(NamedTuple):
+    """A radius of convergence from coefficients alone, which prove none: the verdict, and every test behind it."""
+
+    value: Ball | None  #: None where the tests see no radius; `note` says why
+    unknown: str
+    note: str
+    tests: Table
+
+    def __str__(self) -> str:
+        return f"{self.value} +- {self.value.uncertainty} (heuristic)" if self.value else self.note
+
+    __repr__ = __str__
+
+
+class Problem:
+    """Differential equations with their starts; made by problem(). Any number of threads may ask it."""
+
+    def __init__(self, text: str, settings: str = "") -> None:
+        self._text = text
+        self._settings = settings
+        self._problem = _libration.Problem(text, settings)
+
+    def __repr__(self) -> str:
+        return f"libration.Problem({self._text!r}, {self._settings!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Problem, (self._text, self._settings)
+
+    @property
+    def text(self) -> str:
+        """The equations as the command takes them, without the changes."""
+        return self._text
+
+    @property
+    def settings(self) -> str:
+        """What was changed."""
+        return self._settings
+
+    @property
+    def names(self) -> list[str]:
+        """The unknowns and their lower derivatives, x, x'."""
+        return self._problem.names()
+
+    def reference(self, times: Any, digits: int = 50, rigour: str = "proved") -> Row | Table:
+        """The unknowns and their lower derivatives at one time, or at a list of times as a Table. Raises UndecidedError
+        for a time that is not reached, which says up to where the solution is proved to exist; ArgumentError for proofs
+        from a singular start. Ctrl-C ends a proof."""
+        texts, alone = times_text(times)
+        states = Table._of(self._problem.states(texts, digits, rigour_of(rigour)))
+        return states[0] if alone else states
+
+    def coefficients(
+        self, order: int, scalar: str = "ball:50", at: Any = None, via: Any = None, first: int = 0
+    ) -> Table:
+        """The Taylor coefficients first .. order of every unknown: columns n and the unknowns, about a complex point
+        x_re and x_im. scalar is mpfr:D, ball:D or rational; at a time, "1+2i" too, by way of the corners `via`,
+        "1+i,2+i"."""
+        if scalar == "rational":
+            if at is not None or via is not None:
+                raise ValueError("fractions are those about the start: leave out at and via")
+            return Table._of(self._problem.fractions(first, order))
+        digits, rigour = digits_and_rigour(scalar)
+        point = None if at is None else text_of(at, "at")
+        corners = None if via is None else times_text(via)[0]
+        return Table._of(self._problem.coefficients(point, corners, first, order, digits, rigour))
+
+    def radius(self, order: int = 300, digits: int = 30) -> Radius:
+        """The radius of convergence about the start from the coefficients up to `order`, that of the nearest unknown.
+        Heuristic: radius_bounds() proves."""
+        return radius_of(Table._of(self._problem.radius(order, digits)))
+
+    def radius_bounds(self, digits: int = 12) -> tuple[Ball, Ball]:
+        """Proved lower and upper bounds, upper - lower < lower 10^-digits; both inf for a linear equation with entire
+        coefficients. Raises UndecidedError with what is proved where that is less."""
+        lower, upper = self._problem.radius_bounds(digits)
+        return Ball._of(lower), Ball._of(upper)
+
+    def singularities(self, within: Any = None, digits: int = 15, prove: bool = False) -> Table:
+        """The singularities in the complex plane of time within a distance of the start, twice that of the nearest
+        without it. With prove the places are proved; kinds and exponents never are. Raises UndecidedError where part of
+        the disc stays unexplained."""
+        distance = None if within is None else text_of(within, "within")
+        parts, complete = self._problem.singularities(distance, digits, 2 if prove else 0)
+        if not complete:
+            from .errors import UndecidedError
+
+            raise UndecidedError("part of the disc stays unexplained: singularities accumulate; take a smaller within")
+        return Table._of(parts)
+
+
+def radius_of(tests: Table) -> Radius:
+    """The verdict of a table of tests."""
+    verdict = tests[0]
+    value = verdict["radius"]
+    return Radius(value if isinstance(value, Ball) else None, str(verdict["unknown"]), str(verdict["note"]), tests)
+
+
+_start = re.compile(r"(?:^|[;\n])\s*(\w+'*)\s*\(([^()=]*)\)\s*=")
+_parameter = re.compile(r"(?:^|[;\n])\s*([A-Za-z]\w*)\s*=")
+_unknown = re.compile(r"([A-Za-z]\w*)'")
+
+
+def _without_comments(text: str) -> str:
+    return re.sub(r"#[^\n]*", "", text)
+
+
+def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, **values: Any) -> Problem:
+    """A text of equations ("x' = 10*(y-x); ..."), a name of the catalogue ("lorenz"), or equations of SymPy.
+
+    Keywords give or change starts, x=1 for x(0) = 1, and parameters, r=28; `starts` takes derivatives: {"x'": 0}. `at`
+    is the time of starts that the text does not have. Numbers as for motion(). Raises ArgumentError with line and
+    column for what cannot be read.
+    """
+    if not isinstance(text, str):
+        from .equations import text_of_equations
+
+        text = text_of_equations(text)
+    if "=" not in text:
+        known = dict(_libration.catalogue())
+        text = known.get(text.strip(), text)
+    bare = _without_comments(text)
+    given = {left: point.strip() for left, point in _start.findall(bare)}
+    unknowns = set(_unknown.findall(bare))
+    parameters = set(_parameter.findall(bare)) - unknowns
+    settings: list[str] = []
+    added: list[str] = []
+    for name, value in {**values, **(starts or {})}.items():
+        number = text_of(value, name)
+        if name in given:
+            settings.append(f"{name}({given[name]}) = {number}")
+        elif name in parameters:
+            settings.append(f"{name} = {number}")
+        elif name.rstrip("'") in unknowns:
+            added.append(f"{name}({text_of(at, 'at')}) = {number}")
+        else:
+            added.append(f"{name} = {number}")
+    return Problem("\n".join([text.rstrip().rstrip(";"), *added]) if added else text, "; ".join(settings))
+
+
+def catalogue() -> dict[str, str]:
+    """The problems that come with the library: texts by name."""
+    return dict(_libration.catalogue())
+
+
+def radius(coefficients: Any, digits: int = 30) -> Radius:
+    """The radius of convergence of a series a_0, a_1, ... from its coefficients alone; decimals say by their last digit
+    how well they are known. Heuristic."""
+    texts, _ = times_text(coefficients)
+    return radius_of(Table._of(_libration.list_radius(texts, digits)))

@@ -1,0 +1,98 @@
+"""Equations against closed forms, and those of SymPy."""
+
+from fractions import Fraction
+
+import libration as lb
+import mpmath
+import pytest
+import sympy
+
+
+@pytest.fixture(autouse=True)
+def precision():
+    with mpmath.workdps(60):
+        yield
+
+
+def near(ball, truth, digits):
+    return abs(ball.mpmath() - truth) <= abs(truth) * mpmath.mpf(10) ** (1 - digits)
+
+
+def tangent():
+    return lb.problem("x' = a + x^2", x=0, a=1)
+
+
+@pytest.mark.parametrize("rigour", ["proved", "rounded"])
+def test_tangent(rigour):
+    assert near(tangent().reference(1, 40, rigour)["x"], mpmath.tan(1), 40)
+    assert near(tangent().reference(["1/2", "1"], 40, rigour)["x"][0], mpmath.tan(0.5), 40)
+
+
+def test_lorenz_as_in_the_manual():
+    p = lb.problem("x' = 10*(y-x); y' = x*(28-z)-y; z' = x*y-8/3*z", x=1, y=0, z=0)
+    assert p.names == ["x", "y", "z"]
+    state = p.reference(2, digits=25)
+    # mpmath's odefun with 45 digits: tests/reference/c_examples.csv.
+    assert str(state["x"]).startswith("-7.87608254999165761122475")
+    assert str(state) == str(lb.problem("lorenz").reference(2, digits=25))
+    assert str(lb.problem("lorenz", r=20, x=2).reference(1, 10)) != str(lb.problem("lorenz").reference(1, 10))
+
+
+def test_coefficients_are_those_of_the_tangent():
+    terms = tangent().coefficients(7, scalar="rational")
+    assert terms["x"][7].fraction() == Fraction(17, 315)
+    assert str(tangent().coefficients(3, scalar="mpfr:20")["x"][3]) == "0.33333333333333333333"
+    assert tangent().coefficients(3, first=3)["x"][0].proved
+    about = tangent().coefficients(1, scalar="mpfr:30", at="i")
+    assert near(about["x_im"][0], mpmath.tanh(1), 30)
+    with pytest.raises(lb.ArgumentError):
+        tangent().coefficients(3, scalar="ball:20", at="i")
+
+
+def test_radius_of_the_tangent():
+    found = tangent().radius(order=100)
+    assert not found.value.proved
+    assert abs(found.value.mpmath() - mpmath.pi / 2) <= mpmath.mpf(found.value.uncertainty)
+    lower, upper = tangent().radius_bounds(10)
+    assert lower.mpmath() < mpmath.pi / 2 < upper.mpmath()
+    assert upper.mpmath() - lower.mpmath() < mpmath.mpf(10) ** -9
+    poles = tangent().singularities(within=2, digits=12, prove=True)
+    assert len(poles) == 2 and poles[0]["kind"] == "pole of order 1" and poles[0]["position_re"].proved
+    assert lb.problem("x' = x; x(0) = 1").radius_bounds()[0].digits == "inf"
+
+
+def test_radius_of_a_list():
+    found = lb.radius([Fraction(1, 2**n) for n in range(20)])
+    assert abs(found.value.fraction() - 2) <= Fraction(found.value.uncertainty)
+
+
+def test_sympy():
+    t = sympy.Symbol("t")
+    x = sympy.Function("x")
+    g = sympy.Symbol("g")
+    swing = lb.problem(sympy.Eq(x(t).diff(t, 2), -g * sympy.sin(x(t))), {"x'": 0}, x="pi/2", g=1)
+    truth = lb.motion(theta0="90deg", omega0=0).theta(1, 30)
+    assert swing.reference(1, 30)["x"] == truth or near(swing.reference(1, 30)["x"], truth.mpmath(), 29)
+    s = sympy.Symbol("s")
+    y = sympy.Function("y")
+    grows = lb.problem([y(s).diff(s) - sympy.E * y(s) / sympy.E], y=1)
+    assert near(grows.reference(1, 30)["y"], mpmath.e, 30)
+    with pytest.raises(TypeError):
+        lb.problem(sympy.Eq(x(t).diff(t), 0.1 * x(t)), x=1)
+    with pytest.raises(ValueError):
+        lb.problem(sympy.Eq(x(t).diff(t), sympy.gamma(x(t))), x=1)
+
+
+def test_starts_elsewhere():
+    grows = lb.problem("x' = x", x=1, at=1)
+    assert near(grows.reference(2, 30)["x"], mpmath.e, 30)
+
+
+def test_errors_say_where():
+    with pytest.raises(lb.ArgumentError, match="line 1, column 3"):
+        lb.problem("x'=; x(0)=1")
+    with pytest.raises(lb.ArgumentError):
+        lb.problem("lorentz")
+    with pytest.raises(lb.UndecidedError, match="proved to exist up to 1.5707"):
+        tangent().reference(2)
+    assert "lorenz" in lb.catalogue()

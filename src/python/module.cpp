@@ -1,0 +1,303 @@
+// The compiled half of the Python package: the C interface with Python's texts, exceptions and arrays. What a person
+// types is in python/libration.
+#include <libration.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace {
+
+template <class Handle, void (*free)(Handle*)>
+struct freeing {
+    void operator()(Handle* handle) const { free(handle); }
+};
+template <class Handle, void (*free)(Handle*)>
+using owned = std::unique_ptr<Handle, freeing<Handle, free>>;
+using number_handle = owned<libration_number, libration_number_free>;
+using table_handle = owned<libration_table, libration_table_free>;
+using motion_handle = owned<libration_motion, libration_motion_free>;
+using problem_handle = owned<libration_problem, libration_problem_free>;
+using sampler_handle = owned<libration_sampler, libration_sampler_free>;
+
+// Handles as Python holds them.
+struct motion_object {
+    motion_handle handle;
+};
+struct problem_object {
+    problem_handle handle;
+};
+struct sampler_object {
+    sampler_handle handle;
+};
+
+// decimal, uncertainty, rigour: a Ball is made of them.
+using number_parts = std::tuple<std::string, std::string, int>;
+// Names, and cells row by row: a text, or the parts of a number.
+using table_parts = std::pair<std::vector<std::string>, py::list>;
+
+// The error of a call that failed as an exception of libration.errors; a signal that cancelled it as its own.
+[[noreturn]] void raise(int code) {
+    if (code == LIBRATION_CANCELLED && PyErr_Occurred() != nullptr) {
+        throw py::error_already_set();
+    }
+    if (code == LIBRATION_NO_MEMORY) {
+        throw std::bad_alloc();
+    }
+    const py::object raised = py::module_::import("libration.errors")
+                                  .attr("error_of")(code, libration_error_message(), libration_error_subject(),
+                                                    libration_error_value(), libration_error_reason());
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
+    throw py::error_already_set();
+}
+
+// call() without the interpreter's lock; its error as an exception. The error is kept for this thread.
+template <class Call>
+void run(const Call& call) {
+    int code = LIBRATION_OK;
+    {
+        const py::gil_scoped_release released;
+        code = call();
+    }
+    if (code != LIBRATION_OK) {
+        raise(code);
+    }
+}
+
+// What call(&handle) makes.
+template <class Owned, class Call>
+Owned made(const Call& call) {
+    typename Owned::pointer handle = nullptr;
+    run([&] { return call(&handle); });
+    return Owned(handle);
+}
+
+// Hears Ctrl-C in long calls.
+int watch_signals(double /*part*/, void* /*context*/) {
+    const py::gil_scoped_acquire lock;
+    return PyErr_CheckSignals() == 0 ? 0 : 1;
+}
+
+const char* optional_text(const std::optional<std::string>& text) { return text ? text->c_str() : nullptr; }
+
+number_parts parts_of(const libration_number* number) {
+    return {libration_number_decimal(number), libration_number_uncertainty(number), libration_number_rigour(number)};
+}
+
+template <class Call>
+number_parts number(const Call& call) {
+    return parts_of(made<number_handle>(call).get());
+}
+
+template <class Call>
+table_parts table(const Call& call) {
+    const auto found = made<table_handle>(call);
+    table_parts parts;
+    const std::size_t columns = libration_table_columns(found.get());
+    for (std::size_t i = 0; i < columns; ++i) {
+        parts.first.emplace_back(libration_table_name(found.get(), i));
+    }
+    for (std::size_t row = 0; row < libration_table_rows(found.get()); ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            const libration_number* const cell = libration_table_number(found.get(), row, column);
+            if (cell != nullptr) {
+                parts.second.append(parts_of(cell));
+            } else {
+                parts.second.append(libration_table_text(found.get(), row, column));
+            }
+        }
+    }
+    return parts;
+}
+
+using doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+std::pair<doubles, doubles> sampled(const sampler_object& of, const doubles& times) {
+    const std::vector<py::ssize_t> shape(times.shape(), times.shape() + times.ndim());
+    doubles theta(shape);
+    doubles omega(shape);
+    const double* const from = times.data();
+    double* const angles = theta.mutable_data();
+    double* const speeds = omega.mutable_data();
+    const auto count = static_cast<std::size_t>(times.size());
+    run([&] { return libration_sampler_at(of.handle.get(), count, from, angles, speeds); });
+    return {theta, omega};
+}
+
+// mantissa, exponent, radius, exponent of the radius of the number with these parts.
+std::tuple<std::string, long, unsigned long, long> exact_parts(const libration_number* number) {
+    std::string mantissa(libration_number_mantissa_size(number), '\0');
+    long exponent = 0;
+    unsigned long radius = 0;
+    long radius_exponent = 0;
+    run([&] {
+        return libration_number_exact(number, mantissa.data(), mantissa.size(), &exponent, &radius, &radius_exponent);
+    });
+    return {mantissa.c_str(), exponent, radius, radius_exponent};
+}
+
+void define_motions(py::module_& m) {
+    py::class_<motion_object> motion(m, "Motion");
+    motion.def(py::init([](const std::string& given) {
+        return motion_object{made<motion_handle>([&](auto** to) { return libration_motion_new(given.c_str(), to); })};
+    }));
+    motion.def("regime", [](const motion_object& of) { return libration_motion_regime(of.handle.get()); });
+    const auto define = [&](const char* name, auto* function) {
+        motion.def(name, [function](const motion_object& of, long digits, int rigour) {
+            return number([&](auto** to) { return function(of.handle.get(), digits, rigour, to); });
+        });
+    };
+    define("period", libration_motion_period);
+    define("effective_period", libration_motion_effective_period);
+    define("energy", libration_motion_energy);
+    define("gap", libration_motion_gap);
+    const auto define_at = [&](const char* name, auto* function) {
+        motion.def(name, [function](const motion_object& of, const std::string& at, long digits, int rigour) {
+            return number([&](auto** to) { return function(of.handle.get(), at.c_str(), digits, rigour, to); });
+        });
+    };
+    define_at("theta", libration_motion_theta);
+    define_at("omega", libration_motion_omega);
+    define_at("radius", libration_motion_radius);
+    motion.def("states", [](const motion_object& of, const std::string& times, long digits, int rigour) {
+        return table([&](auto** to) {
+            return libration_motion_states(of.handle.get(), times.c_str(), digits, rigour, watch_signals, nullptr, to);
+        });
+    });
+    motion.def("coefficients", [](const motion_object& of, const std::string& point, long first, long last, long digits,
+                                  int rigour) {
+        return table([&](auto** to) {
+            return libration_motion_coefficients(of.handle.get(), point.c_str(), first, last, digits, rigour, to);
+        });
+    });
+    motion.def("verify", [](const motion_object& of, const std::string& names, const std::string& times,
+                            const std::string& values, const std::string& rules) {
+        return table([&](auto** to) {
+            return libration_motion_verify(of.handle.get(), names.c_str(), times.c_str(), values.c_str(), rules.c_str(),
+                                           watch_signals, nullptr, to);
+        });
+    });
+    py::class_<sampler_object>(m, "Sampler")
+        .def(py::init([](const motion_object& of) {
+            return sampler_object{
+                made<sampler_handle>([&](auto** to) { return libration_sampler_new(of.handle.get(), to); })};
+        }))
+        .def("at", sampled);
+}
+
+void define_problems(py::module_& m) {
+    py::class_<problem_object> problem(m, "Problem");
+    problem.def(py::init([](const std::string& text, const std::string& settings) {
+        return problem_object{
+            made<problem_handle>([&](auto** to) { return libration_problem_new(text.c_str(), settings.c_str(), to); })};
+    }));
+    problem.def("names", [](const problem_object& of) {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < libration_problem_size(of.handle.get()); ++i) {
+            names.emplace_back(libration_problem_name(of.handle.get(), i));
+        }
+        return names;
+    });
+    problem.def("states", [](const problem_object& of, const std::string& times, long digits, int rigour) {
+        return table([&](auto** to) {
+            return libration_problem_states(of.handle.get(), times.c_str(), digits, rigour, watch_signals, nullptr, to);
+        });
+    });
+    problem.def("coefficients",
+                [](const problem_object& of, const std::optional<std::string>& point,
+                   const std::optional<std::string>& corners, long first, long last, long digits, int rigour) {
+                    return table([&](auto** to) {
+                        return libration_problem_coefficients(of.handle.get(), optional_text(point),
+                                                              optional_text(corners), first, last, digits, rigour, to);
+                    });
+                });
+    problem.def("fractions", [](const problem_object& of, long first, long last) {
+        return table([&](auto** to) { return libration_problem_fractions(of.handle.get(), first, last, to); });
+    });
+    problem.def("radius", [](const problem_object& of, long last, long digits) {
+        return table([&](auto** to) { return libration_problem_radius(of.handle.get(), last, digits, to); });
+    });
+    problem.def("radius_bounds", [](const problem_object& of, long digits) {
+        libration_number* lower = nullptr;
+        libration_number* upper = nullptr;
+        run([&] { return libration_problem_radius_bounds(of.handle.get(), digits, &lower, &upper); });
+        const number_handle below(lower);
+        const number_handle above(upper);
+        return std::pair(parts_of(lower), parts_of(upper));
+    });
+    problem.def("singularities",
+                [](const problem_object& of, const std::optional<std::string>& within, long digits, int rigour) {
+                    int complete = 0;
+                    auto found = table([&](auto** to) {
+                        return libration_problem_singularities(of.handle.get(), optional_text(within), digits, rigour,
+                                                               to, &complete);
+                    });
+                    return std::pair(std::move(found), complete == 1);
+                });
+    problem.def("verify", [](const problem_object& of, const std::string& names, const std::string& times,
+                             const std::string& values, const std::string& rules) {
+        return table([&](auto** to) {
+            return libration_problem_verify(of.handle.get(), names.c_str(), times.c_str(), values.c_str(),
+                                            rules.c_str(), watch_signals, nullptr, to);
+        });
+    });
+}
+
+// A number made again of its parts, for what only the library computes.
+class number_object {
+public:
+    number_object(const std::string& decimal, const std::string& uncertainty, int rigour)
+        : handle_(made<number_handle>(
+              [&](auto** to) { return libration_number_of(decimal.c_str(), uncertainty.c_str(), rigour, to); })) {}
+
+    double nearest() const {
+        double value = 0;
+        run([&] { return libration_number_double(handle_.get(), &value); });
+        return value;
+    }
+    std::pair<double, double> bounds() const {
+        double lower = 0;
+        double upper = 0;
+        run([&] { return libration_number_bounds(handle_.get(), &lower, &upper); });
+        return {lower, upper};
+    }
+    auto exact() const { return exact_parts(handle_.get()); }
+
+private:
+    number_handle handle_;
+};
+
+}  // namespace
+
+PYBIND11_MODULE(_libration, m) {
+    m.doc() = "The C interface of Libration; use the package libration.";
+    m.def("version", libration_version);
+    m.def("read", [](const std::string& text, long digits) {
+        return number([&](auto** to) { return libration_number_read(text.c_str(), digits, to); });
+    });
+    m.def("list_radius", [](const std::string& coefficients, long digits) {
+        return table([&](auto** to) { return libration_list_radius(coefficients.c_str(), digits, to); });
+    });
+    m.def("catalogue", [] {
+        std::vector<std::pair<std::string, std::string>> all;
+        for (std::size_t i = 0; i < libration_catalogue_size(); ++i) {
+            all.emplace_back(libration_catalogue_name(i), libration_catalogue_text(i));
+        }
+        return all;
+    });
+    py::class_<number_object>(m, "Number")
+        .def(py::init<const std::string&, const std::string&, int>())
+        .def("nearest", &number_object::nearest)
+        .def("bounds", &number_object::bounds)
+        .def("exact", &number_object::exact);
+    define_motions(m);
+    define_problems(m);
+}
