@@ -22,13 +22,6 @@ from setuptools import build_meta
 _tree = Path(__file__).resolve().parent.parent
 
 
-class _Platform(setuptools.Distribution):
-    """A distribution with compiled files, so that its wheel is one of this platform."""
-
-    def has_ext_modules(self):
-        return True
-
-
 def _configure(build: Path) -> None:
     options = [
         "-D", "CMAKE_BUILD_TYPE=Release",
@@ -68,7 +61,7 @@ def _compiled(settings: dict | None, stack: Path, package: Path) -> None:
 def _staged():
     """A folder with what setuptools reads, as the working folder."""
     before = os.getcwd()
-    original = setuptools.Distribution
+    has_ext_modules = setuptools.Distribution.has_ext_modules
     with tempfile.TemporaryDirectory(prefix="libration-wheel-") as folder:
         stack = Path(folder)
         shutil.copy(_tree / "pyproject.toml", stack)
@@ -76,10 +69,11 @@ def _staged():
         shutil.copytree(_tree / "python", stack / "python", ignore=ignored)
         try:
             os.chdir(stack)
-            setuptools.dist.Distribution = _Platform
+            # Modules that CMake compiled make the wheel one of this platform too.
+            setuptools.Distribution.has_ext_modules = lambda _: True
             yield stack
         finally:
-            setuptools.dist.Distribution = original
+            setuptools.Distribution.has_ext_modules = has_ext_modules
             os.chdir(before)
 
 

@@ -14,7 +14,7 @@ from . import _libration
 from .ball import Ball, ball
 from .errors import ArgumentError, Fault, LibrationError, RangeError, UndecidedError
 from .motions import Motion, Samples, motion
-from .problems import Problem, Radius, catalogue, problem, radius
+from .problems import Problem, Radius, Singularities, catalogue, problem, radius
 from .studies import Study, study
 from .tables import Row, Table
 from .texts import exact
@@ -33,6 +33,7 @@ __all__ = [
     "RangeError",
     "Row",
     "Samples",
+    "Singularities",
     "Study",
     "Table",
     "UndecidedError",

@@ -1,9 +1,7 @@
-from typing import Any
-
 import numpy as np
 
 _Number = tuple[str, str, int]
-_Table = tuple[list[str], list[Any]]
+_Table = tuple[list[str], list[str | _Number]]
 
 def version() -> str: ...
 def read(text: str, digits: int, /) -> _Number: ...

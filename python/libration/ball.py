@@ -69,7 +69,9 @@ class Ball:
         return f"Ball('{self.digits}', '{self.uncertainty}', '{self.rigour}')"
 
     def __eq__(self, other: object) -> bool:
-        return self._parts == other._parts if isinstance(other, Ball) else NotImplemented
+        if not isinstance(other, Ball):
+            return NotImplemented
+        return self._parts == other._parts
 
     def __hash__(self) -> int:
         return hash(self._parts)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from . import _libration
 from .ball import Ball
-from .tables import Row, Table
+from .tables import Cell, Row, Table
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
 
 
@@ -23,7 +23,20 @@ class Radius(NamedTuple):
     def __str__(self) -> str:
         return f"{self.value} +- {self.value.uncertainty} (heuristic)" if self.value else self.note
 
-    __repr__ = __str__
+    def __repr__(self) -> str:
+        return str(self)
+
+
+class Singularities(Table):
+    """position_re, position_im, modulus, kind, exponent_re, exponent_im, unknown, by modulus."""
+
+    def __init__(self, names: Sequence[str], cells: Sequence[Sequence[Cell]], complete: bool) -> None:
+        super().__init__(names, cells)
+        #: Whether every part of the disc was searched; where it was not, singularities accumulate, or hide others.
+        self.complete = complete
+
+    def __repr__(self) -> str:
+        return str(self) + ("" if self.complete else "\nand perhaps more: part of the disc stays unexplained")
 
 
 class Problem:
@@ -89,17 +102,14 @@ class Problem:
         lower, upper = self._problem.radius_bounds(digits)
         return Ball._of(lower), Ball._of(upper)
 
-    def singularities(self, within: Any = None, digits: int = 15, prove: bool = False) -> Table:
+    def singularities(self, within: Any = None, digits: int = 15, prove: bool = False) -> Singularities:
         """The singularities in the complex plane of time within a distance of the start, twice that of the nearest
-        without it. With prove the places are proved; kinds and exponents never are. Raises UndecidedError where part of
-        the disc stays unexplained."""
+        without it, on the branch that is reached straight. With prove the places are proved; kinds and exponents never
+        are. `complete` says whether the whole disc was searched."""
         distance = None if within is None else text_of(within, "within")
         parts, complete = self._problem.singularities(distance, digits, 2 if prove else 0)
-        if not complete:
-            from .errors import UndecidedError
-
-            raise UndecidedError("part of the disc stays unexplained: singularities accumulate; take a smaller within")
-        return Table._of(parts)
+        found = Table._of(parts)
+        return Singularities(found.names, found.cells, complete)
 
 
 def radius_of(tests: Table) -> Radius:

@@ -29,7 +29,8 @@ class Row(Mapping[str, Cell]):
         width = max(len(name) for name in self._cells)
         return "\n".join(f"{name:<{width}} {cell}" for name, cell in self._cells.items())
 
-    __repr__ = __str__
+    def __repr__(self) -> str:
+        return str(self)
 
 
 class Table(Sequence[Row]):
@@ -40,9 +41,9 @@ class Table(Sequence[Row]):
         self.cells = [list(row) for row in cells]
 
     @classmethod
-    def _of(cls, parts: tuple[list[str], list[Any]]) -> Table:
+    def _of(cls, parts: tuple[list[str], list[str | tuple[str, str, int]]]) -> Table:
         names, flat = parts
-        cells = [Ball._of(cell) if isinstance(cell, tuple) else cell for cell in flat]
+        cells: list[Cell] = [Ball._of(cell) if isinstance(cell, tuple) else cell for cell in flat]
         return cls(names, [cells[at : at + len(names)] for at in range(0, len(cells), len(names))])
 
     def __len__(self) -> int:
@@ -73,4 +74,5 @@ class Table(Sequence[Row]):
         widths = [max(len(row[i]) for row in texts) for i in range(len(self.names))]
         return "\n".join("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip() for row in texts)
 
-    __repr__ = __str__
+    def __repr__(self) -> str:
+        return str(self)

@@ -3,6 +3,7 @@
 import pickle
 from decimal import Decimal
 from fractions import Fraction
+from importlib import metadata
 
 import libration as lb
 import mpmath
@@ -79,3 +80,7 @@ def test_constants_of_sympy_and_numpy_integers():
     assert lb.exact(-0.75) == "-3*2^(-2)"
     with pytest.raises(ValueError):
         lb.exact(float("nan"))
+
+
+def test_the_package_is_of_the_version_of_its_library():
+    assert metadata.version("libration") == lb.__version__

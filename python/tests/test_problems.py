@@ -57,7 +57,7 @@ def test_radius_of_the_tangent():
     assert lower.mpmath() < mpmath.pi / 2 < upper.mpmath()
     assert upper.mpmath() - lower.mpmath() < mpmath.mpf(10) ** -9
     poles = tangent().singularities(within=2, digits=12, prove=True)
-    assert len(poles) == 2 and poles[0]["kind"] == "pole of order 1" and poles[0]["position_re"].proved
+    assert poles.complete and len(poles) == 2 and poles[0]["kind"] == "pole of order 1" and poles[0]["position_re"].proved
     assert lb.problem("x' = x; x(0) = 1").radius_bounds()[0].digits == "inf"
 
 
