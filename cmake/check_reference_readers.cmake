@@ -3,6 +3,7 @@
 # One whose tool is not installed is left out with a word.
 
 set(folder ${WORK}/reference_readers)
+file(REMOVE_RECURSE ${folder}) # cells of another version would be refused
 execute_process(
     COMMAND ${LIBRATION} study reference_problems --problems logistic --scalar ball:30 --out ${folder}
     OUTPUT_QUIET ERROR_QUIET

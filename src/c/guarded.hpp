@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,7 @@ template <class T, class Make>
 int made(T** handle, const Make& make) noexcept {
     return guarded([&] {
         given(handle, "the place for the result");
-        *handle = new T(make());
+        *handle = std::make_unique<T>(make()).release();
     });
 }
 

@@ -28,7 +28,9 @@ given_motion read_motion(const std::string& text) {
          {"length", &given_motion::length},
          {"gravity", &given_motion::gravity}}};
     given_motion read;
-    for (const auto& [name, value] : settings_of(text, "motion")) {
+    for (const auto& setting : settings_of(text, "motion")) {
+        const std::string& name = setting.first;
+        const std::string& value = setting.second;
         const auto* const field =
             std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.first == name; });
         if (field == fields.end()) {

@@ -25,7 +25,10 @@ libration_problem make_problem(const std::string& text, const std::string& setti
     const bool typed = text.find('=') != std::string::npos;
     ode::equation_system equations = ode::parse(typed ? text : std::string(problem_text(trimmed(text))));
     for (const auto& [name, value] : settings_of(settings, "settings")) {
-        equations = ode::changed(std::move(equations), name + " = " + value);
+        std::string change = name;
+        change += " = ";
+        change += value;
+        equations = ode::changed(std::move(equations), change);
     }
     const ode::explicit_system system(equations);
     libration_problem made{std::move(equations), system, {}};
@@ -223,7 +226,7 @@ int libration_problem_radius_bounds(const libration_problem* problem, long digit
         const auto proof = ode::prove_radius(given(problem, "problem").system, given_digits(digits));
         const auto [below, above] = ode::outward_decimals(proof, digits);
         auto first = std::make_unique<libration_number>(typed_number(below));
-        *upper = new libration_number(typed_number(above));
+        *upper = std::make_unique<libration_number>(typed_number(above)).release();
         *lower = first.release();
     });
 }
