@@ -20,8 +20,8 @@ target_compile_definitions(libration-tests PRIVATE LIBRATION_SYMBOLS="${c_symbol
 # MPFI, under Boost's intervals: a type that the library does not know.
 target_link_libraries(libration-tests PRIVATE mpfi)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
-# Two thirds of the time of -O2; the command, which many of the tests start, is compiled as it is installed.
-target_compile_options(libration-tests PRIVATE $<$<CONFIG:Release>:-O1>)
+# Half of the time of -O2; the command, which many of the tests start, is compiled as it is installed.
+target_compile_options(libration-tests PRIVATE $<$<CONFIG:Release>:-Og>)
 target_compile_definitions(libration-tests PRIVATE
     LIBRATION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     LIBRATION_REFERENCE_DIR="${PROJECT_SOURCE_DIR}/tests/reference")
