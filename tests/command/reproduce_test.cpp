@@ -172,7 +172,7 @@ TEST_CASE("the comparison names a part that was not made", "[command][reproduce]
     write(results.path() / "reproduced" / "period_error", "in the way\n");
     write(results.path() / "reproduced" / "reference", "in the way\n");
     const finished_process done =
-        run_libration({"reproduce", "--only", "period_error,reference,claims"}, results.path());
+        run_libration({"reproduce", "--only", "period_error,reference,libration_series"}, results.path());
     INFO(done.err);
     CHECK(done.exit_code == 1);
     CHECK(lines_with(done.err, "failed: period_error: ") == 1);
@@ -181,7 +181,7 @@ TEST_CASE("the comparison names a part that was not made", "[command][reproduce]
     CHECK(lines_with(done.err, "not compared, because not made: period_error, reference") +
               lines_with(done.err, "not compared, because not made: reference, period_error") ==
           1);
-    CHECK(lines_with(done.err, "results does not have yet: claims") == 1);
+    CHECK(lines_with(done.err, "results does not have yet: libration_series") == 1);
 }
 
 TEST_CASE("the set problems holds studies of any equation, which stand on the page", "[command][reproduce][problem]") {

@@ -1,4 +1,5 @@
-// The letter to the authors: that it leaves out no claim, and that its table is what the bounds give.
+// The letter to the authors: that it names claims, and that its table is what the bounds give. all_claims_test.cpp sees that
+// it leaves out none.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -26,20 +27,7 @@ std::string letter() {
     return text.str();
 }
 
-bool judged_true(const claim& c) {
-    const precision_scope scope(50);
-    return c.measure().verdict == verdict::holds;
-}
-
 }  // namespace
-
-TEST_CASE("errata: every claim that does not hold stands there", "[paper][errata]") {
-    const std::string text = letter();
-    for (const claim& each : all_claims()) {
-        INFO(each.name);
-        CHECK((judged_true(each) || text.find(each.name) != std::string::npos));
-    }
-}
 
 TEST_CASE("errata: every placeholder is the name of a claim", "[paper][errata]") {
     const std::string text = letter();

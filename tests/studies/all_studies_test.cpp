@@ -86,11 +86,19 @@ TEST_CASE("each study describes its parameters, and their usual words are unders
     }
 }
 
-TEST_CASE("each study makes rectangular tables under the columns that it promised", "[studies]") {
+TEST_CASE("each study makes rectangular tables under the columns that it promised, the same by one job and by two",
+          "[studies]") {
     for (const study* each : all_studies()) {
         INFO(each->name);
         const auto tables = tables_of(few_parameters(*each, 2));
+        const auto by_one_job = tables_of(few_parameters(*each, 1));
         REQUIRE_FALSE(tables.empty());
+        REQUIRE(tables.size() == by_one_job.size());
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            INFO(tables[i].suffix);
+            CHECK(tables[i].suffix == by_one_job[i].suffix);
+            CHECK((tables[i].timed || to_csv(tables[i].data) == to_csv(by_one_job[i].data)));
+        }
         std::set<std::string> suffixes;
         for (const study_table& part : tables) {
             suffixes.insert(part.suffix);
@@ -110,21 +118,6 @@ TEST_CASE("each study makes rectangular tables under the columns that it promise
         }
         CHECK(suffixes.size() == tables.size());  // each table has a file of its own
         CHECK(suffixes.contains(""));             // and one of them is NAME.csv, which the figure reads
-    }
-}
-
-TEST_CASE("the bytes of a study do not depend on the number of jobs", "[studies]") {
-    for (const study* each : all_studies()) {
-        const auto one = tables_of(few_parameters(*each, 1));
-        const auto two = tables_of(few_parameters(*each, 2));
-        REQUIRE(one.size() == two.size());
-        for (std::size_t i = 0; i < one.size(); ++i) {
-            INFO(each->name << " " << one[i].suffix);
-            CHECK(one[i].suffix == two[i].suffix);
-            if (!one[i].timed) {
-                CHECK(to_csv(one[i].data) == to_csv(two[i].data));
-            }
-        }
     }
 }
 

@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 
-#include "claims/claim.hpp"
 #include "sweep/cell_engine.hpp"
 #include "sweep/study_order.hpp"
 
@@ -43,11 +42,6 @@ TEST_CASE("the published tables of the quick studies are computed again byte for
         }
     }
     CHECK(compared > 0);
-}
-
-TEST_CASE("the published claims are measured again byte for byte", "[paper][claims][results]") {
-    const auto claims = all_claims();
-    CHECK(to_csv(claims_table(judge(claims, 2))) == published("claims.csv"));
 }
 
 // Those of the sets `problems` and `proved` are made on demand: results/ holds the paper's.
