@@ -61,7 +61,8 @@ TEST_CASE("each claim has a test of its own", "[paper][claims]") {
 // Measured once for all that is asked of the verdicts: they take five seconds of two processors.
 TEST_CASE("claims are the published ones, by one thread and by two, corrected and in the letter where they do not hold",
           "[paper][claims][errata][results]") {
-    const auto judged = judge(all_claims(), 2);
+    const auto claims = all_claims();
+    const auto judged = judge(claims, 2);
     const std::string letter = text_of("studies/errata.md.in");
     for (const judged_claim& each : judged) {
         INFO(each.of->name);
@@ -71,7 +72,7 @@ TEST_CASE("claims are the published ones, by one thread and by two, corrected an
     }
     const std::string made = to_csv(claims_table(judged));
     CHECK(made == text_of("results/claims.csv"));
-    CHECK(made == to_csv(claims_table(judge(all_claims(), 1))));
+    CHECK(made == to_csv(claims_table(judge(claims, 1))));
 }
 
 TEST_CASE("a measurement that throws is named", "[paper][claims]") {
