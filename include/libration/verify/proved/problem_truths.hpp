@@ -33,8 +33,8 @@ std::vector<solution_component> components_of(const explicit_system& system);
 class problem_truths {
 public:
     /// A problem solved for its highest derivatives, and as it is written.
-    problem_truths(const explicit_system& system, equation_system equations)
-        : system_(system), equations_(std::move(equations)), all_(components_of(system_)) {}
+    problem_truths(explicit_system system, equation_system equations)
+        : system_(std::move(system)), equations_(std::move(equations)), all_(components_of(system_)) {}
 
     /// Some components, one at least, at a time. The question holds as long as this, and asks it.
     row_question at(const exact& time, const std::vector<solution_component>& components);
