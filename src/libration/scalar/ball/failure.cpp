@@ -21,7 +21,8 @@ int& depth() {
     return scopes;
 }
 
-[[noreturn]] void throw_failure() {
+// In the words of FLINT, of whose handlers clang makes a type of their own.
+FLINT_NORETURN void throw_failure() {
     if (depth() == 0) {
         std::abort();
     }
