@@ -218,7 +218,10 @@ struct journal::database {
     void prepare_file(access how) const {
         const long mark = number("PRAGMA application_id");
         const bool is_new = mark == 0 && number("SELECT count(*) FROM sqlite_master") == 0;
-        if (is_new ? how == access::read : mark != journal_mark) {
+        if (is_new && how == access::read) {
+            refuse_as(journal_error::fault::unbegun, path, "holds nothing yet");
+        }
+        if (!is_new && mark != journal_mark) {
             refuse_as(journal_error::fault::damaged, path, "is no journal");
         }
         if (!is_new && number("PRAGMA user_version") != journal_format) {

@@ -49,7 +49,8 @@ struct journal_counts {
 /// What is wrong with a journal itself.
 class journal_error : public std::runtime_error {
 public:
-    enum class fault { in_use, damaged, unwritable };
+    /// unbegun: a run made the file, and was killed before it wrote the tables, or has just begun.
+    enum class fault { in_use, damaged, unbegun, unwritable };
     journal_error(fault kind, std::string path, std::string reason)
         : std::runtime_error(path + " " + reason), kind_(kind), path_(std::move(path)), reason_(std::move(reason)) {}
     fault kind() const { return kind_; }

@@ -63,6 +63,10 @@ void refuse_journal(const journal_error& problem, const std::string& option) {
         case journal_error::fault::damaged:
             throw input_error(option, problem.path(), problem.reason(),
                               "add --fresh to 'libration study' to compute its cells anew");
+        case journal_error::fault::unbegun:
+            throw input_error(
+                option, problem.path(), problem.reason(),
+                "look again when its study has run for a second; if it was killed, the same command goes on");
         case journal_error::fault::unwritable: break;
     }
     throw input_error(option, problem.path(), problem.reason(),

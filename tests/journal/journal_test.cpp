@@ -225,6 +225,15 @@ TEST_CASE("a journal that does not exist, or cannot be written, is told", "[jour
           journal_error::fault::unwritable);
 }
 
+TEST_CASE("a file that a run has just made is a journal that holds nothing yet, and its next writer begins it",
+          "[journal]") {
+    const temporary_folder folder;
+    std::ofstream(file_in(folder)).close();
+    CHECK(fault_of(file_in(folder), journal::access::read) == journal_error::fault::unbegun);
+    fill(file_in(folder), 2);
+    CHECK(journal(file_in(folder), journal::access::read).counts().done == 2);
+}
+
 TEST_CASE("a dropped journal leaves nothing beside it", "[journal]") {
     const temporary_folder folder;
     fill(file_in(folder), 3);

@@ -1,6 +1,7 @@
 #include "run/progress.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <array>
@@ -45,12 +46,20 @@ void run_five_steps(int descriptor) {
     }
 }
 
-// What has been written to a terminal so far.
-std::string text_on(int terminal) {
+// What has been written to a terminal, or into a pipe. The kernel hands it on when it finds the time: the end is where
+// nothing comes for half a second, or where the writer has closed.
+std::string text_on(int reader) {
+    std::string text;
     std::array<char, 4096> buffer{};
-    ::fcntl(terminal, F_SETFL, O_NONBLOCK);
-    const auto size = ::read(terminal, buffer.data(), buffer.size());
-    return {buffer.data(), static_cast<std::size_t>(size > 0 ? size : 0)};
+    pollfd ready{reader, POLLIN, 0};
+    while (::poll(&ready, 1, 500) > 0) {
+        const auto size = ::read(reader, buffer.data(), buffer.size());
+        if (size <= 0) {
+            break;
+        }
+        text.append(buffer.data(), static_cast<std::size_t>(size));
+    }
+    return text;
 }
 
 }  // namespace
