@@ -116,11 +116,13 @@ std::vector<solution_state<complex_number<T>>> states_along(const explicit_syste
                                                             const std::vector<complex_constant>& times) {
     const auto value_of = [](const complex_constant& z) { return constant_value<complex_number<T>>::of(z); };
     std::vector<complex_number<T>> at;
+    at.reserve(corners.size());
     for (const complex_constant& each : corners) {
         at.push_back(value_of(each));
     }
     complex_path<T> path(system, at);
     std::vector<solution_state<complex_number<T>>> states;
+    states.reserve(times.size());
     for (const complex_constant& each : times) {
         states.push_back(path.state_at(value_of(each)));
     }

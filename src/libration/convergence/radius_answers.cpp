@@ -54,10 +54,10 @@ list_report<T> report_in(const listed_series& list) {
 template <class T>
 radius_answers answers_in(const listed_series& list, int root) {
     const list_report<T> found = report_in<T>(list);
-    const auto& [report, unit, floor] = found;
+    const radius_report<T>& report = found.report;
     radius_answers answers{report.pattern, found.floor_text(), {}};
     const auto in_variable = [&](const auto& estimate) {
-        return in_powers_of_root(in_unit(widened(estimate), unit.length), root);
+        return in_powers_of_root(in_unit(widened(estimate), found.unit.length), root);
     };
     answers.rows.reserve(report.tests.size() + 1);
     // The radius may be beyond the range of T where the coefficients are.
@@ -70,7 +70,7 @@ radius_answers answers_in(const listed_series& list, int root) {
     if (report.verdict.radius) {
         note = report.pattern.text() + "; " + note;
     }
-    if (floor) {
+    if (found.floor) {
         note += "; " + answers.floor;
     }
     return answers;

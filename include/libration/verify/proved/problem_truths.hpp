@@ -37,7 +37,7 @@ public:
         : system_(std::move(system)), equations_(std::move(equations)), all_(components_of(system_)) {}
 
     /// Some components, one at least, at a time. The question holds as long as this, and asks it.
-    row_question at(const exact& time, const std::vector<solution_component>& components);
+    row_question at(const exact& time, const std::vector<solution_component>& asked);
 
 private:
     struct march_pair;
