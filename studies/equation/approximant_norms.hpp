@@ -170,8 +170,8 @@ inline std::vector<norm_row> norms_of(const solved_problem& of, const std::vecto
     return rows;
 }
 
-/// Digits of what the tables of approximants print.
-inline constexpr long printed = 12;
+/// Significant digits of norms, and of what stands beside them.
+inline constexpr long norm_digits = 12;
 
 /// The columns of norms between those that say of what they are.
 inline const column_list<norm_row>& columns_of_norms() {
@@ -183,16 +183,16 @@ inline const column_list<norm_row>& columns_of_norms() {
         {"norm",
          "largest |method - solution| at 401 Chebyshev points from the start to where the solution is its far "
          "behaviour, in the unit of the unknown; empty where there is no Pade approximant",
-         [](const row& r) { return r.found ? decimal_cell(r.found->norm, printed) : cell(); }},
+         [](const row& r) { return r.found ? decimal_cell(r.found->norm, norm_digits) : cell(); }},
         {"time_of_maximum", "which of the points, in the unit of the variable",
-         [](const row& r) { return r.found ? decimal_cell(r.found->place, printed) : cell(); }},
+         [](const row& r) { return r.found ? decimal_cell(r.found->place, norm_digits) : cell(); }},
         {"log10_norm", "log10 of norm", [](const row& r) { return r.found ? log10_cell(r.found->norm) : cell(); }},
         {"rigour", "two-method: the solution is what two marches agree on, the approximant in as many digits",
          [](const row& /*r*/) { return "two-method"; }},
         {"predicted",
          "what the form says of its norm as N grows, but for a factor: the distance of the solution from its "
          "far behaviour at the radius of the bracket (power), rho^-N (exponential), N^-(8/5) (branch)",
-         [](const row& r) { return decimal_cell(r.predicted, printed); }},
+         [](const row& r) { return decimal_cell(r.predicted, norm_digits); }},
         {"log10_predicted", "log10 of predicted", [](const row& r) { return log10_cell(r.predicted); }},
     };
     return all;

@@ -33,7 +33,7 @@ const column_list<value_row>& value_columns() {
         {"quantity", "of the far behaviour, by its name in the literature; end: where the solution has come to it",
          [](const row& r) { return r.quantity; }},
         {"value", "two-method: the one that meets the condition at infinity",
-         [](const row& r) { return decimal_cell(r.value, printed); }},
+         [](const row& r) { return decimal_cell(r.value, norm_digits); }},
         unknown_column<row>(),
     };
     return all;
