@@ -64,14 +64,16 @@ file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${co
 
 # Libraries of their own, so that tests can run a study or a sweep without starting the program. A clean build compiles
 # several sources as one, the preset `dev` each by itself: both build, so no name depends on what stands beside it.
-# Two thirds of the time of -O2: what takes long in a run is in the library, which is compiled with it.
+# Half of the time of -O2: what takes long in a run is in the library, which is compiled with it.
 add_library(libration-sweep STATIC ${sweep_sources})
 add_library(libration-studies OBJECT ${study_sources} ${equation_sources} ${generated_dir}/registry.cpp)
 add_library(libration-claims OBJECT ${claim_sources})
-set(cold_code $<$<CONFIG:Release>:-O1>)
+set(cold_code $<$<CONFIG:Release>:-Og>)
 set_target_properties(libration-sweep PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
 set_target_properties(libration-studies PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
-target_compile_options(libration-sweep PUBLIC ${cold_code})
+foreach(target IN ITEMS libration-sweep libration-studies libration-claims)
+    target_compile_options(${target} PRIVATE ${cold_code})
+endforeach()
 add_dependencies(libration-sweep libration-version)
 target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
 target_link_libraries(libration-sweep
@@ -99,6 +101,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/run/program_files.cpp PROP
 list(REMOVE_ITEM command_sources ${PROJECT_SOURCE_DIR}/src/main.cpp)
 add_library(libration-program OBJECT ${command_sources})
 set_target_properties(libration-program PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
+target_compile_options(libration-program PRIVATE ${cold_code})
 target_link_libraries(libration-program PUBLIC libration-sweep PRIVATE libration-warnings)
 target_precompile_headers(libration-program PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
 
@@ -106,6 +109,10 @@ add_executable(libration-command ${PROJECT_SOURCE_DIR}/src/main.cpp)
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
 target_link_libraries(libration-command
     PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings)
+# The library before all others: of what it and cold code both instantiate, a linker keeps the first.
+set(library_first
+    LINKER:--whole-archive $<TARGET_FILE:libration> $<TARGET_FILE:libration-proved> LINKER:--no-whole-archive)
+target_link_options(libration-command PRIVATE ${library_first})
 if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
 endif()
@@ -119,6 +126,7 @@ if(LIBRATION_BUILD_MPI)
     target_compile_definitions(libration-mpi PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
     target_link_libraries(libration-mpi
         PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings MPI::MPI_C)
+    target_link_options(libration-mpi PRIVATE ${library_first})
 endif()
 
 install(TARGETS libration-command RUNTIME COMPONENT command)
