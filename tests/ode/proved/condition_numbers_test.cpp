@@ -93,4 +93,16 @@ TEST_CASE("condition numbers of a stiff equation settle with more bits", "[ode][
     check_three_digits(states[1].moved[0].by_time, mpfr(sin(mpfr(0.5)) / 2));
 }
 
+// A value that is exactly 0 has no digits, and nobody asks for those of a parameter.
+TEST_CASE("a parameter that is 0 does not move a solution", "[ode][proved][condition]") {
+    const precision_scope scope(40);
+    const auto system = ode::parse("y' = -y + p; y(0) = 1/3; p = 0");
+    const auto found = ode::proved_conditions(system, numbers({"2"}), 20).front();
+    REQUIRE(found.values.size() == 1);
+    const mpfr y = exp(mpfr(-2)) / 3;
+    CHECK(abs(mpfr(mpfr(found.values[0].text) - y)) <= y * pow(mpfr(10), -19));
+    CHECK(found.moved[0].by_parameters == 0);
+    check_three_digits(found.moved[0].by_start, y);
+}
+
 }  // namespace condition_numbers_test

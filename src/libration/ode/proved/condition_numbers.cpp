@@ -165,12 +165,11 @@ std::vector<conditioned_state> proved_conditions(const equation_system& given, c
                               result[index].moved = std::move(*moved);
                           }
                           return moved.has_value();
-                      }});
+                      },
+                      on.own()});
     auto values = runs.result();
     for (std::size_t i = 0; i < times.size(); ++i) {
-        for (const std::size_t k : on.own()) {
-            result[i].values.push_back(std::move(values[i][k]));
-        }
+        result[i].values = std::move(values[i]);
     }
     return result;
 }

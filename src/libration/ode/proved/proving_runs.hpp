@@ -45,7 +45,9 @@ inline std::vector<asked_time> in_order(const explicit_system& system, const std
 struct further_question {
     /// With the state at time number `index`, whose digits are proved, where the march is. False where it needs a run
     /// with more bits, of the maps of errors too.
-    std::function<bool(proved_march& march, std::size_t index, const std::vector<ball>& state)> answered;
+    std::function<bool(proved_march& march, std::size_t index, const std::vector<ball>& state)> answered = {};
+    /// The places in the state whose values are asked; empty: all of them.
+    std::vector<std::size_t> places = {};
 };
 
 /// Runs from the start through all times, each with more bits than the one before, until every digit is proved.
@@ -88,7 +90,7 @@ private:
                 bits_.raise_to(bits_to_go_on(*march), "time", text_of(unproved_));
                 return false;
             }
-            for (const ball& value : *state) {
+            for (const ball& value : asked_of(*state)) {
                 const auto decimal = bits_.printed(value, "time", text_of(unproved_));
                 if (!decimal) {
                     return false;
@@ -102,6 +104,17 @@ private:
             }
         }
         return true;
+    }
+
+    std::vector<ball> asked_of(const std::vector<ball>& state) const {
+        if (further_.places.empty()) {
+            return state;
+        }
+        std::vector<ball> asked;
+        for (const std::size_t place : further_.places) {
+            asked.push_back(state[place]);
+        }
+        return asked;
     }
 
     void require_more_bits(const proved_march& march, bool forward) const {
