@@ -113,6 +113,7 @@ target_link_libraries(libration-command
 set(library_first
     LINKER:--whole-archive $<TARGET_FILE:libration> $<TARGET_FILE:libration-proved> LINKER:--no-whole-archive)
 target_link_options(libration-command PRIVATE ${library_first})
+add_dependencies(libration-command ${solver_peers})
 if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
 endif()
@@ -137,6 +138,9 @@ install(DIRECTORY studies/
 if(TARGET libration-gsl-theta)
     install(TARGETS libration-gsl-theta RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 endif()
+install(TARGETS ${solver_peers} RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
+list(TRANSFORM script_peers PREPEND ${PROJECT_SOURCE_DIR}/peers/)
+install(PROGRAMS ${script_peers} DESTINATION ${installed_peers_dir} COMPONENT peers)
 # The documentation, with the readers of tables.
 install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR}

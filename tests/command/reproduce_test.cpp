@@ -203,10 +203,10 @@ TEST_CASE("the sets of reproduce: the paper's is fixed, and one that there is no
     CHECK(refused.err.starts_with("libration: set 'nonsense'"));
     CHECK(empty.content().empty());
     const temporary_folder folder;
-    const finished_process proved =
-        run_libration({"reproduce", "proved", "--skip",
-                       "complex_plane,error_norm,published,reference_problems,scenarios,sir_radius", "--jobs", "2"},
-                      folder.path());
+    const finished_process proved = run_libration(
+        {"reproduce", "proved", "--skip",
+         "complex_plane,error_norm,published,reference_problems,scenarios,sir_radius,solvers", "--jobs", "2"},
+        folder.path());
     INFO(proved.err);
     CHECK(proved.exit_code == 0);
     CHECK(lines_with(proved.err, "part 1 of 1, reference") == 1);
