@@ -6,6 +6,7 @@
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/blasius_infinity.hpp"
+#include "libration/ode/proved/layers_at_infinity.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
@@ -57,6 +58,28 @@ const std::vector<kind_of_value>& kinds() {
          {{"f''(0) for f'(inf) = 1", "0.33205733621519629893718006201058", "OEIS A256522"}},
          [](long digits) {
              return std::vector<proved_decimal>{proved_value(digits, [] { return ode::blasius_shear(ball(1)); })};
+         }},
+        {"falkner_skan_layer",
+         "falkner_skan",
+         {{"f''(0), b = 0", "0.469599988361", "the catalogue, after V. M. Falkner, S. W. Skan"},
+          {"f''(0), b = 1/2", "0.927680039837", "the catalogue, after V. M. Falkner, S. W. Skan"},
+          {"f''(0), b = 1", "1.232587656820289", "public codes for the flow towards a wall"},
+          {"f''(0), b = 1", "1.23258765682022", "public codes for the flow towards a wall"}},
+         [](long digits) {
+             const auto shear = [&](const std::string& b, const std::string& s) {
+                 const auto equations = equations_of("falkner_skan", {"b = " + b, "s = " + s});
+                 return proved_value(digits, [&] { return ode::falkner_skan_shear(equations); });
+             };
+             const auto flat = proved_value(digits, [] { return ode::blasius_shear(ball(1)) * sqrt(ball(2)); });
+             const auto stagnation = shear("1", "1.2326");
+             return std::vector<proved_decimal>{flat, shear("1/2", "0.9277"), stagnation, stagnation};
+         }},
+        {"sakiadis_layer",
+         "sakiadis",
+         {{"f''(0) for f'(inf) = 0", "-0.443748313368861", "the catalogue, after B. C. Sakiadis"}},
+         [](long digits) {
+             const auto equations = equations_of("sakiadis");
+             return std::vector<proved_decimal>{proved_value(digits, [&] { return ode::sakiadis_shear(equations); })};
          }},
         {"lorenz_orbit",
          "lorenz",
@@ -219,7 +242,10 @@ const study& published() {
             "of "
             "the line at 1 holds. The table has both, and the source.",
         .of = &values_in_print(),
-        .parameters = {{"--values", "all", "which values; van_der_pol_1000 and oregonator take minutes"}},
+        .parameters =
+            {{"--values",
+              "blasius,falkner_skan_layer,sakiadis_layer,lorenz_orbit,van_der_pol_cycle,hires,van_der_pol_1000",
+              "which values; hires and van_der_pol_1000 take minutes, oregonator more than an hour"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},
         .seconds = 600,
         .excluded = {},
