@@ -93,6 +93,7 @@ std::shared_ptr<const study> study_about(const equation_study& what, const share
     result->seconds = what.seconds;
     result->plan = [plan = what.plan, equation](const study_request& request) { return plan(equation, request); };
     result->version = what.version;
+    result->offers = what.offers;
     result->alone = what.alone;
     result->script = "equation/" + what.name;
     result->command = what.name + " " + equation->command();

@@ -32,6 +32,7 @@ struct equation_study {
     std::function<study_plan(const shared_problem&, const study_request&)> plan;
     int version = 1;
     bool alone = false;
+    arithmetics offers = arithmetics::rounding;  ///< as of a study
 };
 
 /// All of them, by name (generated at build time from the files in studies/equation).

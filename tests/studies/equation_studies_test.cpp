@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -184,6 +185,49 @@ TEST_CASE("approximants over b meet the wall shears of Falkner and Skan in print
     }
     CHECK_THROWS_WITH(rows_about("approximants", {"lorenz", {"x(0)=1,2"}}, words),
                       Catch::Contains("no known far behaviour"));
+}
+
+// y = 1/(1 + e^-t) = 1/2 + t/4 - t^3/48 + ...: partial sums, [2/2] = (1/2 + t/4 + t^2/24)/(1 + t^2/12), and the cubic that
+// has values and slopes y (1 - y) at 0 and 1.
+TEST_CASE("proved norms of the logistic equation are those of closed forms", "[studies][equation][proved]") {
+    const precision_scope scope(60);
+    const auto rows = rows_about("error_norm", {"logistic", {}},
+                                 {{"--times", "1/2,1"}, {"--orders", "1,4"}, {"--scalar", "ball:30"}});
+    const auto y = [](const mpfr& t) { return mpfr(1 / (1 + exp(mpfr(-t)))); };
+    const auto largest = [&](const auto& f) {
+        const mpfr half = mpfr(1) / 2;
+        return std::max(mpfr(abs(mpfr(f(half) - y(half)))), mpfr(abs(mpfr(f(mpfr(1)) - y(mpfr(1))))));
+    };
+    const std::map<std::string, mpfr> expected{
+        {"1series", largest([](const mpfr& t) { return mpfr(mpfr(1) / 2 + t / 4); })},
+        {"4series", largest([](const mpfr& t) { return mpfr(mpfr(1) / 2 + t / 4 - t * t * t / 48); })},
+        {"4pade", largest([](const mpfr& t) { return mpfr((mpfr(1) / 2 + t / 4 + t * t / 24) / (1 + t * t / 12)); })},
+        {"1endpoint", largest([&](const mpfr& t) {
+             const mpfr end = y(mpfr(1));
+             const mpfr rest = end - mpfr(1) / 2 - mpfr(1) / 4;
+             const mpfr slope = end * (1 - end) - mpfr(1) / 4;
+             return mpfr(mpfr(1) / 2 + t / 4 + t * t * (3 * rest - slope) + t * t * t * (slope - 2 * rest));
+         })}};
+    std::size_t compared = 0;
+    for (const table_row& row : rows) {
+        const auto found = expected.find(row.at("order") + row.at("method"));
+        if (found != expected.end()) {
+            INFO(found->first);
+            CHECK(row.at("rigour") == "proved");
+            CHECK(abs(mpfr(mpfr(row.at("norm")) - found->second)) <= found->second * pow(mpfr(10), -29));
+            ++compared;
+        }
+    }
+    CHECK(compared == expected.size());
+}
+
+// The series of a polynomial is the solution: no precision tells its error from 0, and nothing is said to be proved.
+TEST_CASE("a norm that is 0 is not called proved", "[studies][equation][proved]") {
+    const auto rows = rows_about("error_norm", {"y' = 2*t; y(0) = 1/3", {}},
+                                 {{"--times", "1/2,1"}, {"--orders", "2"}, {"--scalar", "ball:20"}});
+    REQUIRE(rows.front().at("method") == "series");
+    CHECK(rows.front().at("norm").empty());
+    CHECK(rows.front().at("rigour") == "not decided");
 }
 
 }  // namespace studies_equation_studies_test
