@@ -97,6 +97,7 @@ const equation_study& expansion_point() {
         .question = "About which time of an interval should the solution be expanded?",
         .reading =
             "Left: the radius of convergence about each time, from coefficients there; the solution is marched to it. "
+            "Middle: how far from the real times the singularity is that limits it, as the tests see it. "
             "Right: the factor by which one more power reduces the error on the whole interval. Below 1, the line, a "
             "single series covers it; the best point is where the factor is least.",
         .parameters = {{"--times", "", "expansion points; the first and the last are the ends of the interval"},

@@ -1,5 +1,6 @@
-# expansion_point of any equation: the radius about each time and the rate on the whole interval, a row of two panels
-# for each unknown, a curve for each combination of the parameters (of the largest order).
+# expansion_point of any equation: the radius about each time, how far from real times the nearest singularity is, and
+# the rate on the whole interval, a row of three panels for each unknown, a curve for each combination of the parameters
+# (of the largest order).
 # Columns: <axes>,time,order,radius,uncertainty,position_re,position_im,reach,rate,note,unknown.
 load scripts.'/equation/panels.gp'
 
@@ -9,8 +10,11 @@ n = words(all)
 last = sprintf('%.0f', span(main, 'order', '1', 0, 1))
 tone(c) = n == 1 ? shade[5] : colour(c, n)
 curve(c, u) = both(both(in_case(word(all, c)), of_unknown(main, u)), sprintf('$%d == %s', k + 2, last))
-across = 2; down = drawn
-panel_w = 520; panel_h = 380
+# |Im| of the column for rows().
+aside = sprintf('($%d < 0 ? -$%d : $%d)', place(main, 'position_im'), place(main, 'position_im'), place(main, 'position_im'))
+asides(c, u) = "< awk -F, 'BEGIN { print \"x,y\" } NR > 1 && (".curve(c, u).") && $".sprintf('%d', place(main, 'position_im'))." != \"\" { print $".sprintf('%d', k + 1)." \",\" ".aside." } END { print \"\\n1e99,1e99\" }' '".main."'"
+across = 3; down = drawn
+panel_w = 400; panel_h = 360
 foot = n > 1 ? foot_for(shown_in_key(n), 20) : 20
 do for [kind in terminals] {
     eval figure_of(kind, stem)
@@ -20,13 +24,18 @@ do for [kind in terminals] {
         eval single_panel
         set xlabel 'expansion point / unit of the variable'
         eval rising('x', span(main, 'time', '1', 0, -1), span(main, 'time', '1', 1, 1))
-        eval panel(2 * p - 1)
+        eval panel(3 * p - 2)
         set title u.': radius' offset 0, -0.5
         set ylabel 'radius R / unit of the variable'
         set yrange [0:larger(1e-30, 1.1 * span(main, 'radius', of_unknown(main, u), 1, 1))]
         plot for [c=1:n] rows(main, k + 1, place(main, 'radius'), curve(c, u)) using 1:2 with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c)
         eval no_heading
-        eval panel(2 * p)
+        eval panel(3 * p - 1)
+        set title u.': nearest singularity' offset 0, -0.5
+        set ylabel '|Im t| / unit of the variable'
+        set yrange [0:larger(1e-30, 1.1 * larger(span(main, 'position_im', of_unknown(main, u), 0, 1), -span(main, 'position_im', of_unknown(main, u), 0, -1)))]
+        plot for [c=1:n] asides(c, u) using 1:2 with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c)
+        eval panel(3 * p)
         set title u.': rate on the whole interval' offset 0, -0.5
         set ylabel 'reach/R'
         set yrange [0:larger(1.1, 1.1 * span(main, 'rate', of_unknown(main, u), 1, 1))]
