@@ -2,8 +2,10 @@
 // that is too large, a covering with a hole.
 #include "libration/ode/proved/radius_bounds.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <string>
 
@@ -147,6 +149,41 @@ TEST_CASE("the general way proves the pendulum's radius", "[ode][proved][singula
         CHECK_FALSE(certainly_less(exact, found.lower));
         CHECK_FALSE(certainly_less(found.upper, exact));
     }
+}
+
+// f ~ 6/(t - p) with exponents -1/2 +- i sqrt(23)/2 beside it: poles of other sheets spiral towards p, and a loop of the
+// size of eight digits shows nothing. p by a Runge-Kutta method along the ray, from f = 6/(t - p) to within |t - p|^(3/2).
+TEST_CASE("a pole with complex exponents is shown by a smaller loop", "[ode][proved][singularity]") {
+    auto equations = changed(parse(std::string(problem_text("falkner_skan"))), "b = 1");
+    equations = changed(equations, "s = 1.232587656820281");
+    const proved_radius found = prove_radius(explicit_system(equations), 8);
+    const precision_scope scope(30);
+    CHECK(certainly_less(found.upper - found.lower, found.lower * tenth_to(8)));
+
+    using plane = std::complex<double>;
+    using state = std::array<plane, 3>;
+    const plane end{found.nearest->offset.re.convert_to<double>(), found.nearest->offset.im.convert_to<double>()};
+    const plane direction = end / std::abs(end);
+    const auto slope = [](const state& f) { return state{f[1], f[2], -f[0] * f[2] - (1.0 - f[1] * f[1])}; };
+    const auto moved = [](const state& f, const state& by, const plane& h) {
+        return state{f[0] + h * by[0], f[1] + h * by[1], f[2] + h * by[2]};
+    };
+    state f{0, 0, 1.232587656820281};
+    double t = 0;
+    while (std::abs(end) - t > 1e-6) {
+        const double step = 0.005 * (std::abs(end) - t);
+        const plane h = step * direction;
+        const state a = slope(f);
+        const state b = slope(moved(f, a, h / 2.0));
+        const state c = slope(moved(f, b, h / 2.0));
+        const state d = slope(moved(f, c, h));
+        for (std::size_t k = 0; k < 3; ++k) {
+            f[k] += h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]);
+        }
+        t += step;
+    }
+    const double radius = std::abs(t * direction - 6.0 / f[0]);
+    CHECK(std::abs(midpoint_of(found.lower).convert_to<double>() - radius) < 1e-6);
 }
 
 }  // namespace ode_proved_radius_bounds_test

@@ -1,6 +1,7 @@
 #include "libration/ode/proved/proved_singularity.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr long loop_guard_bits = 48;
 constexpr int most_loop_attempts = 6;
+constexpr int most_smaller_loops = 3;
+constexpr long least_digits_of_smaller_loop = 16;
 constexpr int most_coverings = 4;
 constexpr long most_discs_a_digit = 300;
 constexpr long shown_digits = 12;
@@ -44,42 +47,34 @@ int weights_for(const found_singularity& found) {
 
 std::string shown_number(const mpfr& x) { return to_decimal(x, shown_digits); }
 
-// More bits until a proof closes, or gives another answer than "too few bits".
-template <class Prove>
-auto with_enough_bits(long digits, const Prove& prove) {
-    long bits = bits_of_digits(digits) + loop_guard_bits;
-    for (int attempt = 0;; ++attempt) {
-        try {
-            return prove(bits);
-        } catch (const precision_exhausted&) {
-            if (attempt >= most_loop_attempts) {
-                throw;
-            }
-            bits = bits + bits / 2;
-        }
-    }
-}
-
-proved_singularity prove_along(const explicit_system& system, const found_singularity& found,
-                               const std::vector<complex_ball>& corners, const mpfr& reach) {
+// More bits until a loop shows something; nothing where so many attempts do not.
+std::optional<proved_singularity> shown_along(const explicit_system& system, const found_singularity& found,
+                                              const std::vector<complex_ball>& corners, const mpfr& reach,
+                                              int most_attempts) {
     const precision_scope wide(static_cast<int>(mpfr_get_prec(handle(found.offset.re)) * 30103L / 100'000L) + 2);
     const mpfr size = modulus_of(found.offset);
     const long digits = -static_cast<long>(floor(log10(mpfr(reach / size))));
     const complex_ball centre = exact_ball(found.offset);
-    try {
-        const loop_result loop = with_enough_bits(std::max(digits, 1L) + 4, [&](long bits) {
+    long bits = bits_of_digits(std::max(digits, 1L) + 4) + loop_guard_bits;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+        try {
             const complex_flow flow(system, bits);
-            loop_result made = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
-            if (made.evidence == loop_evidence::none) {
-                throw precision_exhausted("a loop");
+            loop_result loop = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
+            if (loop.evidence != loop_evidence::none) {
+                return proved_singularity{found.offset, loop.reach, std::move(loop)};
             }
-            return made;
-        });
-        return {found.offset, loop.reach, loop};
-    } catch (const precision_exhausted&) {
-        refuse_proof("is not proved to have a singularity near " + shown_number(found.offset.re) + " + " +
-                     shown_number(found.offset.im) + "i: no change or integral round it is told from 0");
+        } catch (const precision_exhausted&) {
+            // the next one has more bits
+        }
+        bits = bits + bits / 2;
     }
+    return std::nullopt;
+}
+
+[[noreturn]] void refuse_loop(const found_singularity& found) {
+    const precision_scope scope(shown_digits + 10);
+    refuse_proof("is not proved to have a singularity near " + shown_number(narrow<mpfr>(found.offset.re)) + " + " +
+                 shown_number(narrow<mpfr>(found.offset.im)) + "i: no change or integral round it is told from 0");
 }
 
 }  // namespace
@@ -89,7 +84,11 @@ proved_singularity prove_singularity(const explicit_system& system, const found_
     for (const auto& each : found.path) {
         corners.push_back(exact_ball(complex_number<mpfr>{mpfr(each.real()), mpfr(each.imag())}));
     }
-    return prove_along(system, found, corners, reach);
+    auto proved = shown_along(system, found, corners, reach, most_loop_attempts);
+    if (!proved) {
+        refuse_loop(found);
+    }
+    return *std::move(proved);
 }
 
 std::vector<proved_singularity> prove_singularities(const explicit_system& system,
@@ -123,23 +122,35 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
         result.infinite = true;
         return result;
     }
-    const long place_digits = digits + 6;
-    singularity_request request;
-    request.digits = place_digits;
-    request.nearest_alone = true;
-    const singularity_map map = singularities_of(system, request);
-    if (map.all.empty()) {
-        refuse_proof("shows no singularity within " + std::to_string(map.within) +
-                     " of its start, so that nothing bounds its radius from above");
+    // A pole where expansions have complex exponents has those of other sheets near it, nearer the further one goes
+    // round: only a small loop meets none. So the loop may be smaller than the digits ask.
+    long loop_digits = digits;
+    for (int smaller = 0; !result.evidence; ++smaller) {
+        if (smaller > 0) {
+            loop_digits = std::max(2 * loop_digits, least_digits_of_smaller_loop);
+        }
+        singularity_request request;
+        request.digits = loop_digits + 6;
+        request.nearest_alone = true;
+        const singularity_map map = singularities_of(system, request);
+        if (map.all.empty()) {
+            refuse_proof("shows no singularity within " + std::to_string(map.within) +
+                         " of its start, so that nothing bounds its radius from above");
+        }
+        const precision_scope scope(static_cast<int>(request.digits) + 20);
+        result.nearest = map.all.front();
+        const mpfr reach = modulus_of(result.nearest->offset) * pow(mpfr(10), -static_cast<int>(loop_digits)) / 4;
+        // Straight from the start: nothing nearer is in the way.
+        const bool last = smaller == most_smaller_loops;
+        result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2);
+        if (!result.evidence && last) {
+            refuse_loop(*result.nearest);
+        }
     }
-    const precision_scope scope(static_cast<int>(place_digits) + 20);
-    const found_singularity& nearest = map.all.front();
-    const mpfr size = modulus_of(nearest.offset);
+    const precision_scope scope(static_cast<int>(loop_digits) + 26);
+    const mpfr size = modulus_of(result.nearest->offset);
     const mpfr gap = size * pow(mpfr(10), -static_cast<int>(digits)) / 4;
     result.rotation = symmetry_of(system).rotation;
-    result.nearest = nearest;
-    // Straight from the start: nothing nearer is in the way.
-    result.evidence = prove_along(system, nearest, {}, gap);
     result.upper = result.evidence->evidence.farthest;
     const ball rho = exact_ball(mpfr(size - gap));
     covering_limits limits;
