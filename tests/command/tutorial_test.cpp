@@ -1,4 +1,4 @@
-// The tutorial: what stands behind "$ ./run" is what the program prints, and its pictures are there.
+// The tutorial of the pendulum: what stands behind "$ ./run" is what the program prints, and its pictures are there.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
@@ -13,14 +13,14 @@ using namespace libration::tests;
 
 namespace {
 
-const std::filesystem::path docs = LIBRATION_SOURCE_DIR "/docs";
+const std::filesystem::path page_of_pendulum = LIBRATION_SOURCE_DIR "/docs/tutorials/pendulum.md";
 
 struct shown_command {
     words order;
     std::string output;
 };
 
-// The commands of the ```text blocks, each with the lines up to the next one or to the end of the block.
+// The commands of the ```console blocks, each with the lines up to the next one or to the end of the block.
 std::vector<shown_command> commands_of(const std::string& page) {
     const std::string prompt = "$ ./run ";
     std::vector<shown_command> commands;
@@ -45,7 +45,7 @@ std::vector<shown_command> commands_of(const std::string& page) {
 }  // namespace
 
 TEST_CASE("the answers of the tutorial are what its commands print", "[command][tutorial]") {
-    const auto commands = commands_of(text_of_file(docs / "tutorial.md"));
+    const auto commands = commands_of(text_of_file(page_of_pendulum));
     CHECK(commands.size() >= 6);
     for (const shown_command& each : commands) {
         INFO(command_line(each.order));
@@ -54,11 +54,11 @@ TEST_CASE("the answers of the tutorial are what its commands print", "[command][
 }
 
 TEST_CASE("the pictures of the tutorial are there and whole", "[command][tutorial]") {
-    const std::string page = text_of_file(docs / "tutorial.md");
+    const std::string page = text_of_file(page_of_pendulum);
     const std::regex picture(R"re(!\[[^\]]*\]\(([^)]+)\))re");
     std::size_t count = 0;
     for (std::sregex_iterator at(page.begin(), page.end(), picture); at != std::sregex_iterator(); ++at) {
-        const std::string svg = text_of_file(docs / (*at)[1].str());
+        const std::string svg = text_of_file(page_of_pendulum.parent_path() / (*at)[1].str());
         CHECK(svg.find("</svg>") != std::string::npos);
         CHECK(svg.find('\xd6') == std::string::npos);  // a root sign of the Symbol font: no UTF-8
         ++count;
