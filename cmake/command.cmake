@@ -145,7 +145,7 @@ install(PROGRAMS ${script_peers} DESTINATION ${installed_peers_dir} COMPONENT pe
 install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR}
     COMPONENT documents)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents PATTERN site EXCLUDE)
 
 # What `cmake --install` takes: `./run install` builds that much.
 add_custom_target(libration-installable DEPENDS libration libration-proved libration-c libration-command)
