@@ -49,6 +49,7 @@ ROOMS = {
         "ode/proved/proved_trajectory.hpp",
         "ode/proved/condition_numbers.hpp",
         "ode/proved/proved_march.hpp",
+        "ode/proved/proved_events.hpp",
         "ode/proved/event_search.hpp",
         "ode/proved/proved_root.hpp",
         "ode/proved/radius_bounds.hpp",

@@ -5,7 +5,7 @@
 #include "libration/digits/proved/digits.hpp"
 #include "libration/elliptic/proved/elliptic.hpp"
 #include "libration/libration.hpp"
-#include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/proved/ode.hpp"
 #include "libration/pendulum/proved/pendulum.hpp"
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/ball/decimal.hpp"

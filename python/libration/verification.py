@@ -11,7 +11,7 @@ import numpy as np
 
 from .ball import Ball
 from .motions import Motion
-from .problems import Problem
+from .problems import Problem, problem as problem_of
 from .tables import Table
 from .texts import text_of
 
@@ -88,14 +88,15 @@ def _names(columns: dict[str, list[Any]], offered: Iterable[str]) -> tuple[str, 
 def verify(
     data: Any,
     motion: Motion | None = None,
-    problem: Problem | None = None,
+    problem: Problem | str | None = None,
     *,
     tolerance: Any = None,
     relative: Any = None,
     ulp: Any = None,
     modulo_2pi: bool = False,
 ) -> Verdicts:
-    """Compares a table with a motion (columns time, theta, perhaps omega) or a problem (time, some of its names).
+    """Compares a table with a motion (columns time, theta, perhaps omega) or a problem (time, some of its names), which
+    may be a text or a name as problem() takes them.
 
     data is a DataFrame, the path of a CSV file, a Table or a mapping of columns. Values and times in double count as
     the exact numbers that they are; texts as they are written. Without a tolerance it is one unit of the last digit as
@@ -104,6 +105,10 @@ def verify(
     """
     if (motion is None) == (problem is None):
         raise ValueError("give a motion or a problem")
+    if isinstance(problem, str):
+        problem = problem_of(problem)
+    if not isinstance(problem if motion is None else motion, (Motion, Problem)):
+        raise TypeError("a motion is made by motion(), a problem by problem()")
     columns = _columns(data)
     target: Any = motion._motion if motion is not None else problem._problem  # type: ignore[union-attr]
     time, names = _names(columns, ("theta", "omega") if problem is None else problem.names)

@@ -54,6 +54,8 @@ def test_what_is_asked_wrongly():
         lb.verify({"x": ["1"]}, problem=tangent())
     with pytest.raises(lb.ArgumentError):
         lb.verify({"time": ["1"], "x": ["much"]}, problem=tangent())
+    with pytest.raises(TypeError, match="by motion()"):
+        lb.verify({"time": ["1"], "theta": ["1"]}, motion="90deg")
     with pytest.raises(TypeError):
         lb.verify({"time": ["1"], "x": ["1"]}, problem=tangent(), tolerance=1e-3)
 
@@ -75,3 +77,8 @@ def test_a_study_is_a_frame_with_all_its_digits(tmp_path):
     assert axes.get_xlabel() == "order" and axes.get_ylabel() == "norm" and len(axes.lines) == 6
     with pytest.raises(lb.ArgumentError, match="energies"):
         lb.study("error_norm", energies="much")
+
+
+def test_a_problem_may_be_a_text():
+    # x = tan t
+    assert lb.verify({"time": ["1"], "x": ["1.5574077"]}, problem="x' = 1 + x^2; x(0) = 0", tolerance="1e-6").ok

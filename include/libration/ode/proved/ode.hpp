@@ -1,0 +1,13 @@
+// Equations with proofs: solutions, events, unknowns, conditions at infinity, coefficients, condition numbers,
+// singularities and radii of convergence.
+#pragma once
+
+#include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/proved/blasius_infinity.hpp"
+#include "libration/ode/proved/condition_numbers.hpp"
+#include "libration/ode/proved/layers_at_infinity.hpp"
+#include "libration/ode/proved/problem_coefficients.hpp"
+#include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/proved/proved_root.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
