@@ -9,6 +9,7 @@
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
 namespace libration::ode {
@@ -36,8 +37,8 @@ public:
     static constexpr long most_steps = 10'000'000;
     static constexpr long usual_error_bits = 64;
 
-    /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth.
-    /// Throws error where the start is singular.
+    /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth. From a
+    /// singular start after a step of theorem S (singular_step.hpp), whose errors it throws.
     proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits);
     /// The same from every start of a box of balls, the given unknowns at the point of the system.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
@@ -50,8 +51,12 @@ public:
     /// The same at every time of a ball.
     std::optional<std::vector<ball>> at(const ball& target);
 
-    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set.
+    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set. Throws error for a
+    /// singular start, which has none.
     void keep_derivative();
+    /// What the unknowns are before the first step: nothing, or after a singular start enclosures of all their values up
+    /// to where the march begins.
+    const std::vector<ball>& before() const { return before_; }
     /// That at a time where at() has just been.
     ball_matrix derivative_at(const ball& time) const;
 
@@ -77,6 +82,7 @@ public:
 
 private:
     struct expansions;
+    proved_march(singular_step begin, long bits, march_watch watch, long error_bits);
 
     void expand();
     void choose_length(const magnitude& size);
@@ -99,6 +105,7 @@ private:
     long steps_ = 0;
     march_watch watch_;
     march_end end_ = march_end::none;
+    std::vector<ball> before_;
 };
 
 }  // namespace libration::ode

@@ -40,4 +40,19 @@ template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                        const magnitude& radius);
 
+/// Theorem S, the same about a regular singular start, in powers of the distance s itself (a tape of root 1, made by
+/// tape::about_start, of products, squares and what is linear, without derivatives of the unknowns; N = degree; the
+/// expansion longer by as much as steps of the tape lag behind).
+///
+/// With D_i(n) = n (n-1) .. (n-q_i+1) - sum_l w_il n .. (n-l+1), w the weights of the tape, the coefficients are
+/// D_i(n) y_{i,n} = [F_i(y)]_n, where [F_i]_n reads y_0 .. y_{n-1} alone. For n > N > q_i, D_i(n) >= d_i, the value at N +
+/// 1 with |w| for w: n .. (n-q+1) grows, and so does its quotient with n .. (n-l+1), l < q. Where d_i > 0 and for some
+/// s >= 0 and all i
+///     ||F_i(p), degrees >= N||/d_i + G_i(s)/d_i <= s_i,
+/// the map that takes e = O(t^(N+1)) to the coefficients beyond N of F(p + e), divided by D, takes {||e_i|| <= s_i} into
+/// itself. From e = 0 its j-th iterate has the right coefficients up to N + j: so every partial sum of the norm of the
+/// solution's remainder is at most s_i, the series converges in |t| < rho, and solves the equation there. `error` is s.
+std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_expansion<ball>& expansion, int degree,
+                                                const magnitude& radius);
+
 }  // namespace libration::ode

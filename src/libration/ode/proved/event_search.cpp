@@ -39,7 +39,26 @@ event_search::event_search(const explicit_system& system, const expression& g, l
       slope_(form_.slope_of(g_)),
       zero_at_start_(vanishes_at_start(g_, form_, system.point())),
       march_(system, bits),
-      direction_(direction < 0 ? -1 : 1) {}
+      direction_(direction < 0 ? -1 : 1) {
+    if (march_.before().empty()) {
+        return;
+    }
+    if (direction_ < 0) {
+        throw error(error_kind::argument, "problem", "",
+                    "starts where its equation is singular, behind which alone events are searched");
+    }
+    // After a singular start: no event on the way to the first step.
+    zero_at_start_ = false;
+    const ball start = constant_value<ball>::of(system.point());
+    expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
+    for (const ball& each : march_.before()) {
+        values.push_back(each);
+    }
+    if (contains_zero(values.of(g_))) {
+        throw error(error_kind::undecided, "event", "",
+                    "is not told from one within the first step from the start, where the equation is singular");
+    }
+}
 
 event_search::sample event_search::sampled(const ball& distance) const {
     expression_values<ball> values(form_.leaves, march_.reached() + distance);

@@ -20,6 +20,11 @@ constexpr long bits_below_truncation = 40;
 // log2 of how much shorter the map of errors makes a step.
 constexpr double worth_more_terms = 0.3;
 
+singular_step begin_of(const explicit_system& system, long bits) {
+    return system.singular() ? proved_singular_step(system, bits)
+                             : singular_step{system, enclosed_start(system, bits), {}};
+}
+
 }  // namespace
 
 // What a step needs: made again where the precision changes.
@@ -40,7 +45,12 @@ struct proved_march::expansions {
 proved_march::~proved_march() = default;
 
 proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits)
-    : proved_march(system, enclosed_start(system, bits), bits, error_bits, std::move(watch)) {}
+    : proved_march(begin_of(system, bits), bits, std::move(watch), error_bits) {}
+
+proved_march::proved_march(singular_step begin, long bits, march_watch watch, long error_bits)
+    : proved_march(begin.beyond, begin.state, bits, error_bits, std::move(watch)) {
+    before_ = std::move(begin.on_the_way);
+}
 
 proved_march::proved_march(const explicit_system& system, const std::vector<ball>& start, long bits, long error_bits,
                            march_watch watch)
@@ -219,6 +229,10 @@ void proved_march::step(int direction) {
 }
 
 void proved_march::keep_derivative() {
+    if (!before_.empty()) {
+        throw error(error_kind::argument, "problem", "",
+                    "starts where its equation is singular, so that nothing is proved of how it depends on its start");
+    }
     derivative_ = ball_matrix(lifted_.given);
     for (std::size_t i = 0; i < lifted_.given; ++i) {
         for (std::size_t j = 0; j < lifted_.given; ++j) {

@@ -19,8 +19,10 @@ struct step_norm {
 template <field R>
 class norms_of_steps {
 public:
-    norms_of_steps(const tape& of, const taylor_expansion<R>& expansion, const R& point, const magnitude& radius)
-        : tape_(of), expansion_(expansion), terms_(static_cast<std::size_t>(expansion.order())), radius_(radius) {
+    // With N = degree; the expansion has as many more terms as steps of the tape lag behind.
+    norms_of_steps(const tape& of, const taylor_expansion<R>& expansion, int degree, const R& point,
+                   const magnitude& radius)
+        : tape_(of), expansion_(expansion), terms_(static_cast<std::size_t>(degree)), radius_(radius) {
         point_ = size_of(point);
         magnitude power(1U);
         for (std::size_t j = 0; j <= terms_; ++j) {
@@ -57,6 +59,7 @@ public:
                 case operation::scaled: result.push_back(left() * factor_of(s)); break;
                 case operation::raised: result.push_back(magnitude(left())); break;
                 case operation::by_variable: result.push_back(left() * (point_ + radius_)); break;
+                case operation::delayed: result.push_back(left() * shift_of(s)); break;
                 case operation::product:
                     result.push_back(norm(s.left) * right() + left() * norm(s.right) + left() * right());
                     break;
@@ -75,6 +78,8 @@ private:
         const auto above = static_cast<unsigned long>(s.numerator < 0 ? -static_cast<long>(s.numerator) : s.numerator);
         return magnitude(above) / static_cast<unsigned long>(s.denominator);
     }
+
+    magnitude shift_of(const tape_step& s) const { return pow(radius_, static_cast<unsigned long>(s.shift)); }
 
     const step_norm& of(int step) const { return all_[static_cast<std::size_t>(step)]; }
 
@@ -101,10 +106,21 @@ private:
             case operation::raised: return of(s.left).rest;
             case operation::by_variable:
                 return of(s.left).rest * (point_ + radius_) + of(s.left).terms.back() * radius_;
+            case operation::delayed: return rest_of_delayed(of(s.left), s);
             case operation::product: return rest_of_product(of(s.left), of(s.right));
             case operation::square: return rest_of_product(of(s.left), of(s.left));
             default: throw std::logic_error("theorem T takes products and sums alone");
         }
+    }
+
+    // The degrees from N - shift on, moved up.
+    magnitude rest_of_delayed(const step_norm& a, const tape_step& s) const {
+        magnitude sum = a.rest;
+        const auto shift = static_cast<std::size_t>(s.shift);
+        for (std::size_t j = terms_ - std::min(shift, terms_); j < terms_; ++j) {
+            sum += a.terms[j];
+        }
+        return sum * shift_of(s);
     }
 
     // sum_j |a_j| rho^j (tail of b from N - j) + ||a|| r_b + r_a ||b|| + r_a r_b.
@@ -131,19 +147,20 @@ private:
     std::vector<step_norm> all_;
 };
 
+// s with defect_i ||f_i(p), degrees >= N|| + gain_i G_i(s) <= s_i for all i, and what the map makes of it.
 template <field R>
 std::optional<tail_bound> tail_by_norms(const tape& of, const norms_of_steps<R>& norms, int last,
-                                        const magnitude& radius) {
-    const auto order = static_cast<unsigned long>(last);
+                                        const magnitude& radius, const std::vector<magnitude>& defects,
+                                        const std::vector<magnitude>& gains) {
     std::vector<magnitude> defect;
-    for (const int output : of.outputs()) {
-        defect.push_back(norms.rest(output) * radius / (order + 1));
+    for (std::size_t i = 0; i < of.outputs().size(); ++i) {
+        defect.push_back(norms.rest(of.outputs()[i]) * defects[i]);
     }
     const auto image = [&](const std::vector<magnitude>& s) {
         std::vector<magnitude> result = defect;
         const auto changes = norms.changes(s);
         for (std::size_t i = 0; i < result.size(); ++i) {
-            result[i] += changes[static_cast<std::size_t>(of.outputs()[i])] * radius / (order + 2);
+            result[i] += changes[static_cast<std::size_t>(of.outputs()[i])] * gains[i];
         }
         return result;
     };
@@ -169,7 +186,32 @@ std::optional<tail_bound> tail_by_norms(const tape& of, const norms_of_steps<R>&
 template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                        const magnitude& radius) {
-    return tail_by_norms(of, norms_of_steps<R>(of, expansion, point, radius), expansion.order(), radius);
+    const auto order = static_cast<unsigned long>(expansion.order());
+    const std::size_t count = of.outputs().size();
+    return tail_by_norms(of, norms_of_steps<R>(of, expansion, expansion.order(), point, radius), expansion.order(),
+                         radius, std::vector<magnitude>(count, radius / (order + 1)),
+                         std::vector<magnitude>(count, radius / (order + 2)));
+}
+
+std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_expansion<ball>& expansion, int degree,
+                                                const magnitude& radius) {
+    std::vector<magnitude> factors;
+    for (std::size_t i = 0; i < of.outputs().size(); ++i) {
+        const auto& weights = of.weights()[i][i];
+        ball falling(1);
+        ball least(0);
+        for (std::size_t l = 0; l < weights.size(); ++l) {
+            least -= abs(constant_value<ball>::of(weights[l])) * falling;
+            falling *= degree + 1 - static_cast<int>(l);
+        }
+        least += falling;
+        if (arb_is_positive(least.handle()) == 0) {
+            return std::nullopt;
+        }
+        factors.emplace_back(ball(1) / least);
+    }
+    return tail_by_norms(of, norms_of_steps<ball>(of, expansion, degree, ball(0), radius), degree, radius, factors,
+                         factors);
 }
 
 template std::optional<tail_bound> bounded_tail(const tape&, const taylor_expansion<ball>&, const ball&,
