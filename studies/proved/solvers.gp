@@ -24,7 +24,7 @@ largest_count = greatest(main, '7', '$9 != ""', 1e5)
 eval grid(n, 4)
 panel_w = n == 1 ? 860 : n == 2 ? 590 : n == 3 ? 400 : 300
 panel_h = n == 1 ? 520 : 290
-foot = foot_for(words(curves) + 1, 16)
+foot = foot_for(words(curves) + 1, 22)
 do for [kind in terminals] {
     eval figure_of(kind, 'solvers')
     eval heading('Solvers of initial value problems in double', 'a point for each tolerance; errors from proved values at eight times')
