@@ -7,6 +7,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/layers_at_infinity.hpp"
+#include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
@@ -80,6 +81,21 @@ const std::vector<kind_of_value>& kinds() {
          [](long digits) {
              const auto equations = equations_of("sakiadis");
              return std::vector<proved_decimal>{proved_value(digits, [&] { return ode::sakiadis_shear(equations); })};
+         }},
+        {"lane_emden_zero",
+         "lane_emden",
+         {{"first zero, n = 2", "4.35287459594612467697", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"},
+          {"first zero, n = 3", "6.89684861937696037545", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"},
+          {"first zero, n = 4", "14.97154634883809509761", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"}},
+         [](long digits) {
+             std::vector<proved_decimal> zeros;
+             for (const std::string n : {"n = 2", "n = 3", "n = 4"}) {
+                 const auto equations = equations_of("lane_emden", {n});
+                 ode::event_request request;
+                 request.g = ode::parse_condition(equations, "y = 0");
+                 zeros.push_back(ode::proved_events(ode::explicit_system(equations), request, digits).front().time);
+             }
+             return zeros;
          }},
         {"lorenz_orbit",
          "lorenz",
@@ -242,10 +258,10 @@ const study& published() {
             "of "
             "the line at 1 holds. The table has both, and the source.",
         .of = &values_in_print(),
-        .parameters =
-            {{"--values",
-              "blasius,falkner_skan_layer,sakiadis_layer,lorenz_orbit,van_der_pol_cycle,hires,van_der_pol_1000",
-              "which values; hires and van_der_pol_1000 take minutes, oregonator more than an hour"}},
+        .parameters = {{"--values",
+                        "blasius,falkner_skan_layer,sakiadis_layer,lane_emden_zero,lorenz_orbit,van_der_pol_cycle,"
+                        "hires,van_der_pol_1000",
+                        "which values; hires and van_der_pol_1000 take minutes, oregonator more than an hour"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},
         .seconds = 600,
         .excluded = {},

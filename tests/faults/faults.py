@@ -28,6 +28,7 @@ TAILS = "ode/proved/tail_bound_test.cpp"
 MARCHES = "ode/proved/proved_march_test.cpp"
 DISCS = "ode/proved/complex_disc_test.cpp"
 BOUNDS = "ode/proved/radius_bounds_test.cpp"
+SINGULAR = "ode/proved/singular_step_test.cpp"
 
 FAULTS = [
     *in_file(
@@ -257,8 +258,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/proved/tail_bound.cpp", [TAILS],
-        ("rho/(N+3) for rho/(N+2)", "* radius / (order + 2);", "* radius / (order + 3);"),
-        ("rho/(N+2) for rho/(N+1) of the defect", "* radius / (order + 1));", "* radius / (order + 2));"),
+        ("rho/(N+3) for rho/(N+2)", "radius / (order + 2)", "radius / (order + 3)"),
+        ("rho/(N+2) for rho/(N+1) of the defect", "radius / (order + 1)", "radius / (order + 2)"),
         ("a cross term of the rest dropped", "        sum.add_product(a.low, b.rest);\n", ""),
         ("the terms of a product from N - j + 1", "tail += b.terms[count - j];\n            sum.add_product(a.terms[j], tail);",
          "sum.add_product(a.terms[j], tail);\n            tail += b.terms[count - j];"),
@@ -268,6 +269,12 @@ FAULTS = [
          "case operation::state: return magnitude();"),
         ("a bound that is not checked", "if (std::ranges::equal(next, s, [](const magnitude& a, const magnitude& b) { return a <= b; })) {",
          "if (attempt == 3) {"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/tail_bound.cpp", [SINGULAR],
+        ("what powers of the distance move beyond N", "            sum += a.terms[j];\n", ""),
+        ("a derivative as small as its unknown", "return highest[unknown] * part(unknown, state.right);",
+         "return highest[unknown] * part(unknown, 0);"),
     ),
     *in_file(
         ROOM + "ode/proved/tail_bound.hpp", [TAILS],

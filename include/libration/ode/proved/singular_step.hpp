@@ -16,8 +16,8 @@ struct singular_step {
 };
 
 /// By theorem S (tail_bound.hpp) with a remainder below 2^-bits of the unknowns. Throws error where the series is not in
-/// whole powers of the distance, where the right sides are no polynomials in the unknowns or hold derivatives of them
-/// beyond what is linear over the distance; precision_exhausted where no radius is proved.
+/// whole powers of the distance, where the right sides are no polynomials in the unknowns and their first derivatives;
+/// precision_exhausted where no radius is proved.
 singular_step proved_singular_step(const explicit_system& system, long bits);
 
 }  // namespace libration::ode

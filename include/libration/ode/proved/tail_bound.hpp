@@ -40,18 +40,20 @@ template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                        const magnitude& radius);
 
-/// Theorem S, the same about a regular singular start, in powers of the distance s itself (a tape of root 1, made by
-/// tape::about_start, of products, squares and what is linear, without derivatives of the unknowns; N = degree; the
-/// expansion longer by as much as steps of the tape lag behind).
+/// Theorem S, the same about a regular singular start, in powers of the distance t itself: a tape of root 1, made by
+/// tape::about_start, of products, squares and what is linear, in unknowns and first derivatives; N = degree; the
+/// expansion longer by as much as steps of the tape lag behind.
 ///
-/// With D_i(n) = n (n-1) .. (n-q_i+1) - sum_l w_il n .. (n-l+1), w the weights of the tape, the coefficients are
-/// D_i(n) y_{i,n} = [F_i(y)]_n, where [F_i]_n reads y_0 .. y_{n-1} alone. For n > N > q_i, D_i(n) >= d_i, the value at N +
-/// 1 with |w| for w: n .. (n-q+1) grows, and so does its quotient with n .. (n-l+1), l < q. Where d_i > 0 and for some
-/// s >= 0 and all i
-///     ||F_i(p), degrees >= N||/d_i + G_i(s)/d_i <= s_i,
-/// the map that takes e = O(t^(N+1)) to the coefficients beyond N of F(p + e), divided by D, takes {||e_i|| <= s_i} into
-/// itself. From e = 0 its j-th iterate has the right coefficients up to N + j: so every partial sum of the norm of the
-/// solution's remainder is at most s_i, the series converges in |t| < rho, and solves the equation there. `error` is s.
+/// t^q_i y_i^(q_i) = F_i(t, y, y'), where coefficient n of F_i reads y_n through sum_l w_il n .. (n-l+1) y_{i,n} alone, w
+/// the weights of the tape. Let p be the polynomials of degree N > q_i that the coefficients of the solution are. Where
+/// for some u >= 0 and all i
+///     ||F_i(p), degrees > N|| + G_i(u) <= u_i,
+/// G_i(u) a bound of ||F_i(p + e) - F_i(p)|| for e = O(t^(N+1)) with ||t^q_j e_j^(q_j)|| <= u_j, hence ||e_j^(l)|| <= u_j
+/// (N+1) .. (N+2-l)/((N+1) .. (N+2-q_j)) rho^-l (that quotient falls with n), the map from t^q e^(q) to F(p + e) beyond N
+/// takes that set into itself. The set is convex, and compact in the norm of any smaller rho, in which the map is
+/// continuous: by Schauder it has a fixed point, a solution p + e in |t| < rho. Where n .. (n-q_i+1) - sum_l w_il n ..
+/// (n-l+1) > 0 for all n > N, which is so where it is for n = N + 1 and |w|, the coefficients beyond N follow from those
+/// before: that solution is the one whose series p begins. `error` bounds ||e||.
 std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_expansion<ball>& expansion, int degree,
                                                 const magnitude& radius);
 

@@ -25,8 +25,8 @@ void require_polynomials(const tape& of) {
         refuse_start("with powers of a root of the distance, which is not proved: choose another start");
     }
     for (const tape_state& each : of.states()) {
-        if (each.derivative > 0) {
-            refuse_start("with derivatives in more than linear terms, which is not proved: choose another start");
+        if (each.derivative > 1) {
+            refuse_start("with second derivatives, which is not proved: choose another start");
         }
     }
     using enum operation;

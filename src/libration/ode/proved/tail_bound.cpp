@@ -41,8 +41,9 @@ public:
     // ||step, degrees >= N|| for p itself.
     const magnitude& rest(int step) const { return all_[static_cast<std::size_t>(step)].rest; }
 
-    // ||step(p + e) - step(p)|| for ||e_i|| <= errors[i].
-    std::vector<magnitude> changes(const std::vector<magnitude>& errors) const {
+    // ||step(p + e) - step(p)|| where of_state(s) bounds ||e_i^(l)|| of the state s.
+    template <class OfState>
+    std::vector<magnitude> changes(const OfState& of_state) const {
         std::vector<magnitude> result;
         result.reserve(all_.size());
         const auto norm = [&](int step) {
@@ -53,7 +54,7 @@ public:
             const auto left = [&]() -> const magnitude& { return result[static_cast<std::size_t>(s.left)]; };
             const auto right = [&]() -> const magnitude& { return result[static_cast<std::size_t>(s.right)]; };
             switch (s.kind) {
-                case operation::state: result.push_back(errors[static_cast<std::size_t>(s.left)]); break;
+                case operation::state: result.push_back(of_state(s)); break;
                 case operation::sum:
                 case operation::difference: result.push_back(left() + right()); break;
                 case operation::scaled: result.push_back(left() * factor_of(s)); break;
@@ -147,20 +148,21 @@ private:
     std::vector<step_norm> all_;
 };
 
-// s with defect_i ||f_i(p), degrees >= N|| + gain_i G_i(s) <= s_i for all i, and what the map makes of it.
-template <field R>
-std::optional<tail_bound> tail_by_norms(const tape& of, const norms_of_steps<R>& norms, int last,
-                                        const magnitude& radius, const std::vector<magnitude>& defects,
-                                        const std::vector<magnitude>& gains) {
+// s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or what the map makes of it, which is no
+// more; G by of_state(s, state).
+template <field R, class OfState>
+std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of_steps<R>& norms,
+                                                  const magnitude& of_defect, const magnitude& gain,
+                                                  const OfState& of_state) {
     std::vector<magnitude> defect;
-    for (std::size_t i = 0; i < of.outputs().size(); ++i) {
-        defect.push_back(norms.rest(of.outputs()[i]) * defects[i]);
+    for (const int output : of.outputs()) {
+        defect.push_back(norms.rest(output) * of_defect);
     }
     const auto image = [&](const std::vector<magnitude>& s) {
         std::vector<magnitude> result = defect;
-        const auto changes = norms.changes(s);
+        const auto changes = norms.changes([&](const tape_step& state) { return of_state(s, state); });
         for (std::size_t i = 0; i < result.size(); ++i) {
-            result[i] += changes[static_cast<std::size_t>(of.outputs()[i])] * gains[i];
+            result[i] += changes[static_cast<std::size_t>(of.outputs()[i])] * gain;
         }
         return result;
     };
@@ -172,7 +174,7 @@ std::optional<tail_bound> tail_by_norms(const tape& of, const norms_of_steps<R>&
             return std::nullopt;
         }
         if (std::ranges::equal(next, s, [](const magnitude& a, const magnitude& b) { return a <= b; })) {
-            return tail_bound{radius, last, image(image(next))};
+            return image(image(next));
         }
         for (std::size_t i = 0; i < s.size(); ++i) {
             s[i] = next[i] * inflation;
@@ -186,32 +188,63 @@ std::optional<tail_bound> tail_by_norms(const tape& of, const norms_of_steps<R>&
 template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                        const magnitude& radius) {
-    const auto order = static_cast<unsigned long>(expansion.order());
-    const std::size_t count = of.outputs().size();
-    return tail_by_norms(of, norms_of_steps<R>(of, expansion, expansion.order(), point, radius), expansion.order(),
-                         radius, std::vector<magnitude>(count, radius / (order + 1)),
-                         std::vector<magnitude>(count, radius / (order + 2)));
+    const int degree = expansion.order();
+    const auto order = static_cast<unsigned long>(degree);
+    const norms_of_steps<R> norms(of, expansion, degree, point, radius);
+    auto s = kept_by_map(of, norms, radius / (order + 1), radius / (order + 2),
+                         [](const std::vector<magnitude>& errors, const tape_step& state) {
+                             return errors[static_cast<std::size_t>(state.left)];
+                         });
+    return s ? std::optional(tail_bound{radius, degree, *std::move(s)}) : std::nullopt;
 }
+
+namespace {
+
+// n (n - 1) .. (n - l + 1) for n = degree + 1.
+ball falling_behind(int degree, int l) {
+    ball product(1);
+    for (int j = 0; j < l; ++j) {
+        product *= degree + 1 - j;
+    }
+    return product;
+}
+
+// Whether n .. (n-q+1) - sum_l w_l n .. (n-l+1) is positive for all n > degree: what it is there with |w|.
+bool determines_coefficients(const std::vector<number>& weights, int degree) {
+    ball least = falling_behind(degree, static_cast<int>(weights.size()));
+    for (std::size_t l = 0; l < weights.size(); ++l) {
+        least -= abs(constant_value<ball>::of(weights[l])) * falling_behind(degree, static_cast<int>(l));
+    }
+    return arb_is_positive(least.handle()) != 0;
+}
+
+}  // namespace
 
 std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_expansion<ball>& expansion, int degree,
                                                 const magnitude& radius) {
-    std::vector<magnitude> factors;
     for (std::size_t i = 0; i < of.outputs().size(); ++i) {
-        const auto& weights = of.weights()[i][i];
-        ball falling(1);
-        ball least(0);
-        for (std::size_t l = 0; l < weights.size(); ++l) {
-            least -= abs(constant_value<ball>::of(weights[l])) * falling;
-            falling *= degree + 1 - static_cast<int>(l);
-        }
-        least += falling;
-        if (arb_is_positive(least.handle()) == 0) {
+        if (!determines_coefficients(of.weights()[i][i], degree)) {
             return std::nullopt;
         }
-        factors.emplace_back(ball(1) / least);
     }
-    return tail_by_norms(of, norms_of_steps<ball>(of, expansion, degree, ball(0), radius), degree, radius, factors,
-                         factors);
+    // ||e^(l)|| for ||s^q e^(q)|| = 1.
+    const auto part = [&](std::size_t unknown, int l) {
+        const ball quotient = falling_behind(degree, l) / falling_behind(degree, of.orders()[unknown]);
+        return magnitude(quotient) / pow(radius, static_cast<unsigned long>(l));
+    };
+    const norms_of_steps<ball> norms(of, expansion, degree, ball(0), radius);
+    auto s = kept_by_map(of, norms, magnitude(1U), magnitude(1U),
+                         [&](const std::vector<magnitude>& highest, const tape_step& state) {
+                             const auto unknown = static_cast<std::size_t>(state.left);
+                             return highest[unknown] * part(unknown, state.right);
+                         });
+    if (!s) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < s->size(); ++i) {
+        (*s)[i] = (*s)[i] * part(i, 0);
+    }
+    return tail_bound{radius, degree, *std::move(s)};
 }
 
 template std::optional<tail_bound> bounded_tail(const tape&, const taylor_expansion<ball>&, const ball&,
