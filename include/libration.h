@@ -51,7 +51,7 @@ typedef struct libration_sampler libration_sampler;
 /* Told now and then how much is done, 0 .. 1, in the thread of the call; anything but 0 cancels it. May be NULL. */
 typedef int (*libration_watch)(double part, void *context);
 
-/* The version of the library, 0.1.0. The interface itself only ever grows; the number of its library is 1. */
+/* The version of the library, such as 1.0.0. The interface itself only ever grows; the number of its library is 1. */
 const char *libration_version(void);
 
 /* The last error of this thread, empty texts before the first: "energy '-1' is negative", and its parts: the quantity,
