@@ -44,5 +44,14 @@ if(GIT)
     endif()
 endif()
 
+# `git archive` writes its commit and the day of that into archive.txt, which is what an unpacked archive knows.
+if(COMMIT STREQUAL unknown)
+    file(READ ${CMAKE_CURRENT_LIST_DIR}/archive.txt archived)
+    if(archived MATCHES "^([0-9a-f]+) ([0-9]+)-")
+        string(SUBSTRING ${CMAKE_MATCH_1} 0 10 COMMIT)
+        set(YEAR ${CMAKE_MATCH_2})
+    endif()
+endif()
+
 # configure_file leaves a file alone whose content would stay the same.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.hpp.in ${OUTPUT} @ONLY)
