@@ -20,11 +20,17 @@ if(NOT PROGRAM)
 endif()
 execute_process(COMMAND ${PREFIX}/${PROGRAM} --version COMMAND_ERROR_IS_FATAL ANY)
 foreach(needed IN ITEMS share/libration/studies/style.gp share/libration/studies/errata.md.in
-        share/doc/libration/README.md share/doc/libration/docs/tutorial.md share/doc/libration/docs/readers/read_table.py)
+        share/doc/libration/README.md share/doc/libration/docs/tutorial.md share/doc/libration/docs/readers/read_table.py
+        share/bash-completion/completions/libration)
     if(NOT EXISTS ${PREFIX}/${needed})
         message(FATAL_ERROR "${needed} is not installed")
     endif()
 endforeach()
+
+# Where manual pages were made, each subcommand has one.
+if(EXISTS ${BUILD}/manual AND NOT EXISTS ${PREFIX}/share/man/man1/libration-period.1)
+    message(FATAL_ERROR "the manual pages are not installed")
+endif()
 
 # It makes a study, its figures and a report, and asks its peer where that was built, with what is installed alone.
 set(work ${PREFIX}/work)

@@ -135,6 +135,10 @@ install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}
     COMPONENT command
     FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")
+install(FILES src/bash/completion.bash
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME libration
+    COMPONENT manual)
 if(TARGET libration-gsl-theta)
     install(TARGETS libration-gsl-theta RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 endif()
@@ -149,3 +153,6 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents P
 
 # What `cmake --install` takes: `./run install` builds that much.
 add_custom_target(libration-installable DEPENDS libration libration-proved libration-c libration-command)
+if(LIBRATION_BUILD_MANUAL)
+    include(cmake/manual.cmake)
+endif()

@@ -95,10 +95,12 @@ set_tests_properties(c_examples PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 1
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
 set_tests_properties(consumer consumer_of_balls readme_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
-add_test(NAME versions COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)
+add_test(NAME versions
+    COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)
 
 # The readers of our tables in docs/ whose tools Debian has.
 if(LIBRATION_BUILD_COMMAND)
+    add_test(NAME completion COMMAND ${PROJECT_SOURCE_DIR}/tests/completion/check $<TARGET_FILE:libration-command>)
     add_test(NAME python_reader
         COMMAND ${CMAKE_COMMAND}
             -D LIBRATION=$<TARGET_FILE:libration-command>
