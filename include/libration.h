@@ -140,9 +140,9 @@ int libration_problem_new(const char *text, const char *settings, libration_prob
 /* The unknowns and their lower derivatives, x, x', in the order of the columns of states. */
 size_t libration_problem_size(const libration_problem *problem);
 const char *libration_problem_name(const libration_problem *problem, size_t i);
-/* Their values at a list of times: time as typed, and a column each. PROVED is refused for singular starts; a time that
- * is not reached is UNDECIDED, and the message says up to where the solution is proved to exist. The watch is heard in
- * proofs. */
+/* Their values at a list of times: time as typed, and a column each. PROVED is refused for singular starts whose right
+ * sides are no polynomials; a time that is not reached is UNDECIDED, and the message says up to where the solution is
+ * proved to exist. The watch is heard in proofs. */
 int libration_problem_states(const libration_problem *problem, const char *times, long digits, int rigour,
                              libration_watch watch, void *context, libration_table **states);
 /* Coefficients first .. last of every unknown about a point, NULL for the start, else a time, also complex, 1+2i, by

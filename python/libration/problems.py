@@ -71,7 +71,7 @@ class Problem:
     def reference(self, times: Any, digits: int = 50, rigour: str = "proved") -> Row | Table:
         """The unknowns and their lower derivatives at one time, or at a list of times as a Table. Raises UndecidedError
         for a time that is not reached, which says up to where the solution is proved to exist; ArgumentError for proofs
-        from a singular start. Ctrl-C ends a proof."""
+        from a singular start whose right sides are no polynomials. Ctrl-C ends a proof."""
         texts, alone = times_text(times)
         states = Table._of(self._problem.states(texts, digits, rigour_of(rigour)))
         return states[0] if alone else states
