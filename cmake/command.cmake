@@ -81,7 +81,7 @@ target_link_libraries(libration-sweep
     PRIVATE OpenSSL::Crypto SQLite::SQLite3 libration-warnings)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
-target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp)
+target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
 target_precompile_headers(libration-studies REUSE_FROM libration-sweep)
 target_precompile_headers(libration-claims REUSE_FROM libration-sweep)
 
@@ -103,7 +103,7 @@ add_library(libration-program OBJECT ${command_sources})
 set_target_properties(libration-program PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
 target_compile_options(libration-program PRIVATE ${cold_code})
 target_link_libraries(libration-program PUBLIC libration-sweep PRIVATE libration-warnings)
-target_precompile_headers(libration-program PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
+target_precompile_headers(libration-program REUSE_FROM libration-sweep)
 
 add_executable(libration-command ${PROJECT_SOURCE_DIR}/src/main.cpp)
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)

@@ -178,7 +178,7 @@ TEST_CASE("what reference and find of a problem do not understand is refused", "
     check_refused(reference + words{"--until", "x = 0", "--crossing", "left"}, {"--crossing", "'left'"});
     check_refused(reference + words{"--until", "x = 0", "--count", "0"}, {"--count"});
     check_refused(reference + words{"--until", "1 = 2"}, {"--until"});
-    check_refused({"reference", "--problem", "lane_emden", "--time", "1"}, {"--problem", "singular"});
+    check_refused({"reference", "--problem", "thomas_fermi", "--time", "1"}, {"--problem", "singular"});
     check_refused({"find"}, {"--problem"});
     check_refused({"find", "--problem", "lorenz"}, {"--unknown"});
     check_refused({"find", "--problem", "blasius", "--unknown", "k"}, {"--such-that"});

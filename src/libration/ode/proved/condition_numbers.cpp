@@ -160,13 +160,13 @@ std::vector<conditioned_state> proved_conditions(const equation_system& given, c
     std::vector<conditioned_state> result(times.size());
     proving_runs runs(on.system(), times, digits, watch,
                       {[&](const proved_march& march, std::size_t index, const std::vector<ball>& state) {
-                          auto moved = on.moved(march, times[index], state, digits + further_digits);
-                          if (moved) {
-                              result[index].moved = std::move(*moved);
-                          }
-                          return moved.has_value();
-                      },
-                      on.own()});
+                           auto moved = on.moved(march, times[index], state, digits + further_digits);
+                           if (moved) {
+                               result[index].moved = std::move(*moved);
+                           }
+                           return moved.has_value();
+                       },
+                       on.own()});
     auto values = runs.result();
     for (std::size_t i = 0; i < times.size(); ++i) {
         result[i].values = std::move(values[i]);
