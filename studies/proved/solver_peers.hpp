@@ -58,8 +58,7 @@ public:
             add_step(k);
         }
         text_ += fmt::format("states {}\n", tape_.states().size());
-        for (std::size_t i = 0; i < tape_.states().size(); ++i) {
-            const ode::tape_state& state = tape_.states()[i];
+        for (const ode::tape_state& state : tape_.states()) {
             const auto unknown = static_cast<std::size_t>(state.unknown);
             const bool highest = state.derivative + 1 == tape_.orders()[unknown];
             text_ += fmt::format("{} {} {:a}\n", state.step, highest ? tape_.outputs()[unknown] : next_of(state).step,
@@ -98,7 +97,7 @@ private:
             case scaled: return "scaled";
             case raised: return "raised";
             case by_variable: return "by_time";
-            case product: return "product";
+            case product:
             case square: return "product";
             case quotient: return "quotient";
             case square_root: return "sqrt";
