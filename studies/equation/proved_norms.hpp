@@ -143,20 +143,39 @@ private:
                 before = backwards(k);
                 march.emplace(system, ball::working_bits());
             }
-            const auto state = march->at(times[k]);
+            const auto state = state_at(system, *march, times[k], k);
             if (!state) {
                 require_precision(march->end());
             }
-            const auto slopes = form.slopes_at(*state, ode::constant_value<ball>::of(times[k]));
             std::size_t at = 0;
             for (std::size_t i = 0; i < values_.size(); ++i) {
                 values_[i][k] = (*state)[at];
                 if (k == far_) {
-                    slopes_.push_back(slopes[at]);
+                    slopes_.push_back(form.slopes_at(*state, ode::constant_value<ball>::of(times[k]))[at]);
                 }
                 at += static_cast<std::size_t>(system.unknowns()[i].order);
             }
         }
+    }
+
+    // At a singular start itself that, and nothing before it.
+    std::optional<std::vector<ball>> state_at(const ode::explicit_system& system, ode::proved_march& march,
+                                              const ode::number& time, std::size_t k) const {
+        const int side = each_sign(distances_[k]);
+        if (!system.singular() || side > 0) {
+            return march.at(time);
+        }
+        if (side < 0) {
+            throw error(error_kind::argument, "list of times", "",
+                        "has one before the start, where the equation is singular: choose times behind it");
+        }
+        std::vector<ball> start;
+        for (const auto& of_unknown : system.starts()) {
+            for (const ode::number& each : of_unknown) {
+                start.push_back(ode::constant_value<ball>::of(each));
+            }
+        }
+        return start;
     }
 
     [[noreturn]] static void require_precision(ode::march_end why) {

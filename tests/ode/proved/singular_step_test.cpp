@@ -90,6 +90,11 @@ TEST_CASE("solutions from singular starts have proved digits", "[ode][proved][si
     const auto holds = [](const proved_decimal& found, const ball& exact) {
         return certainly_less(abs(ball(mpfr(found.text)) - exact), abs(exact) * pow(ball(10), -29));
     };
+    const auto start = proved_trajectory(lane_emden("5"), {typed("0"), typed("1")}, 20);
+    CHECK(start[0][0].text.substr(0, 3) == "1.0");
+    CHECK(start[0][1].text == "0");
+    CHECK_THROWS_WITH(proved_trajectory(lane_emden("5"), {typed("-1")}, 20),
+                      Catch::Matchers::Contains("before the start"));
     CHECK(holds(states[0][0], plummer(ball(1) / 100)));
     CHECK(holds(states[1][0], plummer(ball(3))));
     CHECK(holds(states[2][0], plummer(ball(10))));

@@ -13,6 +13,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 #include "needed_bits.hpp"
+#include "set_values.hpp"
 
 namespace libration::ode {
 
@@ -84,7 +85,7 @@ private:
                 }
             }
             unproved_ = each.index;
-            const auto state = march->at(times_[each.index]);
+            const auto state = state_at(*march, each.index);
             if (!state) {
                 require_more_bits(*march, forward);
                 bits_.raise_to(bits_to_go_on(*march), "time", text_of(unproved_));
@@ -104,6 +105,21 @@ private:
             }
         }
         return true;
+    }
+
+    // At a singular start itself that, and nothing before it.
+    std::optional<std::vector<ball>> state_at(proved_march& march, std::size_t index) const {
+        if (system_.singular()) {
+            const number gone = times_[index] - system_.point();
+            if (const auto exactly = gone.fraction(); exactly && *exactly == 0) {
+                return enclosed_start(system_, bits_.now());
+            }
+            if (arb_is_negative(constant_value<ball>::of(gone).handle()) != 0) {
+                throw error(error_kind::argument, "time", text_of(index),
+                            "is before the start, where the equation is singular: choose times behind it");
+            }
+        }
+        return march.at(times_[index]);
     }
 
     std::vector<ball> asked_of(const std::vector<ball>& state) const {
