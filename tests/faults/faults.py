@@ -273,8 +273,6 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/tail_bound.cpp", [SINGULAR],
         ("what powers of the distance move beyond N", "            sum += a.terms[j];\n", ""),
-        ("a derivative as small as its unknown", "return highest[unknown] * part(unknown, state.right);",
-         "return highest[unknown] * part(unknown, 0);"),
     ),
     *in_file(
         ROOM + "ode/proved/tail_bound.hpp", [TAILS],

@@ -84,6 +84,26 @@ TEST_CASE("theorem S bounds what a short list leaves out", "[ode][proved][singul
     CHECK_FALSE(bounded_singular_tail(of, expansion, 40, magnitude(2U)));
 }
 
+// sin(t)/t: 110 a_10 = -a_8, and so on: what the powers of t on the right side move beyond the list is all of its remainder.
+TEST_CASE("theorem S counts what powers of the distance move beyond a list", "[ode][proved][singular]") {
+    const precision_scope scope(80);
+    const auto system = lane_emden("1");
+    const tape of = tape::about_start(system);
+    for (const int degree : {9, 21}) {
+        INFO(degree);
+        taylor_expansion<ball> expansion(of, degree + 8);
+        expansion.about_start();
+        const auto tail = bounded_singular_tail(of, expansion, degree, magnitude(1U));
+        REQUIRE(tail);
+        const ball t = ball(1) / 4;
+        ball sum(0);
+        for (int k = degree; k >= 0; --k) {
+            sum = sum * t + expansion.coefficients(0)[k];
+        }
+        CHECK(certainly_less(abs(sinc(t) - sum), tail->at(0, magnitude::of(1, -2)).exact()));
+    }
+}
+
 TEST_CASE("solutions from singular starts have proved digits", "[ode][proved][singular]") {
     const precision_scope scope(60);
     const auto states = proved_trajectory(lane_emden("5"), {typed("1/100"), typed("3"), typed("10")}, 30);
