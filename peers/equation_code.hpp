@@ -17,14 +17,41 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace peers {
 
+enum class kind {
+    nothing,
+    constant,
+    variable,
+    state,
+    sum,
+    difference,
+    scaled,
+    raised,
+    by_time,
+    product,
+    quotient,
+    sqrt,
+    power,
+    exp,
+    log,
+    sin,
+    cos,
+    tan,
+    atan,
+    asin,
+    root_beside,
+    sinh,
+    cosh,
+    tanh
+};
+
 struct step {
-    std::string word;
-    int kind = 0;  // place of the word in kinds_of_steps
+    kind what = kind::nothing;
     std::size_t left = 0;
     std::size_t right = 0;
     double constant = 0;
@@ -32,11 +59,16 @@ struct step {
     double denominator = 1;
 };
 
-inline const std::vector<std::string>& kinds_of_steps() {
-    static const std::vector<std::string> all{"nothing", "constant", "variable",    "state",   "sum",      "difference",
-                                              "scaled",  "raised",   "by_time",     "product", "quotient", "sqrt",
-                                              "power",   "exp",      "log",         "sin",     "cos",      "tan",
-                                              "atan",    "asin",     "root_beside", "sinh",    "cosh",     "tanh"};
+inline const std::map<std::string, kind>& kinds_of_steps() {
+    static const std::map<std::string, kind> all{
+        {"nothing", kind::nothing}, {"constant", kind::constant}, {"variable", kind::variable},
+        {"state", kind::state},     {"sum", kind::sum},           {"difference", kind::difference},
+        {"scaled", kind::scaled},   {"raised", kind::raised},     {"by_time", kind::by_time},
+        {"product", kind::product}, {"quotient", kind::quotient}, {"sqrt", kind::sqrt},
+        {"power", kind::power},     {"exp", kind::exp},           {"log", kind::log},
+        {"sin", kind::sin},         {"cos", kind::cos},           {"tan", kind::tan},
+        {"atan", kind::atan},       {"asin", kind::asin},         {"root_beside", kind::root_beside},
+        {"sinh", kind::sinh},       {"cosh", kind::cosh},         {"tanh", kind::tanh}};
     return all;
 }
 
@@ -108,29 +140,29 @@ private:
         const double a = values[s.left];
         const double b = values[s.right];
         double& result = values[k];
-        switch (s.kind) {
-            case 1: result = s.constant; break;
-            case 2: result = t; break;
-            case 4: result = a + b; break;
-            case 5: result = a - b; break;
-            case 6: result = a * s.constant * s.numerator / s.denominator; break;
-            case 7: result = a + s.constant; break;
-            case 8: result = t * a; break;
-            case 9: result = a * b; break;
-            case 10: result = a / b; break;
-            case 11: result = std::sqrt(a); break;
-            case 12: result = std::pow(a, s.constant); break;
-            case 13: result = std::exp(a); break;
-            case 14: result = std::log(a); break;
-            case 15: result = std::sin(a); break;
-            case 16: result = std::cos(a); break;
-            case 17: result = std::tan(a); break;
-            case 18: result = std::atan(a); break;
-            case 19: result = std::asin(a); break;
-            case 20: result = std::sqrt(1 - a * a); break;
-            case 21: result = std::sinh(a); break;
-            case 22: result = std::cosh(a); break;
-            case 23: result = std::tanh(a); break;
+        switch (s.what) {
+            case kind::constant: result = s.constant; break;
+            case kind::variable: result = t; break;
+            case kind::sum: result = a + b; break;
+            case kind::difference: result = a - b; break;
+            case kind::scaled: result = a * s.constant * s.numerator / s.denominator; break;
+            case kind::raised: result = a + s.constant; break;
+            case kind::by_time: result = t * a; break;
+            case kind::product: result = a * b; break;
+            case kind::quotient: result = a / b; break;
+            case kind::sqrt: result = std::sqrt(a); break;
+            case kind::power: result = std::pow(a, s.constant); break;
+            case kind::exp: result = std::exp(a); break;
+            case kind::log: result = std::log(a); break;
+            case kind::sin: result = std::sin(a); break;
+            case kind::cos: result = std::cos(a); break;
+            case kind::tan: result = std::tan(a); break;
+            case kind::atan: result = std::atan(a); break;
+            case kind::asin: result = std::asin(a); break;
+            case kind::root_beside: result = std::sqrt(1 - a * a); break;
+            case kind::sinh: result = std::sinh(a); break;
+            case kind::cosh: result = std::cosh(a); break;
+            case kind::tanh: result = std::tanh(a); break;
             default: break;
         }
     }
@@ -159,19 +191,16 @@ inline equations read_equations() {
     std::cin >> result.limit;  // its word was read
     result.steps.resize(read_count("steps"));
     for (step& each : result.steps) {
-        std::cin >> each.word >> each.left >> each.right;
+        std::cin >> word >> each.left >> each.right;
         each.constant = read_number();
         each.numerator = read_number();
         each.denominator = read_number();
-        const auto& kinds = kinds_of_steps();
-        while (static_cast<std::size_t>(each.kind) < kinds.size() &&
-               kinds[static_cast<std::size_t>(each.kind)] != each.word) {
-            ++each.kind;
-        }
-        if (static_cast<std::size_t>(each.kind) == kinds.size()) {
-            std::fprintf(stderr, "does not know '%s'\n", each.word.c_str());
+        const auto known = kinds_of_steps().find(word);
+        if (known == kinds_of_steps().end()) {
+            std::fprintf(stderr, "does not know '%s'\n", word.c_str());
             std::exit(2);
         }
+        each.what = known->second;
     }
     result.values.resize(result.steps.size());
     const std::size_t states = read_count("states");

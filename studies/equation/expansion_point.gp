@@ -10,9 +10,6 @@ n = words(all)
 last = sprintf('%.0f', span(main, 'order', '1', 0, 1))
 tone(c) = n == 1 ? shade[5] : colour(c, n)
 curve(c, u) = both(both(in_case(word(all, c)), of_unknown(main, u)), sprintf('$%d == %s', k + 2, last))
-# |Im| of the column for rows().
-aside = sprintf('($%d < 0 ? -$%d : $%d)', place(main, 'position_im'), place(main, 'position_im'), place(main, 'position_im'))
-asides(c, u) = "< awk -F, 'BEGIN { print \"x,y\" } NR > 1 && (".curve(c, u).") && $".sprintf('%d', place(main, 'position_im'))." != \"\" { print $".sprintf('%d', k + 1)." \",\" ".aside." } END { print \"\\n1e99,1e99\" }' '".main."'"
 across = 3; down = drawn
 panel_w = 400; panel_h = 360
 foot = n > 1 ? foot_for(shown_in_key(n), 20) : 20
@@ -34,7 +31,7 @@ do for [kind in terminals] {
         set title u.': nearest singularity' offset 0, -0.5
         set ylabel '|Im t| / unit of the variable'
         set yrange [0:larger(1e-30, 1.1 * larger(span(main, 'position_im', of_unknown(main, u), 0, 1), -span(main, 'position_im', of_unknown(main, u), 0, -1)))]
-        plot for [c=1:n] asides(c, u) using 1:2 with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c)
+        plot for [c=1:n] rows(main, k + 1, place(main, 'position_im'), curve(c, u)) using 1:(abs($2)) with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c)
         eval panel(3 * p)
         set title u.': rate on the whole interval' offset 0, -0.5
         set ylabel 'reach/R'

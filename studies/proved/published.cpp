@@ -12,6 +12,7 @@
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/problem.hpp"
+#include "named_choice.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {
@@ -203,17 +204,21 @@ table rows_of_kind(const kind_of_value& of) {
     return make_table(columns(), rows);
 }
 
-std::vector<kind_of_value> chosen(const study_request& request) {
-    std::vector<kind_of_value> result;
-    for (const exact& each : request.values.of("value_of")) {
-        std::ranges::copy_if(kinds(), std::back_inserter(result),
-                             [&](const kind_of_value& known) { return each.text == "all" || each.text == known.name; });
-    }
+const proved::named_choice& values_to_choose() {
+    static const proved::named_choice result{.axis = "value_of",
+                                             .option = "--values",
+                                             .help = "what is printed: LIST, or all",
+                                             .remedy = "write names such as blasius,lorenz_orbit, or all",
+                                             .what = "nothing that is judged here",
+                                             .names = proved::names_of(kinds())};
     return result;
 }
 
 study_plan plan(const study_request& request) {
-    const auto all = chosen(request);
+    std::vector<kind_of_value> all;
+    for (const std::string& name : proved::chosen_names(values_to_choose(), request.values)) {
+        all.push_back(proved::named(kinds(), name));
+    }
     return plan_of_cells(
         {head_of("", {scalar_kind::proved, 50}, columns())}, {"value_of"}, all.size(),
         [all](std::size_t i) {
@@ -222,24 +227,8 @@ study_plan plan(const study_request& request) {
         [all](std::size_t i) { return std::vector<table>{rows_of_kind(all[i])}; });
 }
 
-void check_name(const exact& each) {
-    if (each.text != "all" &&
-        std::ranges::none_of(kinds(), [&](const kind_of_value& known) { return each.text == known.name; })) {
-        throw error(error_kind::argument, "list", "", "has '" + each.text + "', of which nothing is judged here");
-    }
-}
-
 const problem& values_in_print() {
-    static const problem result{.name = "values in print",
-                                .axes = {{.name = "value_of",
-                                          .option = "--values",
-                                          .help = "what is printed: LIST, or all",
-                                          .unit = "",
-                                          .form = axis_form::words,
-                                          .remedy = "write names such as blasius,lorenz_orbit, or all",
-                                          .check = check_name,
-                                          .coordinate = "value_of",
-                                          .to_coordinate = {}}}};
+    static const problem result{.name = "values in print", .axes = {proved::axis_of(values_to_choose())}};
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "libration/ode/proved/condition_numbers.hpp"
 #include "libration/problem/problem.hpp"
+#include "named_choice.hpp"
 #include "reference_files.hpp"
 #include "solution_facts.hpp"
 #include "sweep/study.hpp"
@@ -112,20 +113,21 @@ std::vector<table> tables_of(const test_problem& of, long digits) {
     return {make_table(columns(), rows), make_table(invariant_columns(), facts.invariants(times, printed))};
 }
 
-std::vector<test_problem> chosen(const study_request& request) {
-    std::vector<test_problem> result;
-    for (const exact& each : request.values.of("problem")) {
-        for (const test_problem& known : test_problems()) {
-            if (each.text == known.name || each.text == "all") {
-                result.push_back(known);
-            }
-        }
-    }
+const proved::named_choice& problems_to_choose() {
+    static const proved::named_choice result{.axis = "problem",
+                                             .option = "--problems",
+                                             .help = "problems of the set: LIST, or all",
+                                             .remedy = "write names such as lorenz,kepler, or all",
+                                             .what = "no problem of this set",
+                                             .names = proved::names_of(test_problems())};
     return result;
 }
 
 study_plan plan(const study_request& request) {
-    const auto problems = chosen(request);
+    std::vector<test_problem> problems;
+    for (const std::string& name : proved::chosen_names(problems_to_choose(), request.values)) {
+        problems.push_back(proved::named(test_problems(), name));
+    }
     const scalar_spec scalar = request.scalar.value_or(read_scalar("ball:50", arithmetics::proved_too));
     study_plan result = plan_of_cells(
         {head_of("", scalar, columns()), head_of("invariants", scalar, invariant_columns())}, {"problem"},
@@ -138,24 +140,8 @@ study_plan plan(const study_request& request) {
     return result;
 }
 
-void check_name(const exact& each) {
-    if (each.text != "all" &&
-        std::ranges::none_of(test_problems(), [&](const test_problem& known) { return each.text == known.name; })) {
-        throw error(error_kind::argument, "list", "", "has '" + each.text + "', which is no problem of this set");
-    }
-}
-
 const problem& problems_of_study() {
-    static const problem result{.name = "test problems",
-                                .axes = {{.name = "problem",
-                                          .option = "--problems",
-                                          .help = "problems of the set: LIST, or all",
-                                          .unit = "",
-                                          .form = axis_form::words,
-                                          .remedy = "write names such as lorenz,kepler, or all",
-                                          .check = check_name,
-                                          .coordinate = "problem",
-                                          .to_coordinate = {}}}};
+    static const problem result{.name = "test problems", .axes = {proved::axis_of(problems_to_choose())}};
     return result;
 }
 

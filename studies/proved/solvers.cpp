@@ -6,6 +6,7 @@
 
 #include "libration/ode/proved/condition_numbers.hpp"
 #include "libration/problem/problem.hpp"
+#include "named_choice.hpp"
 #include "solution_facts.hpp"
 #include "solver_peers.hpp"
 #include "sweep/study.hpp"
@@ -64,41 +65,56 @@ const column_list<solver_row>& columns() {
         {"digits", "-log10 of error", [](const row& r) { return digits_cell(r.error); }},
         {"unknown", "where the error is largest", [](const row& r) { return r.unknown; }},
         {"time", "where it is", [](const row& r) { return number_cell(r.time); }},
-        {"rounding", "the error, to first order, of starts and parameters that are doubles, measured as error is",
+        {"rounding",
+         "the error, to first order, of starts and parameters that are doubles, measured as error is; constants in the "
+         "equations are not counted",
          [](const row& r) { return decimal_cell(r.by_rounding, 3); }},
         {"rigour", "of the values that errors are measured from", [](const row&) { return "proved"; }},
     };
     return all;
 }
 
-// Those with a cost of seconds that no series in t^(1/q) needs.
-const std::vector<std::string>& twenty_problems() {
-    static const std::vector<std::string> all{"arenstorf",
-                                              "brusselator",
-                                              "detest_a3",
-                                              "detest_d5",
-                                              "double_pendulum",
-                                              "duffing",
-                                              "fitzhugh_nagumo",
-                                              "henon_heiles",
-                                              "hires",
-                                              "kepler",
-                                              "logistic",
-                                              "lorenz",
-                                              "lotka_volterra",
-                                              "oregonator",
-                                              "pendulum_179deg",
-                                              "robertson",
-                                              "seir",
-                                              "three_body_figure_8",
-                                              "van_der_pol",
-                                              "van_der_pol_100"};
-    return all;
+// Stiff ones and others, whose truth takes two minutes at most.
+const proved::named_choice& problems_to_choose() {
+    static const proved::named_choice result{.axis = "problem",
+                                             .option = "--problems",
+                                             .help = "problems of the set: LIST, or all",
+                                             .remedy = "write names such as lorenz,kepler, or all",
+                                             .what = "no problem of this study",
+                                             .names = {"arenstorf",
+                                                       "brusselator",
+                                                       "detest_a3",
+                                                       "detest_d5",
+                                                       "double_pendulum",
+                                                       "duffing",
+                                                       "fitzhugh_nagumo",
+                                                       "henon_heiles",
+                                                       "hires",
+                                                       "kepler",
+                                                       "logistic",
+                                                       "lorenz",
+                                                       "lotka_volterra",
+                                                       "oregonator",
+                                                       "pendulum_179deg",
+                                                       "robertson",
+                                                       "seir",
+                                                       "three_body_figure_8",
+                                                       "van_der_pol",
+                                                       "van_der_pol_100"}};
+    return result;
 }
 
-const test_problem& problem_named(const std::string& name) {
-    return *std::ranges::find(proved::test_problems(), name, &test_problem::name);
+const proved::named_choice& solvers_to_choose() {
+    static const proved::named_choice result{.axis = "solver",
+                                             .option = "--solvers",
+                                             .help = "libraries: odeint, gsl, sundials, scipy, mpmath, or all",
+                                             .remedy = "write names such as odeint,gsl, or all",
+                                             .what = "no solver of this study",
+                                             .names = proved::names_of(solver_peers())};
+    return result;
 }
+
+const test_problem& problem_named(const std::string& name) { return proved::named(proved::test_problems(), name); }
 
 // The proved values of a problem at its times, and the scales of errors.
 class judge {
@@ -174,12 +190,9 @@ struct asked_peer {
 
 std::vector<asked_peer> asked_peers(const study_request& request) {
     std::vector<asked_peer> all;
-    for (const exact& each : request.values.of("solver")) {
-        for (const solver_peer& known : solver_peers()) {
-            if (each.text == "all" || each.text == known.name) {
-                all.push_back({known, proved::version_of(known)});
-            }
-        }
+    for (const std::string& name : proved::chosen_names(solvers_to_choose(), request.values)) {
+        const solver_peer& peer = proved::named(solver_peers(), name);
+        all.push_back({peer, proved::version_of(peer)});
     }
     return all;
 }
@@ -217,14 +230,7 @@ std::vector<table> tables_of(const std::string& problem, const std::vector<asked
 }
 
 study_plan plan(const study_request& request) {
-    std::vector<std::string> problems;
-    for (const exact& each : request.values.of("problem")) {
-        for (const std::string& known : twenty_problems()) {
-            if (each.text == "all" || each.text == known) {
-                problems.push_back(known);
-            }
-        }
-    }
+    const auto problems = proved::chosen_names(problems_to_choose(), request.values);
     const auto peers = asked_peers(request);
     study_plan result = plan_of_cells(
         {head_of("", {scalar_kind::proved, truth_digits}, columns())}, {"problem", "versions"}, problems.size(),
@@ -238,19 +244,6 @@ study_plan plan(const study_request& request) {
     return result;
 }
 
-void check_problem(const exact& each) {
-    if (each.text != "all" && std::ranges::find(twenty_problems(), each.text) == twenty_problems().end()) {
-        throw error(error_kind::argument, "list", "", "has '" + each.text + "', which is no problem of this study");
-    }
-}
-
-void check_solver(const exact& each) {
-    if (each.text != "all" &&
-        std::ranges::find(solver_peers(), each.text, &solver_peer::name) == solver_peers().end()) {
-        throw error(error_kind::argument, "list", "", "has '" + each.text + "', which is no solver of this study");
-    }
-}
-
 void check_tolerance(const exact& each) {
     require_plain_number(each);
     const double value = std::strtod(decimal_of(each, 17).c_str(), nullptr);
@@ -261,24 +254,8 @@ void check_tolerance(const exact& each) {
 
 const problem& problems_of_study() {
     static const problem result{.name = "test problems",
-                                .axes = {{.name = "problem",
-                                          .option = "--problems",
-                                          .help = "problems of the set: LIST, or all",
-                                          .unit = "",
-                                          .form = axis_form::words,
-                                          .remedy = "write names such as lorenz,kepler, or all",
-                                          .check = check_problem,
-                                          .coordinate = "problem",
-                                          .to_coordinate = {}},
-                                         {.name = "solver",
-                                          .option = "--solvers",
-                                          .help = "libraries: odeint, gsl, sundials, scipy, mpmath, or all",
-                                          .unit = "",
-                                          .form = axis_form::words,
-                                          .remedy = "write names such as odeint,gsl, or all",
-                                          .check = check_solver,
-                                          .coordinate = "solver",
-                                          .to_coordinate = {}},
+                                .axes = {proved::axis_of(problems_to_choose()),
+                                         proved::axis_of(solvers_to_choose()),
                                          {.name = "tolerance",
                                           .option = "--tolerances",
                                           .help = "what solvers are asked for, relative and absolute",
@@ -308,7 +285,7 @@ const study& solvers() {
             "tolerance that was asked. The error is the largest over eight times and all unknowns, measured from "
             "proved values, each unknown by its largest value. Solvers work in double and are handed starts and "
             "parameters that are rounded to it; dotted is the error, to first order, that this alone makes. A run ends "
-            "at 200000 evaluations, of mpmath, whose evaluations take a hundred times as long, at 20000. Boost.odeint, "
+            "at 200000 evaluations, of mpmath at 20000, for each takes it long. Boost.odeint, "
             "GSL, SUNDIALS, SciPy and mpmath answer where they are installed.",
         .of = &problems_of_study(),
         .parameters = {{"--problems", "all", "twenty problems of the reference set"},

@@ -33,13 +33,12 @@ struct pade_approximant {
 };
 
 /// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M
-/// and q_0 = 1, then p = q c up to x^L. O(M^3 + L M). The system loses digits with every degree of Q: scale x by the
-/// radius of convergence and give the working precision guard digits. Throws error when the series is
-/// too short; std::nullopt where the system is singular up to `negligible`: there P/Q with Q(0) = 1 does not
-/// exist or is one of smaller degrees.
-template <rounding_scalar T>
-std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
-                                        int denominator_degree, const T& negligible) {
+/// and q_0 = 1, then p = q c up to x^L. solve(a, b) gives the solution of A x = b, or nothing where there is none: there
+/// P/Q with Q(0) = 1 does not exist or is one of smaller degrees. O(L M) and a solution. Throws error when the series is
+/// too short.
+template <scalar T, class Solve>
+std::optional<pade_approximant<T>> pade_by(const series::power_series<T>& series, int numerator_degree,
+                                           int denominator_degree, const Solve& solve) {
     const int l = numerator_degree;
     const int m = denominator_degree;
     if (l < 0 || m < 0 || series.order() < l + m) {
@@ -56,7 +55,7 @@ std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, i
         }
         b[row] = -series[l + i];
     }
-    auto solution = solve_linear(std::move(a), std::move(b), negligible);
+    std::optional<std::vector<T>> solution = solve(std::move(a), std::move(b));
     if (!solution) {
         return std::nullopt;
     }
@@ -68,6 +67,16 @@ std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, i
         numerator[n] = convolution(denominator, series, n, 0, n < m ? n : m);
     }
     return pade_approximant<T>{std::move(numerator), std::move(denominator)};
+}
+
+/// The same by Gaussian elimination, O(M^3 + L M), where a pivot up to `negligible` is none. The system loses digits with
+/// every degree of Q: scale x by the radius of convergence and give the working precision guard digits.
+template <rounding_scalar T>
+std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
+                                        int denominator_degree, const T& negligible) {
+    return pade_by(series, numerator_degree, denominator_degree, [&](std::vector<std::vector<T>> a, std::vector<T> b) {
+        return solve_linear(std::move(a), std::move(b), negligible);
+    });
 }
 
 /// The same with what rounding alone leaves of a pivot, 8 (M + 1) eps, as negligible.

@@ -20,4 +20,9 @@ std::vector<std::vector<proved_decimal>> proved_trajectory(const explicit_system
                                                            const std::vector<number>& times, long digits,
                                                            const march_watch& watch = {});
 
+/// The same states as balls, by one march of so many bits on either side of the start; nothing where one of them needs
+/// more. Throws as proved_trajectory for a time that is not reached.
+std::optional<std::vector<std::vector<ball>>> enclosed_trajectory(const explicit_system& system,
+                                                                  const std::vector<number>& times, long bits);
+
 }  // namespace libration::ode

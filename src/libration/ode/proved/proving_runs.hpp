@@ -42,6 +42,40 @@ inline std::vector<asked_time> in_order(const explicit_system& system, const std
     return order;
 }
 
+inline std::string text_of_time(const number& time) {
+    const precision_scope scope(20);
+    return to_decimal(constant_value<mpfr>::of(time), 12);
+}
+
+/// The state at a time, of a march from the start: at a singular start that itself, and nothing before it.
+inline std::optional<std::vector<ball>> state_at(proved_march& march, const explicit_system& system, const number& time,
+                                                 long bits) {
+    if (system.singular()) {
+        const number gone = time - system.point();
+        if (const auto exactly = gone.fraction(); exactly && *exactly == 0) {
+            return enclosed_start(system, bits);
+        }
+        if (arb_is_negative(constant_value<ball>::of(gone).handle()) != 0) {
+            throw error(error_kind::argument, "time", text_of_time(time),
+                        "is before the start, where the equation is singular: choose times behind it");
+        }
+    }
+    return march.at(time);
+}
+
+/// Throws error of the kind undecided where a march ended before this time for another reason than too few bits.
+inline void require_more_bits(const proved_march& march, const number& time, bool forward) {
+    if (march.end() == march_end::precision) {
+        return;
+    }
+    const precision_scope scope(20);
+    const mpfr reached = midpoint_of(forward ? lower_bound(march.reached()) : upper_bound(march.reached()));
+    const std::string until = reached == 0 ? "0" : parts_of(reached, 12, forward ? MPFR_RNDD : MPFR_RNDU).text();
+    throw error(error_kind::undecided, "time", text_of_time(time),
+                "is not reached: the solution is proved to exist up to " + until +
+                    ", where the steps become too small, as they do near a singularity");
+}
+
 /// What a run is asked besides the values.
 struct further_question {
     /// With the state at time number `index`, whose digits are proved, where the march is. False where it needs a run
@@ -85,9 +119,9 @@ private:
                 }
             }
             unproved_ = each.index;
-            const auto state = state_at(*march, each.index);
+            const auto state = state_at(*march, system_, times_[each.index], bits_.now());
             if (!state) {
-                require_more_bits(*march, forward);
+                require_more_bits(*march, times_[each.index], forward);
                 bits_.raise_to(bits_to_go_on(*march), "time", text_of(unproved_));
                 return false;
             }
@@ -107,21 +141,6 @@ private:
         return true;
     }
 
-    // At a singular start itself that, and nothing before it.
-    std::optional<std::vector<ball>> state_at(proved_march& march, std::size_t index) const {
-        if (system_.singular()) {
-            const number gone = times_[index] - system_.point();
-            if (const auto exactly = gone.fraction(); exactly && *exactly == 0) {
-                return enclosed_start(system_, bits_.now());
-            }
-            if (arb_is_negative(constant_value<ball>::of(gone).handle()) != 0) {
-                throw error(error_kind::argument, "time", text_of(index),
-                            "is before the start, where the equation is singular: choose times behind it");
-            }
-        }
-        return march.at(times_[index]);
-    }
-
     std::vector<ball> asked_of(const std::vector<ball>& state) const {
         if (further_.places.empty()) {
             return state;
@@ -131,18 +150,6 @@ private:
             asked.push_back(state[place]);
         }
         return asked;
-    }
-
-    void require_more_bits(const proved_march& march, bool forward) const {
-        if (march.end() == march_end::precision) {
-            return;
-        }
-        const precision_scope scope(20);
-        const mpfr reached = midpoint_of(forward ? lower_bound(march.reached()) : upper_bound(march.reached()));
-        const std::string until = reached == 0 ? "0" : parts_of(reached, 12, forward ? MPFR_RNDD : MPFR_RNDU).text();
-        throw error(error_kind::undecided, "time", text_of(unproved_),
-                    "is not reached: the solution is proved to exist up to " + until +
-                        ", where the steps become too small, as they do near a singularity");
     }
 
     // As many bits as were lost until here, for every further stretch of time, and some more.
@@ -159,10 +166,7 @@ private:
         return std::max(bits + bits / 4, wanted + bits_of_digits(digits_) + first_guard_bits);
     }
 
-    std::string text_of(std::size_t time) const {
-        const precision_scope scope(20);
-        return to_decimal(constant_value<mpfr>::of(times_[time]), 12);
-    }
+    std::string text_of(std::size_t time) const { return text_of_time(times_[time]); }
 
     const explicit_system& system_;
     const std::vector<number>& times_;

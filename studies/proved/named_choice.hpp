@@ -1,0 +1,68 @@
+// Lists of names on the command line, of which `all` stands for every one.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libration/problem/axis.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::studies::proved {
+
+/// Names that an option takes.
+struct named_choice {
+    std::string axis;    ///< of the study
+    std::string option;  ///< --problems
+    std::string help;
+    std::string remedy;
+    std::string what;  ///< what a wrong name is not: "no problem of this set"
+    std::vector<std::string> names;
+};
+
+/// The axis of a study that takes them.
+inline axis axis_of(const named_choice& of) {
+    return {.name = of.axis,
+            .option = of.option,
+            .help = of.help,
+            .unit = "",
+            .form = axis_form::words,
+            .remedy = of.remedy,
+            .check =
+                [of](const exact& each) {
+                    if (each.text != "all" && std::ranges::find(of.names, each.text) == of.names.end()) {
+                        throw error(error_kind::argument, "list", "", "has '" + each.text + "', which is " + of.what);
+                    }
+                },
+            .coordinate = of.axis,
+            .to_coordinate = {}};
+}
+
+/// The names that were asked for.
+inline std::vector<std::string> chosen_names(const named_choice& of, const axis_values& asked) {
+    std::vector<std::string> chosen;
+    for (const exact& each : asked.of(of.axis)) {
+        std::ranges::copy_if(of.names, std::back_inserter(chosen),
+                             [&](const std::string& name) { return each.text == "all" || each.text == name; });
+    }
+    return chosen;
+}
+
+/// One of a list of things with names, which has it.
+template <class T>
+const T& named(const std::vector<T>& all, const std::string& name) {
+    return *std::ranges::find(all, name, &T::name);
+}
+
+/// The names of all of them.
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& all) {
+    std::vector<std::string> names;
+    for (const T& each : all) {
+        names.push_back(each.name);
+    }
+    return names;
+}
+
+}  // namespace libration::studies::proved
