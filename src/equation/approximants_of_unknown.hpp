@@ -46,7 +46,9 @@ public:
         if (end_.empty()) {
             return std::nullopt;
         }
-        return [approximant = endpoint_approximant<T>(list_.truncated(order), end_)](const T& x) { return approximant.value(x); };
+        return [approximant = endpoint_approximant<T>(list_.truncated(order), end_)](const T& x) {
+            return approximant.value(x);
+        };
     }
 
 private:
