@@ -143,8 +143,8 @@ if(TARGET libration-gsl-theta)
     install(TARGETS libration-gsl-theta RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 endif()
 install(TARGETS ${solver_peers} RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
-list(TRANSFORM script_peers PREPEND ${PROJECT_SOURCE_DIR}/peers/)
-install(PROGRAMS ${script_peers} DESTINATION ${installed_peers_dir} COMPONENT peers)
+install(PROGRAMS peers/scipy_solvers.py peers/mpmath_solvers.py DESTINATION ${installed_peers_dir} COMPONENT peers)
+install(FILES peers/equation_code.py DESTINATION ${installed_peers_dir} COMPONENT peers)
 # The documentation, with the readers of tables.
 install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR}

@@ -59,6 +59,7 @@ const T& named(const std::vector<T>& all, const std::string& name) {
 template <class T>
 std::vector<std::string> names_of(const std::vector<T>& all) {
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const T& each : all) {
         names.push_back(each.name);
     }
