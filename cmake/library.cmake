@@ -8,6 +8,7 @@ find_package(Boost 1.81 REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(mpfr REQUIRED IMPORTED_TARGET mpfr)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmp)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 
 add_library(libration-headers INTERFACE)
 add_library(libration::headers ALIAS libration-headers)
@@ -40,6 +41,9 @@ file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/li
 set(proved_sources ${library_sources})
 list(FILTER proved_sources INCLUDE REGEX "/(ball|proved)/")
 list(FILTER library_sources EXCLUDE REGEX "/(ball|proved)/")
+set(vector_sources ${library_sources})
+list(FILTER vector_sources INCLUDE REGEX "/sample_vectors\\.cpp$")
+list(REMOVE_ITEM library_sources ${vector_sources})
 
 # The catalogue: the texts of problems/, embedded.
 file(GLOB problem_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/problems/*.ode)
@@ -64,7 +68,19 @@ set_target_properties(libration PROPERTIES
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
 target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/precompiled.hpp)
-target_link_libraries(libration PUBLIC libration-headers PRIVATE $<BUILD_INTERFACE:libration-warnings>)
+target_link_libraries(libration
+    PUBLIC libration-headers
+    PRIVATE $<LINK_ONLY:PkgConfig::hwy> $<BUILD_INTERFACE:libration-warnings>)
+
+# The source that includes itself, once for each set of vector instructions, by itself.
+add_library(libration-vectors OBJECT ${vector_sources})
+set_target_properties(libration-vectors PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden)
+target_include_directories(libration-vectors PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+target_compile_features(libration-vectors PRIVATE cxx_std_20)
+target_link_libraries(libration-vectors PRIVATE PkgConfig::hwy libration-warnings)
+target_sources(libration PRIVATE $<TARGET_OBJECTS:libration-vectors>)
 
 # Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})

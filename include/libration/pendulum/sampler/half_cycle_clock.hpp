@@ -1,6 +1,7 @@
 // From a time in floating point, however late, to the nearest passage through the bottom.
 #pragma once
 
+#include "libration/pendulum/sampler/sampling_constants.hpp"
 #include "libration/pendulum/time/passage.hpp"
 
 #ifdef __FAST_MATH__
@@ -9,14 +10,12 @@
 
 namespace libration::pendulum {
 
-/// x as a number of T and what it lacks.
+/// x as a number of T and what it lacks, rounded.
 template <fixed_scalar T>
-struct split_number {
-    explicit split_number(const mpfr& x) : high(narrow<T>(x)), low(narrow<T>(x - widen(high))) {}
-
-    T high;
-    T low;
-};
+split_number<T> split(const mpfr& x) {
+    const T high = narrow<T>(x);
+    return {high, narrow<T>(x - widen(high))};
+}
 
 /// Passages come every 2 T*: a time t, s after the start's passage, belongs to passage j = the integer nearest to
 /// (t + s)/(2 T*), and lies y = t + s - 2 T* j after it, |y| <= T* up to rounding.
@@ -41,39 +40,41 @@ public:
 
     /// interval is 2 T*, 0 for infinite; all in a precision_scope of at least 2 digits + 64 bits.
     half_cycle_clock(const mpfr& interval, const mpfr& start, const T& unit)
-        : per_unit_(1 / unit),
-          start_(start / widen(unit)),
-          largest_(power_of_two(passage_bits - 1)),
-          rounder_(power_of_two(digits<T>() - 2) * 3) {
+        : of_{.per_unit = 1 / unit,
+              .start = split<T>(start / widen(unit)),
+              .largest = power_of_two(passage_bits - 1),
+              .rounder = power_of_two(digits<T>() - 2) * 3} {
         if (interval == 0) {
             return;
         }
         mpfr rest = interval / widen(unit);
-        per_passage_ = narrow<T>(1 / rest);
-        for (T* part : {&first_, &second_}) {
+        of_.per_passage = narrow<T>(1 / rest);
+        for (T* part : {&of_.first, &of_.second}) {
             mpfr leading = rest;
             mpfr_prec_round(handle(leading), digits<T>() - passage_bits, MPFR_RNDN);
             *part = narrow<T>(leading);
             rest -= widen(*part);
         }
-        third_ = narrow<T>(rest);
+        of_.third = narrow<T>(rest);
     }
+
+    const clock_constants<T>& constants() const { return of_; }
 
     /// Whether locate() may be asked; false for what is not a number, too.
     [[gnu::always_inline]] bool reaches(const T& time) const {
-        const T passages = (time * per_unit_ + start_.high) * per_passage_;
-        return (passages < 0 ? T(-passages) : passages) <= largest_;
+        const T passages = (time * of_.per_unit + of_.start.high) * of_.per_passage;
+        return (passages < 0 ? T(-passages) : passages) <= of_.largest;
     }
 
     [[gnu::always_inline]] place locate(const T& time) const {
         // t + s = since + lost without rounding; then since - 2 T* j; then what is small.
-        const T t = time * per_unit_;
-        const T since = t + start_.high;
+        const T t = time * of_.per_unit;
+        const T since = t + of_.start.high;
         const T part = since - t;
-        const T lost = (t - (since - part)) + (start_.high - part);
-        const T j = whole(since * per_passage_);
-        const T reduced = since - j * first_ - j * second_;
-        const T small = lost + (start_.low - j * third_);
+        const T lost = (t - (since - part)) + (of_.start.high - part);
+        const T j = whole(since * of_.per_passage);
+        const T reduced = since - j * of_.first - j * of_.second;
+        const T small = lost + (of_.start.low - j * of_.third);
         const T high = reduced + small;
         const T low = small - (high - reduced);
         const T side = high < 0 ? T(-1) : T(1);
@@ -81,7 +82,7 @@ public:
     }
 
     /// The integer next to x, |x| < 2^(digits - 2): by adding a number whose unit in the last place is 1.
-    [[gnu::always_inline]] T whole(const T& x) const { return (x + rounder_) - rounder_; }
+    [[gnu::always_inline]] T whole(const T& x) const { return (x + of_.rounder) - of_.rounder; }
 
 private:
     static T power_of_two(int exponent) {
@@ -89,14 +90,7 @@ private:
         return ldexp(T(1), exponent);
     }
 
-    T per_unit_;
-    split_number<T> start_;
-    T largest_;
-    T rounder_;
-    T per_passage_ = T(0);
-    T first_ = T(0);
-    T second_ = T(0);
-    T third_ = T(0);
+    clock_constants<T> of_;
 };
 
 }  // namespace libration::pendulum

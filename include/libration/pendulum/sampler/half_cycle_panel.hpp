@@ -8,7 +8,9 @@
 #include <cfloat>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
+#include "libration/pendulum/sampler/sampling_constants.hpp"
 #include "libration/scalar/scalar.hpp"
 #include "libration/series/jet.hpp"
 
@@ -17,7 +19,7 @@ namespace libration::pendulum {
 /// How many powers of a panel are kept, an even number: 4.7 bits each; the bound 8/n R^-n of a coefficient [THEOREMS A]
 /// and the derivative's n take 3 more than the digits.
 template <fixed_scalar T>
-inline constexpr std::size_t panel_terms = std::same_as<T, double>                              ? 12
+inline constexpr std::size_t panel_terms = std::same_as<T, double>                              ? double_panel_terms
                                            : std::same_as<T, long double>&& LDBL_MANT_DIG == 64 ? 16
                                                                                                 : 26;
 
@@ -30,14 +32,17 @@ inline constexpr std::size_t panel_head = panel_terms<T> == 26 ? 14 : panel_term
 /// neighbouring powers of both are one vector of four.
 template <fixed_scalar T>
 struct alignas(64) panel {
+    struct nothing {};
+    static constexpr std::size_t tail_size = 2 * (panel_terms<T> - panel_head<T>);
+
     std::array<T, 2 * panel_head<T>> head{};
-    std::array<double, 2 * (panel_terms<T> - panel_head<T>)> tail{};
+    [[no_unique_address]] std::conditional_t<tail_size == 0, nothing, std::array<double, tail_size>> tail{};
 
     void set(std::size_t power, const T& theta, const T& slope) {
         if (power < panel_head<T>) {
             head[2 * power] = theta;
             head[2 * power + 1] = slope;
-        } else {
+        } else if constexpr (tail_size > 0) {
             const std::size_t slot = 2 * (power - panel_head<T>);
             tail[slot] = static_cast<double>(theta);
             tail[slot + 1] = static_cast<double>(slope);
@@ -49,9 +54,9 @@ struct alignas(64) panel {
         const T square = step * step;
         constexpr std::size_t last = 2 * panel_head<T> - 4;
         std::array<T, 4> sum{head[last], head[last + 1], head[last + 2], head[last + 3]};
-        if constexpr (panel_head<T> < panel_terms<T>) {
+        if constexpr (tail_size > 0) {
             std::array<double, 4> small{};
-            add_powers<2 * (panel_terms<T> - panel_head<T>)>(small, tail.data(), static_cast<double>(square));
+            add_powers<tail_size>(small, tail.data(), static_cast<double>(square));
             for (std::size_t lane = 0; lane < 4; ++lane) {
                 sum[lane] += square * small[lane];
             }
@@ -82,9 +87,8 @@ struct panel_place {
 /// The place of x >= 0, a few operations on the bits of z. A z that rounds across an edge does no harm: the polynomials
 /// of neighbours agree there.
 inline panel_place place_of(double x) {
-    constexpr int octave_bits = 4;
-    constexpr int below = DBL_MANT_DIG - 1 - octave_bits;
-    constexpr std::uint64_t first = std::uint64_t{DBL_MAX_EXP - 1} << octave_bits;
+    constexpr int below = DBL_MANT_DIG - 1 - panel_octave_bits;
+    constexpr std::uint64_t first = std::uint64_t{DBL_MAX_EXP - 1} << panel_octave_bits;
     const auto bits = std::bit_cast<std::uint64_t>(1 + x);
     const std::uint64_t leading = bits >> below;
     const std::uint64_t middle = (leading << below) | (std::uint64_t{1} << (below - 1));

@@ -80,6 +80,7 @@ public:
     /// The largest x; theta and omega stay what they are there.
     const T& end() const { return end_; }
     std::size_t size() const { return panels_.size(); }
+    const panel<T>* data() const { return panels_.data(); }
     const panel<T>& operator[](std::size_t index) const { return panels_[index]; }
 
 private:

@@ -12,25 +12,29 @@ class half_cycle_turns {
 public:
     /// The start's passage is counted as j = 0. In a precision_scope of at least 2 digits + 64 bits.
     half_cycle_turns(const motion& m, const integer& passage)
-        : turn_(pi<mpfr>() * 2), base_(base_of(m, passage)), sign_(T(sign_of_start(m, passage))) {
+        : of_{.turn = split<T>(pi<mpfr>() * 2),
+              .base = split<T>(base_of(m, passage)),
+              .sign = T(sign_of_start(m, passage))} {
         const bool rotates = m.regime() == regime::rotation;
-        winding_ = rotates ? T(m.direction()) : T(0);
-        alternation_ = m.regime() == regime::libration ? T(2) : T(0);
+        of_.winding = rotates ? T(m.direction()) : T(0);
+        of_.alternation = m.regime() == regime::libration ? T(2) : T(0);
         if (counts(m, passage)) {
-            turns_ = from_rational<T>(rational(turns_of(m, passage)));
+            of_.turns = from_rational<T>(rational(turns_of(m, passage)));
         }
     }
+
+    const turn_constants<T>& constants() const { return of_; }
 
     /// The sign of omega after passage j, +-1; clock.whole() rounds j/2.
     [[gnu::always_inline]] T sign(const T& passage, const half_cycle_clock<T>& clock) const {
         const T odd = passage - clock.whole(passage / 2) * 2;
-        return sign_ - sign_ * alternation_ * (odd < 0 ? T(-odd) : odd);
+        return of_.sign - of_.sign * of_.alternation * (odd < 0 ? T(-odd) : odd);
     }
 
     /// theta, where part = g(y) times the sign.
     [[gnu::always_inline]] T theta(const T& passage, const T& part) const {
-        const T turns = turns_ + winding_ * passage;
-        return base_.high + (turns * turn_.high + (turns * turn_.low + (base_.low + part)));
+        const T turns = of_.turns + of_.winding * passage;
+        return of_.base.high + (turns * of_.turn.high + (turns * of_.turn.low + (of_.base.low + part)));
     }
 
     /// The turns of theta at a passage, from the start's one where it is counted from there.
@@ -59,12 +63,7 @@ private:
         return m.regime() == regime::stable_equilibrium ? 1 : m.direction();
     }
 
-    split_number<T> turn_;
-    split_number<T> base_;
-    T sign_;
-    T turns_ = T(0);
-    T winding_ = T(0);
-    T alternation_ = T(0);
+    turn_constants<T> of_;
 };
 
 }  // namespace libration::pendulum

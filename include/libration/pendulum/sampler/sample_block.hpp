@@ -7,6 +7,7 @@
 
 #include "libration/pendulum/sampler/half_cycle_panels.hpp"
 #include "libration/pendulum/sampler/half_cycle_turns.hpp"
+#include "libration/pendulum/sampler/sample_vectors.hpp"
 
 namespace libration::pendulum {
 
@@ -19,6 +20,11 @@ struct sampling_tables {
 
     /// In a precision_scope of at least 2 digits + 64 bits.
     explicit sampling_tables(const motion& m) : sampling_tables(m, passage_interval(m)) {}
+
+    vector_tables vectors() const requires std::same_as<T, double> {
+        static_assert(sizeof(panel<T>) == 2 * double_panel_terms * sizeof(double));
+        return {clock.constants(), turns.constants(), panels.data()->head.data(), panels.end()};
+    }
 
 private:
     sampling_tables(const motion& m, const mpfr& interval)

@@ -9,13 +9,6 @@
 #include "libration/pendulum/sampler/sample_block.hpp"
 #include "libration/scalar/error.hpp"
 
-// Where the compiler can make a function for a processor that has AVX2, it makes both and asks the processor.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define LIBRATION_CHOOSES_AVX2 1
-#else
-#define LIBRATION_CHOOSES_AVX2 0
-#endif
-
 namespace libration::pendulum {
 
 /// One motion, from exact initial conditions, at floating times in any order, in the motion's units (seconds and rad/s
@@ -56,50 +49,60 @@ public:
                         "is not that of the " + std::to_string(theta.size()) + " angles and the " +
                             std::to_string(omega.size()) + " velocities");
         }
-        if constexpr (!std::same_as<T, double>) {
-            sample<1>(times, theta, omega);
-        } else if (has_avx2()) {
-            sample_with_avx2(times, theta, omega);
-        } else {
-            sample<block_size>(times, theta, omega);
-        }
+        sample<std::same_as<T, double> ? vector_block : 1>(times, theta, omega);
     }
 
 private:
-    // Enough double operations to fill the vectors and to hide their latency.
-    static constexpr std::size_t block_size = 32;
-
     sampler(const motion& m, const precision_scope& /*scope*/) : motion_(m), tables_(m) {}
 
     template <std::size_t block>
-    [[gnu::always_inline]] void sample(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
-        std::size_t first = 0;
-        for (; first + block <= times.size(); first += block) {
-            sample_whole<block>(times.data() + first, theta.data() + first, omega.data() + first);
-        }
-        if (first < times.size()) {
-            const std::size_t rest = times.size() - first;
+    void sample(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
+        const std::size_t whole = times.size() - times.size() % block;
+        sample_blocks<block>({times.data(), whole}, theta.data(), omega.data());
+        if (whole < times.size()) {
+            const std::size_t rest = times.size() - whole;
             std::array<T, block> t{};
             std::array<T, block> angle;
             std::array<T, block> speed;
-            std::copy_n(times.data() + first, rest, t.data());
-            sample_whole<block>(t.data(), angle.data(), speed.data());
-            std::copy_n(angle.data(), rest, theta.data() + first);
-            std::copy_n(speed.data(), rest, omega.data() + first);
+            std::copy_n(times.data() + whole, rest, t.data());
+            sample_blocks<block>(t, angle.data(), speed.data());
+            std::copy_n(angle.data(), rest, theta.data() + whole);
+            std::copy_n(speed.data(), rest, omega.data() + whole);
         }
     }
 
     template <std::size_t block>
-    [[gnu::always_inline]] void sample_whole(const T* times, T* theta, T* omega) const {
+    void sample_blocks(std::span<const T> times, T* theta, T* omega) const {
+        for (std::size_t i = 0;; i += block) {
+            i += sample_leading_blocks<block>(times.subspan(i), theta + i, omega + i);
+            if (i >= times.size()) {
+                return;
+            }
+            sample_late(times.subspan(i, block), theta + i, omega + i);
+        }
+    }
+
+    // Blocks until one holds a time that the clock does not reach; how many times they are.
+    template <std::size_t block>
+    std::size_t sample_leading_blocks(std::span<const T> times, T* theta, T* omega) const {
+#ifdef LIBRATION_COMPILED
+        if constexpr (block == vector_block) {
+            return sample_vectors(tables_.vectors(), times.data(), times.size(), theta, omega);
+        }
+#endif
+        std::size_t done = 0;
+        for (; done < times.size() && reaches(times.subspan(done, block)); done += block) {
+            sample_block<block>(tables_, times.data() + done, theta + done, omega + done);
+        }
+        return done;
+    }
+
+    bool reaches(std::span<const T> times) const {
         std::size_t late = 0;
-        for (std::size_t i = 0; i < block; ++i) {
-            late += tables_.clock.reaches(times[i]) ? 0U : 1U;
+        for (const T& time : times) {
+            late += tables_.clock.reaches(time) ? 0U : 1U;
         }
-        if (late == 0) {
-            sample_block<block>(tables_, times, theta, omega);
-        } else {
-            sample_late({times, block}, theta, omega);
-        }
+        return late == 0;
     }
 
     // Times beyond the clock, reduced in mpfr.
@@ -113,7 +116,7 @@ private:
             const after_passage at = nearest_passage<finer_t<T>>(motion_, exactly(exact_time));
             const half_cycle_turns<T> turns(motion_, at.passage);
             const mpfr x = abs(at.time) / widen(tables_.panels.unit());
-            const split_number<T> inside(x < widen(end) ? x : widen(end));
+            const split_number<T> inside = split<T>(x < widen(end) ? x : widen(end));
             const panel_place place = place_of(static_cast<double>(inside.high));
             const series::jet<T> swing = tables_.panels[place.index].at(T((inside.high - place.centre) + inside.low));
             const T sign = turns.sign(T(0), tables_.clock);
@@ -130,21 +133,6 @@ private:
     }
 
     static long working_precision() { return decimal_digits(2 * digits<T>() + 64); }
-
-#if LIBRATION_CHOOSES_AVX2
-    [[gnu::target("avx2,fma")]] void sample_with_avx2(std::span<const T> times, std::span<T> theta,
-                                                      std::span<T> omega) const {
-        sample<block_size>(times, theta, omega);
-    }
-    static bool has_avx2() {
-        return static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
-    }
-#else
-    void sample_with_avx2(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
-        sample<block_size>(times, theta, omega);
-    }
-    static bool has_avx2() { return false; }
-#endif
 
     motion motion_;
     sampling_tables<T> tables_;
