@@ -1,6 +1,6 @@
 // theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of
 // Boost.Math in double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run
-// on one thread, in turns; medians of CPU time with their spread. GSL, which may not be linked here, times itself
+// on one thread, in turns, the sampler also with each set of vector instructions that the processor has; medians of CPU time with their spread. GSL, which may not be linked here, times itself
 // in a program of its own.
 //
 //   ./run bench trajectory
@@ -162,6 +162,13 @@ void compare_in_double(const exact& energy, std::size_t count) {
     std::vector<contender> all;
     add(all, "libration sampler<double>, arrays", ours_allowed, m, in,
         [&](trajectory<double>& of) { sample(of.times, of.theta, of.omega); });
+    for (const std::string& instructions : vector_instructions()) {
+        add(all, "libration sampler<double>, arrays, " + instructions, ours_allowed, m, in,
+            [&sample, instructions](trajectory<double>& of) {
+                const vector_instructions_scope by(instructions);
+                sample(of.times, of.theta, of.omega);
+            });
+    }
     add(all, "libration sampler<double>, time by time", ours_allowed, m, in, [&](trajectory<double>& of) {
         for (std::size_t i = 0; i < of.times.size(); ++i) {
             const jet<double> state = sample(of.times[i]);

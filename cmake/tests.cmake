@@ -1,6 +1,6 @@
 # The tests: one Catch2 program over all *_test.cpp, and tests of the house that need a compiler or an installed tree.
 
-find_package(Catch2 2.13 REQUIRED)
+find_package(Catch2 REQUIRED)
 include(Catch)
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
@@ -10,6 +10,9 @@ endif()
 
 add_executable(libration-tests ${test_sources})
 target_include_directories(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+    target_include_directories(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/catch3)
+endif()
 if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the tests need FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
 endif()

@@ -176,7 +176,7 @@ TEMPLATE_LIST_TEST_CASE("the bounds have the digits of the scalar", "[elliptic][
 TEST_CASE("a partial sum of negative order is refused with its value", "[elliptic][complete_series]") {
     const auto m = modulus<double>::from_modulus(0.5);
     CHECK_THROWS_AS(complete_integral_series(m, -1), libration::error);
-    CHECK_THROWS_WITH(complete_integral_resummed(m, -7), Catch::Matchers::Contains("-7"));
+    CHECK_THROWS_WITH(complete_integral_resummed(m, -7), Catch::Contains("-7"));
 }
 
 }  // namespace elliptic_complete_integral_series_test

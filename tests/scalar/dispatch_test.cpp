@@ -9,7 +9,7 @@
 namespace scalar_dispatch_test {
 
 using namespace libration;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 

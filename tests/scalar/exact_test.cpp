@@ -9,7 +9,7 @@
 namespace scalar_exact_test {
 
 using namespace libration;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using libration::tests::all_scalars;
 
 namespace {

@@ -47,7 +47,7 @@ TEST_CASE("a precision that cannot be is refused with its value", "[scalar][prec
     const int before = digits<mpfr>();
     for (const long asked : {0L, -5L, 100'000'001L}) {
         CHECK_THROWS_AS(precision_scope(asked), libration::error);
-        CHECK_THROWS_WITH(precision_scope(asked), Catch::Matchers::Contains(std::to_string(asked)));
+        CHECK_THROWS_WITH(precision_scope(asked), Catch::Contains(std::to_string(asked)));
     }
     CHECK(digits<mpfr>() == before);
 }

@@ -8,7 +8,7 @@ namespace series_power_series_test {
 
 using namespace libration;
 using namespace libration::series;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using libration::tests::all_scalars;
 
 TEMPLATE_LIST_TEST_CASE("a series of order N holds the degrees 0 to N", "[series][power_series]", all_scalars) {

@@ -156,7 +156,7 @@ TEST_CASE("a solution that ends says up to where it is proved", "[ode][proved]")
     CHECK(certainly_less(march.reached(), ball(1)));
     CHECK(certainly_less(ball(999'999) / 1'000'000, march.reached()));
     CHECK_THROWS_WITH(proved_trajectory(system, {number(rational(2))}, 20),
-                      Catch::Matchers::Contains("proved to exist up to 0.99999"));
+                      Catch::Contains("proved to exist up to 0.99999"));
     CHECK(proved_trajectory(system, {number(rational(1, 2)), number(rational(-1))}, 20)[1][0].text ==
           "0.50000000000000000000");
 }

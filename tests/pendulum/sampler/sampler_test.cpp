@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -93,6 +94,31 @@ double units_off(const T& actual, const ball& truth, const mpfr& size) {
     return static_cast<double>(mpfr((abs(widen(actual) - midpoint_of(truth)) + midpoint_of(radius_of(truth))) / unit));
 }
 
+template <class T>
+struct named_arrays {
+    std::string instructions;
+    std::vector<T> theta;
+    std::vector<T> omega;
+};
+
+// In double once with each set of vector instructions of this processor.
+template <class T>
+std::vector<named_arrays<T>> sampled_arrays(const sampler<T>& sample, const std::vector<T>& times) {
+    std::vector<named_arrays<T>> all;
+    const auto add = [&](const std::string& instructions) {
+        named_arrays<T>& of = all.emplace_back(named_arrays<T>{instructions, times, times});
+        sample(times, of.theta, of.omega);
+    };
+    add("the best instructions");
+    if constexpr (std::same_as<T, double>) {
+        for (const std::string& instructions : vector_instructions()) {
+            const vector_instructions_scope by(instructions);
+            add(instructions);
+        }
+    }
+    return all;
+}
+
 // sqrt(2E), in the units of the motion.
 mpfr largest_speed(const motion& m) { return sqrt(mpfr(energies<mpfr>(m).energy * 2)) / time_unit<mpfr>(m); }
 
@@ -106,23 +132,32 @@ TEMPLATE_LIST_TEST_CASE("the sampler is within 4 units of proved values at every
     for (const named_motion& named : all_motions()) {
         const motion& m = named.m;
         const std::vector<T> times = shuffled_times<T>(m, std::same_as<T, double> ? 150 : 12);
-        std::vector<T> theta(times.size());
-        std::vector<T> omega(times.size());
         const sampler<T> sample(m);
-        sample(times, theta, omega);
+        const std::vector<named_arrays<T>> arrays = sampled_arrays(sample, times);
         const proved_motion proved(m);
         const mpfr speed = largest_speed(m);
         for (std::size_t i = 0; i < times.size(); ++i) {
             INFO(named.name << " at " << times[i]);
             const auto truth = proved.at(exact_of(times[i]));
             REQUIRE(certainly_less(radius_of(truth.theta), ldexp(abs(truth.theta) + 1, -150)));
-            CHECK(units_off(theta[i], truth.theta, midpoint_of(truth.theta)) <= 4);
-            CHECK(units_off(omega[i], truth.omega, speed) <= 4);
+            for (const named_arrays<T>& of : arrays) {
+                INFO(of.instructions);
+                CHECK(units_off(of.theta[i], truth.theta, midpoint_of(truth.theta)) <= 4);
+                CHECK(units_off(of.omega[i], truth.omega, speed) <= 4);
+            }
             const jet<T> alone = sample(times[i]);
             CHECK(units_off(alone.value, truth.theta, midpoint_of(truth.theta)) <= 4);
             CHECK(units_off(alone.slope, truth.omega, speed) <= 4);
         }
     }
+}
+
+TEST_CASE("vector instructions are chosen by their name", "[pendulum][sampler]") {
+    const std::vector<std::string> names = vector_instructions();
+    REQUIRE_FALSE(names.empty());
+    CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
+    CHECK_THROWS_WITH(vector_instructions_scope("AVX-7"),
+                      "vector instructions 'AVX-7' are not among those of this processor");
 }
 
 TEST_CASE("the sampler is within 4 units of proved values at random energies", "[pendulum][sampler]") {

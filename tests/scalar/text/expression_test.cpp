@@ -14,8 +14,8 @@
 namespace scalar_text_expression_test {
 
 using namespace libration;
-using Catch::Matchers::Contains;
-using Catch::Matchers::Equals;
+using Catch::Contains;
+using Catch::Equals;
 
 namespace {
 
