@@ -1,7 +1,11 @@
 // Pade approximants on balls, which exist where they are given.
 #pragma once
 
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
 #include <arb_mat.h>
+#endif
 
 #include "libration/approximant/pade.hpp"
 #include "libration/scalar/ball/ball.hpp"

@@ -4,8 +4,10 @@
 #include "libration/scalar/ball/value.hpp"
 
 #if __has_include(<flint/acb_elliptic.h>)
+#include <flint/acb.h>
 #include <flint/acb_elliptic.h>
 #else
+#include <acb.h>
 #include <acb_elliptic.h>
 #endif
 

@@ -8,6 +8,8 @@
 
 #include "libration/scalar/error.hpp"
 
+// Vectors whose length only the processor knows would need other loops; it has NEON as well.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libration/pendulum/sampler/sample_vectors.cpp"
 #include <hwy/foreach_target.h>  // before highway.h
