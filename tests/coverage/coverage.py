@@ -25,7 +25,7 @@ from argued import ARGUED  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # GCC's quadmath for the archives, which GCC has compiled.
-LIBRARIES = ["-lflint-arb", "-lflint", "-lmpfr", "-lgmp"]
+LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp"]
 TESTS = """
     truncation/bounds_test.cpp truncation/columns_test.cpp truncation/descent_test.cpp truncation/panels_test.cpp
     truncation/refusals_test.cpp truncation/theta_series_test.cpp

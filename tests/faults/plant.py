@@ -25,7 +25,7 @@ from faults import FAULTS  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIMIT = 120  # seconds, of a test program that takes a few
-LIBRARIES = ["-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lquadmath"]
+LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lquadmath"]
 
 
 def flags(tree):

@@ -17,7 +17,7 @@ flags=(-std=c++20 -O1 -g -w -fno-sanitize-recover=all -I"$root/include" -I"$root
 sanitizers=address,undefined
 # What a target does not compile anew is not watched, but there; what it does comes first.
 archives=(-Wl,--allow-multiple-definition "$build"/liblibration-{sweep,proved}.a "$build/liblibration.a")
-libraries=(-lfmt -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
+libraries=(-lfmt -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
 
 # The sources of a target besides its own, as patterns.
 sources_of() {

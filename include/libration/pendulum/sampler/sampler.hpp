@@ -20,10 +20,11 @@ namespace libration::pendulum {
 ///   omega   at most 4, x = the largest |omega| of the motion; no relative digits where omega is next to 0
 /// (sample_block.hpp says why; the tests compare with proved values).
 ///
-/// Cost in double: 15 to 50 microseconds once; then about 5 ns a time with AVX2 and 8 ns without, 25 ns where it is
-/// asked alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a time. Nothing
-/// changes after construction: any number of threads may ask one sampler. The last digit depends on whether the
-/// processor fuses products and sums.
+/// Cost in double: 15 to 50 microseconds once; then about 2 ns a time with AVX-512, 3.5 with AVX2, 8 with SSE, 25 ns
+/// where it is asked alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a
+/// time. Nothing changes after construction: any number of threads may ask one sampler. The last digit depends on the
+/// vectors that the processor has (sample_vectors.hpp); a program of headers alone takes those of its compiler's
+/// options.
 template <fixed_scalar T>
 class sampler {
 public:
