@@ -2,8 +2,10 @@
 #pragma once
 
 #if __has_include(<flint/acb_modular.h>)
+#include <flint/acb.h>
 #include <flint/acb_modular.h>
 #else
+#include <acb.h>
 #include <acb_modular.h>
 #endif
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #if __has_include(<flint/acb_modular.h>)
+#include <flint/acb.h>
 #include <flint/acb_elliptic.h>
 #include <flint/acb_modular.h>
 #else
+#include <acb.h>
 #include <acb_elliptic.h>
 #include <acb_modular.h>
 #endif

@@ -13,3 +13,5 @@ using Matchers::MatcherBase;
 using Matchers::WithinRel;
 
 }  // namespace Catch
+
+using Catch::Approx;

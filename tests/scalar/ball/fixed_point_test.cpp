@@ -1,5 +1,7 @@
 #include "libration/scalar/ball/fixed_arithmetic.hpp"
 
+#include <flint/fmpq.h>
+
 #include <catch2/catch.hpp>
 #include <random>
 

@@ -5,8 +5,10 @@
 #include "named_values.hpp"
 
 #if __has_include(<flint/acb_modular.h>)
+#include <flint/acb.h>
 #include <flint/acb_modular.h>
 #else
+#include <acb.h>
 #include <acb_modular.h>
 #endif
 
