@@ -35,6 +35,9 @@ constexpr double axis_part = 1e-3;
 complex_number<double> as_number(const plane_point& z) { return {z.real(), z.imag()}; }
 plane_point as_point(const complex_number<double>& z) { return {z.re, z.im}; }
 
+// |a - b|^2; what is compared with many points needs neither a root nor the care of hypot.
+double squared_distance(const plane_point& a, const plane_point& b) { return std::norm(a - b); }
+
 }  // namespace
 
 singularity_search::singularity_search(const path_system& of, int rotation, long most_points)
@@ -79,15 +82,25 @@ bool singularity_search::crosses_cut(const plane_point& from, const plane_point&
         if (each.single_valued) {
             return false;
         }
-        // In the frame of the branch point, which becomes 1, the cut is the real axis from there.
-        const plane_point a = from / each.at;
-        const plane_point b = to / each.at;
-        const auto on_axis = [](const plane_point& z) { return std::abs(z.imag()) < 1e-12 * std::abs(z); };
-        if (on_axis(a) || on_axis(b) || (a.imag() > 0) == (b.imag() > 0)) {
+        // Turned and stretched by the conjugate of the branch point p, which becomes |p|^2, the cut is the real axis
+        // from there.
+        const double x = each.at.real();
+        const double y = each.at.imag();
+        const double a = from.imag() * x - from.real() * y;
+        const double b = to.imag() * x - to.real() * y;
+        if ((a > 0) == (b > 0)) {
             return false;
         }
-        const double part = a.imag() / (a.imag() - b.imag());
-        return a.real() + part * (b.real() - a.real()) > 1;
+        const double square = std::norm(each.at);
+        const auto on_axis = [square](double height, const plane_point& z) {
+            return height * height < 1e-24 * std::norm(z) * square;
+        };
+        if (on_axis(a, from) || on_axis(b, to)) {
+            return false;
+        }
+        const double along_from = from.real() * x + from.imag() * y;
+        const double along_to = to.real() * x + to.imag() * y;
+        return along_from + a / (a - b) * (along_to - along_from) > square;
     });
 }
 
@@ -95,7 +108,7 @@ int singularity_search::best_parent(const plane_point& at) const {
     int best = -1;
     double least = 1e300;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        const double part = std::abs(at - points_[i].at) / points_[i].radius;
+        const double part = squared_distance(at, points_[i].at) / (points_[i].radius * points_[i].radius);
         if (part < least && !crosses_cut(points_[i].at, at)) {
             least = part;
             best = static_cast<int>(i);
@@ -142,7 +155,8 @@ bool singularity_search::is_explained(const cell& of) const {
     std::array<plane_point, 5> corners{std::polar(of.r1, of.a1), std::polar(of.r1, of.a2), std::polar(of.r2, of.a1),
                                        std::polar(of.r2, of.a2), std::polar((of.r1 + of.r2) / 2, (of.a1 + of.a2) / 2)};
     const auto all_in = [&](const plane_point& centre, double radius) {
-        return std::ranges::all_of(corners, [&](const plane_point& z) { return std::abs(z - centre) < radius; });
+        return std::ranges::all_of(corners,
+                                   [&](const plane_point& z) { return squared_distance(z, centre) < radius * radius; });
     };
     if (std::ranges::any_of(found_, [&](const candidate& each) { return all_in(each.at, each.reach); })) {
         return true;
@@ -173,9 +187,9 @@ std::optional<plane_point> singularity_search::value_at(const plane_point& offse
     const bool below = offset.imag() < 0;
     const plane_point z = below ? std::conj(offset) : offset;
     const point* best = nullptr;
-    double least = believed_part;
+    double least = believed_part * believed_part;
     for (const point& each : points_) {
-        const double part = std::abs(z - each.at) / each.radius;
+        const double part = squared_distance(z, each.at) / (each.radius * each.radius);
         if (part < least && !crosses_cut(each.at, z)) {
             least = part;
             best = &each;
