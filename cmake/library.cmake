@@ -42,7 +42,7 @@ set(proved_sources ${library_sources})
 list(FILTER proved_sources INCLUDE REGEX "/(ball|proved)/")
 list(FILTER library_sources EXCLUDE REGEX "/(ball|proved)/")
 set(vector_sources ${library_sources})
-list(FILTER vector_sources INCLUDE REGEX "/sample_vectors\\.cpp$")
+list(FILTER vector_sources INCLUDE REGEX "/([a-z]+_vectors|vector_instructions)\\.cpp$")
 list(REMOVE_ITEM library_sources ${vector_sources})
 
 # The catalogue: the texts of problems/, embedded.
@@ -72,13 +72,18 @@ target_link_libraries(libration
     PUBLIC libration-headers
     PRIVATE $<LINK_ONLY:PkgConfig::hwy> $<BUILD_INTERFACE:libration-warnings>)
 
-# The source that includes itself, once for each set of vector instructions, by itself.
+# The sources that use Highway, which compiles them once for each set of vector instructions, by themselves.
 add_library(libration-vectors OBJECT ${vector_sources})
 set_target_properties(libration-vectors PROPERTIES
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/libration/ode/lane_vectors.cpp PROPERTIES
+    COMPILE_OPTIONS -ffp-contract=off)
 target_include_directories(libration-vectors PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(libration-vectors PRIVATE cxx_std_20)
+# Vectors whose length only the processor knows would need other loops; what has them has NEON as well.
+target_compile_definitions(libration-vectors PRIVATE
+    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 target_link_libraries(libration-vectors PRIVATE PkgConfig::hwy libration-warnings)
 target_sources(libration PRIVATE $<TARGET_OBJECTS:libration-vectors>)
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/step_lanes.hpp"
 #include "libration/ode/tape.hpp"
 #include "libration/series/arithmetic.hpp"
 #include "libration/series/blocked_sums.hpp"
@@ -52,8 +53,8 @@ public:
         const R* const first = coefficients(unknown);
         return series::power_series<R>(std::vector<R>(first, first + order_ + 1));
     }
-    /// Of a step of the tape, likewise.
-    const R* of_step(int step) const { return array(step); }
+    /// Of a step of the tape, likewise; not in double, where steps may stand in lanes instead.
+    const R* of_step(int step) const requires(!std::same_as<R, double>) { return array(step); }
     /// Of a watched expression, as far as the right sides were needed.
     const R* watched(int which) const { return array(tape_->watched()[static_cast<std::size_t>(which)]); }
     /// The polynomials of degree N of the unknowns and of their lower derivatives, by Horner's rule, at a distance from
@@ -86,7 +87,9 @@ private:
         const R* above;
     };
     void place();
+    void place_in_lanes();
     void run_placed(int steps_until);
+    void run_steps(int n);
     static void placed(taylor_expansion& self, const placed_step& each, int n);
 
     void clear();
@@ -112,6 +115,8 @@ private:
     series::blocked_sums<R> sums_;
     std::vector<placed_step> placed_steps_;
     std::vector<placed_state> placed_states_;
+    std::vector<std::size_t> place_of_;  // of each step among the placed ones
+    step_lanes lanes_;
     R point_ = R(0);
 };
 
@@ -239,6 +244,7 @@ void taylor_expansion<R>::place() {
     }
     for (int i = 0; i < static_cast<int>(tape_->steps().size()); ++i) {
         const tape_step& s = tape_->steps()[static_cast<std::size_t>(i)];
+        place_of_.push_back(placed_steps_.size());
         if (s.kind != operation::state && s.kind != operation::companion) {
             placed_steps_.push_back({s.kind, i, &s, array(i), s.left < 0 ? nullptr : array(s.left),
                                      s.right < 0 ? nullptr : array(s.right), array(i + 1),
@@ -252,6 +258,50 @@ void taylor_expansion<R>::place() {
             above = array(states_[i][j]);
         }
     }
+    place_in_lanes();
+}
+
+template <field R>
+void taylor_expansion<R>::place_in_lanes() {
+#ifdef LIBRATION_COMPILED
+    if constexpr (std::same_as<R, double>) {
+        std::vector<double> factors;
+        for (const tape_step& each : tape_->steps()) {
+            factors.push_back(each.constant < 0 ? 1 : constants_[static_cast<std::size_t>(each.constant)]);
+        }
+        lanes_ = step_lanes(*tape_, arrays_.data(), length_, factors);
+    }
+#endif
+}
+
+template <field R>
+void taylor_expansion<R>::run_steps(int n) {
+#ifdef LIBRATION_COMPILED
+    if constexpr (std::same_as<R, double>) {
+        if (n > 0 && !lanes_.empty()) {
+            lanes_.take_states(n);
+            for (const step_lanes::entry& each : lanes_.order()) {
+                if (each.alone) {
+                    placed(*this, placed_steps_[place_of_[each.first]], n);
+                    lanes_.take(each, n);
+                } else {
+                    lanes_.run(each, n);
+                }
+            }
+            return;
+        }
+    }
+#endif
+    for (const placed_step& each : placed_steps_) {
+        placed(*this, each, n);
+    }
+#ifdef LIBRATION_COMPILED
+    if constexpr (std::same_as<R, double>) {
+        if (!lanes_.empty()) {
+            lanes_.begin();
+        }
+    }
+#endif
 }
 
 template <field R>
@@ -259,9 +309,7 @@ void taylor_expansion<R>::run_placed(int steps_until) {
     place();
     for (int n = 0; n < order_; ++n) {
         if (n <= steps_until) {
-            for (const placed_step& each : placed_steps_) {
-                placed(*this, each, n);
-            }
+            run_steps(n);
         }
         for (const placed_state& each : placed_states_) {
             each.here[n + 1] = each.above[n] / (n + 1);

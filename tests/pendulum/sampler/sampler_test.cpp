@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <set>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -14,6 +13,7 @@
 
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/scalar/text/written_number.hpp"
+#include "libration/scalar/vector_instructions.hpp"
 #include "pendulum/typed.hpp"
 #include "proved.hpp"
 
@@ -150,14 +150,6 @@ TEMPLATE_LIST_TEST_CASE("the sampler is within 4 units of proved values at every
             CHECK(units_off(alone.slope, truth.omega, speed) <= 4);
         }
     }
-}
-
-TEST_CASE("vector instructions are chosen by their name", "[pendulum][sampler]") {
-    const std::vector<std::string> names = vector_instructions();
-    REQUIRE_FALSE(names.empty());
-    CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
-    CHECK_THROWS_WITH(vector_instructions_scope("AVX-7"),
-                      "vector instructions 'AVX-7' are not among those of this processor");
 }
 
 TEST_CASE("the sampler is within 4 units of proved values at random energies", "[pendulum][sampler]") {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 #include "libration/pendulum/sampler/sampling_constants.hpp"
 
@@ -31,19 +29,5 @@ inline constexpr std::size_t vector_block = 32;
 /// NEON. The processor is asked once, by Highway [Highway]. Compiled: in the target libration::libration alone.
 std::size_t sample_vectors(const vector_tables& tables, const double* times, std::size_t count, double* theta,
                            double* omega);
-
-/// The sets of instructions that this processor has and sample_vectors is compiled for, the best first, in the words of
-/// Highway: AVX3 is AVX-512, SCALAR no vectors.
-std::vector<std::string> vector_instructions();
-
-/// While it lives, sample_vectors takes these instructions, in all threads; one scope at a time. To compare them. Throws
-/// error of the kind argument for what is not among vector_instructions().
-class vector_instructions_scope {
-public:
-    explicit vector_instructions_scope(const std::string& name);
-    vector_instructions_scope(const vector_instructions_scope&) = delete;
-    vector_instructions_scope& operator=(const vector_instructions_scope&) = delete;
-    ~vector_instructions_scope();
-};
 
 }  // namespace libration::pendulum

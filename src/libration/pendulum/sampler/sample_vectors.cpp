@@ -6,10 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "libration/scalar/error.hpp"
-
-// Vectors whose length only the processor knows would need other loops; it has NEON as well.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libration/pendulum/sampler/sample_vectors.cpp"
 #include <hwy/foreach_target.h>  // before highway.h
@@ -205,26 +201,6 @@ std::size_t sample_vectors(const vector_tables& tables, const double* times, std
                            double* omega) {
     return HWY_DYNAMIC_DISPATCH(sample)(tables, times, count, theta, omega);
 }
-
-std::vector<std::string> vector_instructions() {
-    std::vector<std::string> names;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        names.emplace_back(hwy::TargetName(target));
-    }
-    return names;
-}
-
-vector_instructions_scope::vector_instructions_scope(const std::string& name) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        if (name == hwy::TargetName(target)) {
-            hwy::GetChosenTarget().Update(target);
-            return;
-        }
-    }
-    throw error(error_kind::argument, "vector instructions", name, "are not among those of this processor");
-}
-
-vector_instructions_scope::~vector_instructions_scope() { hwy::GetChosenTarget().DeInit(); }
 
 }  // namespace libration::pendulum
 

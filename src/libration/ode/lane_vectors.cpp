@@ -1,0 +1,122 @@
+// Highway compiles what stands between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each set of instructions
+// that this kind of processor may have, by including this file again. It is compiled without contraction of products
+// and sums, so that all of them round alike.
+#include "libration/ode/lane_vectors.hpp"
+
+#include <cstddef>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libration/ode/lane_vectors.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace libration::ode::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using doubles = hn::CappedTag<double, widest_vector>;
+using vector = hn::Vec<doubles>;
+
+// The coefficients in some lanes.
+class column {
+public:
+    HWY_INLINE column(const lane_rows& rows, std::size_t place)
+        : first_(rows.numbers.data() + place), length_(rows.length) {}
+    HWY_INLINE vector operator[](int n) const {
+        return hn::LoadU(doubles(), first_ + static_cast<std::size_t>(n) * length_);
+    }
+
+private:
+    const double* first_;
+    std::size_t length_;
+};
+
+// sum_{k=first}^{last} a_k b_{n-k} in four partial sums, which do not wait for each other.
+HWY_INLINE vector sum_of_products(const column& a, const column& b, int n, int first, int last) {
+    const doubles d;
+    vector s0 = hn::Zero(d);
+    vector s1 = hn::Zero(d);
+    vector s2 = hn::Zero(d);
+    vector s3 = hn::Zero(d);
+    int k = first;
+    for (; k + 3 <= last; k += 4) {
+        s0 = hn::Add(s0, hn::Mul(a[k], b[n - k]));
+        s1 = hn::Add(s1, hn::Mul(a[k + 1], b[n - k - 1]));
+        s2 = hn::Add(s2, hn::Mul(a[k + 2], b[n - k - 2]));
+        s3 = hn::Add(s3, hn::Mul(a[k + 3], b[n - k - 3]));
+    }
+    for (; k <= last; ++k) {
+        s0 = hn::Add(s0, hn::Mul(a[k], b[n - k]));
+    }
+    return hn::Add(hn::Add(s0, s1), hn::Add(s2, s3));
+}
+
+// sum_{k=first}^{n-first} a_k a_{n-k}, each product once.
+HWY_INLINE vector sum_of_squares(const column& a, int n, int first) {
+    const vector half = sum_of_products(a, a, n, first, (n + 1) / 2 - 1);
+    const vector twice = hn::Add(half, half);
+    return n % 2 == 0 && n >= 2 * first ? hn::Add(twice, hn::Mul(a[n / 2], a[n / 2])) : twice;
+}
+
+HWY_INLINE vector coefficient(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    const doubles d;
+    const column a(rows, of.left + lane);
+    const column b(rows, of.right + lane);
+    const column result(rows, of.result + lane);
+    const double* const factors = rows.factors.data() + of.factors + lane;
+    switch (of.kind) {
+        case operation::sum: return hn::Add(a[n], b[n]);
+        case operation::difference: return hn::Sub(a[n], b[n]);
+        case operation::scaled: return hn::Mul(a[n], hn::LoadU(d, factors));
+        case operation::product: return sum_of_products(a, b, n, 0, n);
+        case operation::square: return sum_of_squares(a, n, 0);
+        case operation::quotient: return hn::Div(hn::Sub(a[n], sum_of_products(b, result, n, 1, n)), b[0]);
+        default:  // square_root
+            return hn::Div(hn::Sub(a[n], sum_of_squares(result, n, 1)), hn::LoadU(d, factors));
+    }
+}
+
+// From all over row n to one place.
+HWY_INLINE void gather(lane_rows& rows, std::ptrdiff_t indices, std::size_t place, std::size_t lanes, int n) {
+    const doubles d;
+    const hn::RebindToSigned<doubles> whole;
+    double* const row = rows.row(n);
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
+        const auto from = hn::LoadU(whole, rows.indices.data() + indices + lane);
+        hn::StoreU(hn::GatherIndex(d, row, from), d, row + place + lane);
+    }
+}
+
+void run(std::span<const lane_group> groups, lane_rows& rows, int n) {
+    const doubles d;
+    double* const row = rows.row(n);
+    for (const lane_group& of : groups) {
+        if (of.gathered_left >= 0) {
+            gather(rows, of.gathered_left, of.left, of.lanes, n);
+        }
+        if (of.gathered_right >= 0) {
+            gather(rows, of.gathered_right, of.right, of.lanes, n);
+        }
+        for (std::size_t lane = 0; lane < of.lanes; lane += hn::Lanes(d)) {
+            hn::StoreU(coefficient(of, rows, lane, n), d, row + of.result + lane);
+        }
+    }
+}
+
+}  // namespace libration::ode::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace libration::ode {
+
+HWY_EXPORT(run);
+
+void run_lanes(std::span<const lane_group> groups, lane_rows& rows, int n) {
+    HWY_DYNAMIC_DISPATCH(run)(groups, rows, n);
+}
+
+}  // namespace libration::ode
+
+#endif
