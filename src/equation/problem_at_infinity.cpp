@@ -13,6 +13,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/layers_at_infinity.hpp"
+#include "libration/ode/proved/neutral_atom.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "text/cell.hpp"
 #include "text/input_error.hpp"
@@ -41,11 +42,12 @@ bool is_of_catalogue(const ode::equation_system& system, const char* name) {
            std::ranges::equal(system.starts, known.starts, same_start);
 }
 
-// A value of a parameter for which f' has this limit.
+// A value of a parameter for which this has a limit.
 struct lemma_at_infinity {
     const char* problem;
     const char* unknown;
-    /// The limits of f' that it holds for, in words, and whether this is one.
+    const char* of;
+    /// The limits that it holds for, in words, and whether this is one.
     const char* limits;
     std::function<bool(const ode::number&)> holds;
     std::function<ball(const ode::equation_system&, const ode::number&)> value;
@@ -53,14 +55,17 @@ struct lemma_at_infinity {
 
 const std::vector<lemma_at_infinity>& lemmas() {
     static const std::vector<lemma_at_infinity> all{
-        {"blasius", "k", "above 0", [](const ode::number& limit) { return limit.sign() > 0; },
+        {"blasius", "k", "f'(inf)", "above 0", [](const ode::number& limit) { return limit.sign() > 0; },
          [](const ode::equation_system&, const ode::number& limit) {
              return ode::blasius_shear(ode::constant_value<ball>::of(limit));
          }},
-        {"falkner_skan", "s", "1", [](const ode::number& limit) { return (limit - ode::number(1)).sign() == 0; },
+        {"falkner_skan", "s", "f'(inf)", "1",
+         [](const ode::number& limit) { return (limit - ode::number(1)).sign() == 0; },
          [](const ode::equation_system& system, const ode::number&) { return ode::falkner_skan_shear(system); }},
-        {"sakiadis", "G", "0", [](const ode::number& limit) { return limit.sign() == 0; },
-         [](const ode::equation_system& system, const ode::number&) { return ode::sakiadis_shear(system); }}};
+        {"sakiadis", "G", "f'(inf)", "0", [](const ode::number& limit) { return limit.sign() == 0; },
+         [](const ode::equation_system& system, const ode::number&) { return ode::sakiadis_shear(system); }},
+        {"thomas_fermi", "slope", "y(inf)", "0", [](const ode::number& limit) { return limit.sign() == 0; },
+         [](const ode::equation_system&, const ode::number&) { return ode::thomas_fermi_slope(); }}};
     return all;
 }
 
@@ -83,13 +88,14 @@ bool is_at_infinity(const std::string& condition) {
 
 proved_decimal proved_for_infinity(const ode::equation_system& system, const std::string& unknown,
                                    const std::string& condition, long digits) {
-    const auto value = value_at_infinity(condition, "f'(inf)");
     const auto lemma = std::ranges::find_if(
         lemmas(), [&](const lemma_at_infinity& each) { return is_of_catalogue(system, each.problem); });
+    const auto value = lemma == lemmas().end() ? std::nullopt : value_at_infinity(condition, lemma->of);
     if (lemma == lemmas().end() || unknown != lemma->unknown || !value) {
         throw error(error_kind::undecided, "--such-that", condition,
                     "is a condition at infinity, and this problem brings no lemma for that; those of the catalogue "
-                    "that do are blasius for k, falkner_skan for s and sakiadis for G, with f'(inf)");
+                    "that do are blasius for k, falkner_skan for s and sakiadis for G, with f'(inf), and thomas_fermi "
+                    "for slope, with y(inf)");
     }
     const auto wanted = naming_option("--such-that", [&] { return ode::parse_constant(*value).constant(); });
     if (!lemma->holds(wanted)) {

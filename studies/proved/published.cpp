@@ -7,6 +7,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/layers_at_infinity.hpp"
+#include "libration/ode/proved/neutral_atom.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
@@ -82,6 +83,12 @@ const std::vector<kind_of_value>& kinds() {
          [](long digits) {
              const auto equations = equations_of("sakiadis");
              return std::vector<proved_decimal>{proved_value(digits, [&] { return ode::sakiadis_shear(equations); })};
+         }},
+        {"thomas_fermi_slope",
+         "thomas_fermi",
+         {{"y'(0) for y(inf) = 0", "-1.588071022611375312718", "J. P. Boyd, J. Comput. Appl. Math. 244 (2013) 90-101"}},
+         [](long digits) {
+             return std::vector<proved_decimal>{proved_value(digits, [] { return ode::thomas_fermi_slope(); })};
          }},
         {"lane_emden_zero",
          "lane_emden",
@@ -248,7 +255,8 @@ const study& published() {
             "the line at 1 holds. The table has both, and the source.",
         .of = &values_in_print(),
         .parameters = {{"--values",
-                        "blasius,falkner_skan_layer,sakiadis_layer,lane_emden_zero,lorenz_orbit,van_der_pol_cycle,"
+                        "blasius,falkner_skan_layer,sakiadis_layer,thomas_fermi_slope,lane_emden_zero,lorenz_orbit,van_"
+                        "der_pol_cycle,"
                         "hires,van_der_pol_1000",
                         "which values; hires and van_der_pol_1000 take minutes, oregonator more than an hour"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},

@@ -6,6 +6,7 @@
 
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/neutral_atom.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
@@ -35,6 +36,11 @@ TEST_CASE("shooting from two sides proves printed digits", "[ode][proved]") {
     CHECK(shear("falkner_skan", {}, 15) == "0.927680039836651");  // the printed last digits are off by 2 units
     CHECK(shear("falkner_skan", {"b = 1", "s = 1.23"}, 17) == "1.2325876568202810");
     CHECK(shear("sakiadis", {}, 14) == "-0.44374831336886");
+}
+
+// [Boyd2013], who prints 22 digits, the last one cut off: the next ones are 684...
+TEST_CASE("the slope of the neutral atom is that of Boyd", "[ode][proved]") {
+    CHECK(proved_value(22, [] { return thomas_fermi_slope(); }).text == "-1.588071022611375312719");
 }
 
 TEST_CASE("a guess that leads nowhere is refused", "[ode][proved]") {

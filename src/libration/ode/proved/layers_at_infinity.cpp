@@ -10,27 +10,13 @@
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"
+#include "two_sides.hpp"
 
 namespace libration::ode {
 
 namespace {
 
 constexpr int most_secants = 40;
-constexpr int pieces_of_a_step = 8;
-constexpr long layer_guard_bits = 80;
-// Bits by which the two sides are farther apart than the working precision.
-constexpr long bits_of_sides = 6;
-constexpr int latest_layer_time = 100'000;
-
-rational fraction_of(const mpfr& x) {
-    rational q;
-    mpfr_get_q(q.backend().data(), handle(x));
-    return q;
-}
-
-equation_system with_value(equation_system system, const std::string& name, const mpfr& value) {
-    return system.set(name, expression(fraction_of(value)));
-}
 
 // f'(time) - target by one march.
 mpfr missed(const equation_system& system, const std::string& name, const mpfr& value, int time, int target) {
@@ -76,47 +62,12 @@ mpfr shot(const equation_system& given, const std::string& name, int target, con
     return value;
 }
 
-// A march that says at which time one of two things is true.
-enum class side { above, below };
-using state_test = std::function<std::optional<side>(const std::vector<ball>&)>;
-
-std::optional<side> side_of(const equation_system& system, long bits, const state_test& decided, const ball& least) {
-    proved_march march(explicit_system(system), bits);
-    while (march.prepare() && certainly_less(march.reached(), ball(latest_layer_time))) {
-        if (const auto found = decided(march.values_at(ball(0)))) {
-            return found;
-        }
-        const ball piece = march.length().exact() / pieces_of_a_step;
-        for (int k = 0; k < pieces_of_a_step; ++k) {
-            const auto values = march.values_at(hull(piece * k, piece * (k + 1)));
-            if (!certainly_less(least, values[1])) {
-                return std::nullopt;
-            }
-        }
-        march.step(1);
-    }
-    return std::nullopt;
-}
-
-// The ball between two sides of the middle, once they are proved to be on different ones.
-ball between(const equation_system& given, const std::string& name, const mpfr& middle, const state_test& decided,
-             const ball& least) {
-    const long bits = static_cast<long>(ball::working_bits());
-    const mpfr away = ldexp(abs(middle), static_cast<int>(bits_of_sides - bits));
-    const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits + layer_guard_bits, decided, least);
-    const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits + layer_guard_bits, decided, least);
-    if (!low || !high || *low == *high) {
-        throw precision_exhausted("the sides of a value for infinity");
-    }
-    return hull(ball(mpfr(middle - away)), ball(mpfr(middle + away)));
-}
-
 template <class Time>
 ball proved_shot(const equation_system& given, const std::string& name, int target, const state_test& decided,
                  const ball& least, const Time& time) {
     mpfr middle;
     {
-        const precision_scope more(decimal_digits(static_cast<long>(ball::working_bits()) + layer_guard_bits));
+        const precision_scope more(decimal_digits(static_cast<long>(ball::working_bits()) + side_guard_bits));
         middle = shot(given, name, target, time);
     }
     return between(given, name, middle, decided, least);

@@ -1,0 +1,30 @@
+// Shooting to a condition at infinity from two sides, on each of which a march says that it is that side.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/ode/equation_system.hpp"
+#include "libration/scalar/ball/ball.hpp"
+
+namespace libration::ode {
+
+enum class side { above, below };
+/// On which side the solution is, seen from its values at a time; nothing where that is not decided there.
+using state_test = std::function<std::optional<side>(const std::vector<ball>&)>;
+
+/// Bits that a march from one side has more than the result.
+inline constexpr long side_guard_bits = 80;
+
+/// The system with another value of a parameter, exactly.
+equation_system with_value(equation_system system, const std::string& name, const mpfr& value);
+
+/// The ball between two values of a parameter about the middle, in the working precision, once they are proved to be on
+/// different sides. The second unknown has to stay above `least` until then. Throws precision_exhausted where a side is
+/// not decided.
+ball between(const equation_system& given, const std::string& name, const mpfr& middle, const state_test& decided,
+             const ball& least);
+
+}  // namespace libration::ode
