@@ -96,7 +96,7 @@ void add_row(libration_table& table, const std::string& time, const compared_val
     table.add(libration_number{row.condition, "", LIBRATION_HEURISTIC});
     for (const comparison& each : row.values) {
         libration_number reference = rounded_number(each.reference);
-        reference.rigour = LIBRATION_PROVED;
+        reference.rigour = row.proved ? LIBRATION_PROVED : LIBRATION_HEURISTIC;
         table.add(std::move(reference));
         table.add(libration_number{each.error, "", LIBRATION_HEURISTIC});
         table.add(libration_number{correct_digits_text(each.tenths_of_digits), "", LIBRATION_HEURISTIC});

@@ -69,6 +69,7 @@ compared_row row_comparer::row_of(const csv_record& record, const std::vector<st
     compared_row row;
     row.line = record.line;
     row.verdict = row_verdict::ok;
+    row.proved = here.proved;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < here.values.size(); ++i) {
         const comparison& value = here.values[i];

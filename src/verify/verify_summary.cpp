@@ -29,6 +29,7 @@ void verify_summary::add(const compared_row& row) {
         name(row, ++malformed_, malformed_named_);
         return;
     }
+    unproved_ += row.proved ? 0 : 1;
     ++digits_[row.tenths_of_digits ? *row.tenths_of_digits / 10 : exact_digits];
     if (row.verdict == row_verdict::miss) {
         name(row, ++misses_, misses_named_);
@@ -43,6 +44,11 @@ void verify_summary::print() const {
     print_more(malformed_ - malformed_named_, "malformed");
     fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed\n", without_controls(file_, longest_quotation), rows_,
                rows_ - misses_ - malformed_, misses_, malformed_);
+    if (unproved_ > 0) {
+        fmt::print(stderr,
+                   "{} rows are compared with values on which two computations agree, and which are not proved\n",
+                   unproved_);
+    }
     if (worst_) {
         const precision_scope scope(20);
         fmt::print(stderr, "worst row: line {}, {}: error {}, {} times the tolerance, condition {}\n", worst_->line,

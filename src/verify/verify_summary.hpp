@@ -30,6 +30,7 @@ private:
     long rows_ = 0;
     long misses_ = 0;
     long malformed_ = 0;
+    long unproved_ = 0;
     long misses_named_ = 0;
     long malformed_named_ = 0;
     std::optional<compared_row> worst_;

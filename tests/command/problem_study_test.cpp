@@ -108,7 +108,27 @@ TEST_CASE("what a study of an equation cannot be asked is refused", "[command][p
     check_refused({"study", "radius_map", "--problem", "y' = y; y(0) = 1", "--orders", "2"}, {"--orders", "2"});
 }
 
-TEST_CASE("verify judges columns of a problem against two marches", "[command][problem][verify]") {
+// sin(t)/t for n = 1, which is even; Thomas and Fermi's start is no polynomial.
+TEST_CASE("verify proves from a regular singular start where it can, and says where not",
+          "[command][problem][verify]") {
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "file.csv") << "t,y\n0,1\n1,0.84147098480789650665\n2,0.4546487134128408477\n";
+    const words verify{"verify", "file.csv", "--problem"};
+    const auto proved = run_libration(verify + words{"lane_emden", "--set", "n=1"}, folder.path());
+    INFO(proved.err);
+    CHECK(proved.exit_code == 0);
+    CHECK(proved.err.find("not proved") == std::string::npos);
+    std::ofstream(folder.path() / "file.csv") << "t,y\n-1,0.84147098480789650665\n";
+    const auto before = run_libration(verify + words{"lane_emden", "--set", "n=1"}, folder.path());
+    CHECK(before.exit_code == 0);
+    CHECK(before.err.find("1 rows are compared with values on which two computations agree") != std::string::npos);
+    std::ofstream(folder.path() / "file.csv") << "t,y\n1,0.424\n";
+    const auto agreed = run_libration(verify + words{"thomas_fermi", "--tolerance", "1e-3"}, folder.path());
+    CHECK(agreed.exit_code == 0);
+    CHECK(agreed.err.find("not proved") != std::string::npos);
+}
+
+TEST_CASE("verify judges columns of a problem against proved values", "[command][problem][verify]") {
     const temporary_folder folder;
     std::ofstream(folder.path() / "file.csv") << "t,y,y'\n0,0,1\n1,0.8414709848,0.5403023059\n"
                                                  "-2,-0.90929742682568,-0.4161468365\n1,0.8414709850,0.54030\n";

@@ -24,8 +24,8 @@ struct solution_component {
 /// The unknowns and their lower derivatives, in order.
 std::vector<solution_component> components_of(const explicit_system& system);
 
-/// The truths of a problem at any times. A truth is proved (proved_march); where the start is singular it is that of
-/// two marches of other orders and precisions, within 16 times what they differ by. The condition number is the largest
+/// The truths of a problem at any times. A truth is proved (proved_march); before a singular start, and where theorem S
+/// does not hold for that, it is that of two marches of other orders and precisions, within 16 times what they differ by. The condition number is the largest
 ///     (|t dy/dt| + sum_x |x dy/dx|) / max(1, |y|)
 /// of the components y that are compared, x the starts and the parameters that are not 0 (dependence); at a singular
 /// start |t dy/dt| / max(1, |y|) of the first one alone.
@@ -46,6 +46,7 @@ private:
     using components = std::vector<solution_component>;
 
     std::size_t place_of(const solution_component& of) const;
+    bool proves(const exact& time);
     std::vector<ball> proved_state(const exact& time, long digits);
     march_pair& marches(long digits);
     std::vector<true_value> truths_at(const exact& time, const components& asked, long digits);
@@ -59,6 +60,7 @@ private:
     std::map<long, std::shared_ptr<march_pair>> by_digits_;
     std::map<long, std::shared_ptr<proved_way>> proved_by_digits_;
     std::shared_ptr<dependent_way> dependent_;
+    std::optional<bool> provable_;  // from a singular start
 };
 
 }  // namespace libration::ode

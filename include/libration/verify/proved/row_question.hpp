@@ -13,6 +13,8 @@ namespace libration {
 
 /// Where the truths of a row come from.
 struct row_question {
+    /// Whether the truths are proved; otherwise two computations agree on them.
+    bool proved = true;
     /// The digits of the first attempt that serves so many decimal places.
     std::function<long(long places)> first_digits;
     /// The truths of the compared columns, at the working precision of so many digits, or nothing where it is too
@@ -27,6 +29,8 @@ struct row_question {
 struct compared_values {
     std::vector<comparison> values;
     std::string condition;
+    /// Whether the truths are.
+    bool proved = true;
 
     /// Whether all of them keep their tolerance.
     bool within() const;

@@ -106,6 +106,21 @@ std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
     throw error(error_kind::undecided, "time", time.text, "is not reached by a proof: a singularity is near, or chaos");
 }
 
+bool problem_truths::proves(const exact& time) {
+    if (!system_.singular() || is_start(system_, time)) {
+        return true;
+    }
+    if (!provable_) {
+        try {
+            const proved_march first(system_, first_proof_bits);
+            provable_ = true;
+        } catch (const error&) {  // theorem S does not hold for it
+            provable_ = false;
+        }
+    }
+    return *provable_ && (as_expression(time) - system_.point()).sign() > 0;
+}
+
 std::vector<true_value> problem_truths::truths_at(const exact& time, const components& asked, long digits) {
     std::vector<true_value> truths;
     if (is_start(system_, time)) {
@@ -115,7 +130,7 @@ std::vector<true_value> problem_truths::truths_at(const exact& time, const compo
         }
         return truths;
     }
-    if (!system_.singular()) {
+    if (proves(time)) {
         const auto state = proved_state(time, digits);
         for (const auto& each : asked) {
             truths.push_back({state[place_of(each)]});
@@ -217,6 +232,7 @@ std::string problem_truths::condition_at(const exact& time, const components& as
 
 row_question problem_truths::at(const exact& time, const std::vector<solution_component>& asked) {
     row_question question;
+    question.proved = proves(time);
     question.first_digits = [](long places) { return (places + 29) / 10 * 10; };
     question.truths = [this, time, asked](long digits) { return truths_at(time, asked, digits); };
     question.condition = [this, time, asked](long digits) { return condition_at(time, asked, digits); };

@@ -61,6 +61,7 @@ compared_values compare_row(const std::vector<written_value>& values, const row_
     constexpr int attempts = 5;
     const auto attempt = [&](const precision_run& run) -> std::optional<compared_values> {
         compared_values here;
+        here.proved = question.proved;
         auto truths = question.truths(run.more);
         for (std::size_t i = 0; i < truths.size(); ++i) {
             if (i == 0 && rules.modulo_turn) {
