@@ -19,7 +19,7 @@
 
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/pendulum/sampler/sampler.hpp"
-#include "libration/scalar/vector_instructions.hpp"
+#include "libration/scalar/vector/vector_instructions.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"
 #include "run/child_program.hpp"

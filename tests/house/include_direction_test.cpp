@@ -70,6 +70,7 @@ std::map<std::string, rooms> order_of_rooms() {
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
+        {"scalar/vector", scalar},
         {"scalar/ball", numbers},
         {"digits", numbers},
         {"digits/proved", balls},

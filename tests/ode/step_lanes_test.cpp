@@ -9,7 +9,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/precision_scope.hpp"
-#include "libration/scalar/vector_instructions.hpp"
+#include "libration/scalar/vector/vector_instructions.hpp"
 
 namespace ode_step_lanes_test {
 

@@ -13,7 +13,7 @@
 
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/scalar/text/written_number.hpp"
-#include "libration/scalar/vector_instructions.hpp"
+#include "libration/scalar/vector/vector_instructions.hpp"
 #include "pendulum/typed.hpp"
 #include "proved.hpp"
 
