@@ -228,8 +228,10 @@ public:
                 next = exact_midpoint(now_->about().offset + rest * part);
             }
             if (++discs_ > most_path_discs + flow_.bits()) {
-                throw error(error_kind::undecided, "problem", "",
-                            "is not followed to a singularity: the proved discs become too small before it");
+                throw error(
+                    error_kind::undecided, "problem", "",
+                    "is not followed to a singularity: the proved discs become too small before it; where a sum "
+                    "such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
             }
             if (!certainly_within(exact_difference(next, now_->about().offset), now_->radius())) {
                 throw precision_exhausted("a step below the rounding of its place");
