@@ -8,6 +8,7 @@
 
 #include "libration/scalar/ball/value.hpp"
 #include "libration/scalar/quad.hpp"
+#include "libration/scalar/vector/vector_instructions.hpp"
 #include "version.hpp"
 
 namespace libration {
@@ -33,7 +34,8 @@ std::vector<std::pair<std::string, std::string>> provenance() {
             {"MPFR thread-safe", mpfr_buildopt_tls_p() != 0 ? "yes" : "no"},
             {"GMP", gmp_version},
             {"quad", LIBRATION_HAS_FLOAT128 != 0 ? "__float128 (libquadmath)" : "cpp_bin_float_quad"},
-            {"ball arithmetic", balls()}};
+            {"ball arithmetic", balls()},
+            {"vectors", vector_instructions().front()}};
 }
 
 std::string version_text() {

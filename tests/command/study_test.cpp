@@ -57,7 +57,7 @@ TEST_CASE("a study with --out writes its table, its description and its figures"
         CHECK_FALSE(meaning.get<std::string>().empty());
     }
     CHECK(described == split_cells(lines_of(csv).front()));
-    for (const std::string library : {"libration", "commit", "Boost", "MPFR", "GMP"}) {
+    for (const std::string library : {"libration", "commit", "Boost", "MPFR", "GMP", "vectors"}) {
         CHECK(json.at("made with").contains(library));
     }
 

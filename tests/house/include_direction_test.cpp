@@ -112,7 +112,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/python", {}},
         {"src/libration", {}},
         {"src/text", problem},
-        {"src/run", text},
+        {"src/run", text + rooms{"scalar/vector"}},
         {"src/option", run},
         {"src/equation", option},
         {"src/journal", equation},
