@@ -34,10 +34,9 @@ struct lane_rows {
 };
 
 /// The steps of a tape in an order in which operands come first, those of one kind together where they wait for as many
-/// others: products, squares, quotients, square roots, sums, differences and multiples, from three on and not more than
-/// sixteen together. One loop over the degrees serves a group. Each lane sums in the order in which one step alone does,
-/// without fused operations, so that coefficients are the same to the last bit, on every processor. Compiled: in the
-/// target libration::libration alone.
+/// others: products, squares, quotients, square roots, sums, differences and multiples, sixteen at most together. None where
+/// that would be less than three on average. One loop over the degrees serves a group. Each lane sums in the order in which one step alone does,
+/// without fused operations, so that coefficients are the same to the last bit, on every processor.
 class step_lanes {
 public:
     /// One step by itself, or groups one after the other.

@@ -263,7 +263,6 @@ void taylor_expansion<R>::place() {
 
 template <field R>
 void taylor_expansion<R>::place_in_lanes() {
-#ifdef LIBRATION_COMPILED
     if constexpr (std::same_as<R, double>) {
         std::vector<double> factors;
         for (const tape_step& each : tape_->steps()) {
@@ -271,12 +270,10 @@ void taylor_expansion<R>::place_in_lanes() {
         }
         lanes_ = step_lanes(*tape_, arrays_.data(), length_, factors);
     }
-#endif
 }
 
 template <field R>
 void taylor_expansion<R>::run_steps(int n) {
-#ifdef LIBRATION_COMPILED
     if constexpr (std::same_as<R, double>) {
         if (n > 0 && !lanes_.empty()) {
             lanes_.take_states(n);
@@ -291,17 +288,14 @@ void taylor_expansion<R>::run_steps(int n) {
             return;
         }
     }
-#endif
     for (const placed_step& each : placed_steps_) {
         placed(*this, each, n);
     }
-#ifdef LIBRATION_COMPILED
     if constexpr (std::same_as<R, double>) {
         if (!lanes_.empty()) {
             lanes_.begin();
         }
     }
-#endif
 }
 
 template <field R>

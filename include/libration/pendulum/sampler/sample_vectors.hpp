@@ -23,9 +23,9 @@ inline constexpr std::size_t vector_block = 32;
 /// theta and omega at the leading times, block by block until a block holds a time that the clock does not reach, or
 /// is no whole block any more; returns how many that are. The arrays may be the same.
 ///
-/// What sample_block does, in its order but for the polynomials: a vector holds two, four or eight neighbouring
+/// What sampled_at does, in its order but for the polynomials: a vector holds two, four or eight neighbouring
 /// coefficients of theta and of its slope, Horner's rule runs in the power of x that goes with it, and once more over
-/// the sums. So the error is not larger than sample_block's, and the last digit is another with SSE, AVX2, AVX-512 and
+/// the sums. So the error is not larger than there, and the last digit is another with SSE, AVX2, AVX-512 and
 /// NEON. The processor is asked once, by Highway [Highway]. Compiled: in the target libration::libration alone.
 std::size_t sample_vectors(const vector_tables& tables, const double* times, std::size_t count, double* theta,
                            double* omega);

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 
-#include "libration/pendulum/sampler/sample_block.hpp"
+#include "libration/pendulum/sampler/sampling_tables.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::pendulum {
@@ -18,13 +19,12 @@ namespace libration::pendulum {
 /// Errors at every energy, next to E = 2, at E = 2 and at rest, in units epsilon 2^floor(log2 max(1, |x|)):
 ///   theta   at most 4, x = theta
 ///   omega   at most 4, x = the largest |omega| of the motion; no relative digits where omega is next to 0
-/// (sample_block.hpp says why; the tests compare with proved values).
+/// (sampling_tables.hpp says why; the tests compare with proved values).
 ///
 /// Cost in double: 15 to 50 microseconds once; then about 2 ns a time with AVX-512, 3.5 with AVX2, 8 with SSE, 25 ns
 /// where it is asked alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a
 /// time. Nothing changes after construction: any number of threads may ask one sampler. The last digit depends on the
-/// vectors that the processor has (sample_vectors.hpp); a program of headers alone takes those of its compiler's
-/// options.
+/// vectors that the processor has (sample_vectors.hpp).
 template <fixed_scalar T>
 class sampler {
 public:
@@ -36,8 +36,11 @@ public:
 
     /// At one time. Throws error where it is not finite, error of the kind range where theta is not.
     series::jet<T> operator()(const T& time) const {
+        if (tables_.clock.reaches(time)) {
+            return sampled_at(tables_, time);
+        }
         series::jet<T> state{};
-        sample<1>({&time, 1}, {&state.value, 1}, {&state.slope, 1});
+        sample_late({&time, 1}, &state.value, &state.slope);
         return state;
     }
 
@@ -50,60 +53,43 @@ public:
                         "is not that of the " + std::to_string(theta.size()) + " angles and the " +
                             std::to_string(omega.size()) + " velocities");
         }
-        sample<std::same_as<T, double> ? vector_block : 1>(times, theta, omega);
+        if constexpr (std::same_as<T, double>) {
+            sample_in_vectors(times, theta, omega);
+        } else {
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                const series::jet<T> state = (*this)(times[i]);
+                theta[i] = state.value;
+                omega[i] = state.slope;
+            }
+        }
     }
 
 private:
     sampler(const motion& m, const precision_scope& /*scope*/) : motion_(m), tables_(m) {}
 
-    template <std::size_t block>
-    void sample(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
-        const std::size_t whole = times.size() - times.size() % block;
-        sample_blocks<block>({times.data(), whole}, theta.data(), omega.data());
-        if (whole < times.size()) {
-            const std::size_t rest = times.size() - whole;
-            std::array<T, block> t{};
-            std::array<T, block> angle;
-            std::array<T, block> speed;
+    void sample_in_vectors(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
+        const std::size_t whole = times.size() - times.size() % vector_block;
+        sample_blocks(times.first(whole), theta.data(), omega.data());
+        if (const std::size_t rest = times.size() - whole; rest > 0) {
+            std::array<T, vector_block> t{};
+            std::array<T, vector_block> angle;
+            std::array<T, vector_block> speed;
             std::copy_n(times.data() + whole, rest, t.data());
-            sample_blocks<block>(t, angle.data(), speed.data());
+            sample_blocks(t, angle.data(), speed.data());
             std::copy_n(angle.data(), rest, theta.data() + whole);
             std::copy_n(speed.data(), rest, omega.data() + whole);
         }
     }
 
-    template <std::size_t block>
+    // Whole blocks; one that holds a time beyond the clock goes by itself.
     void sample_blocks(std::span<const T> times, T* theta, T* omega) const {
-        for (std::size_t i = 0;; i += block) {
-            i += sample_leading_blocks<block>(times.subspan(i), theta + i, omega + i);
+        for (std::size_t i = 0;; i += vector_block) {
+            i += sample_vectors(tables_.vectors(), times.data() + i, times.size() - i, theta + i, omega + i);
             if (i >= times.size()) {
                 return;
             }
-            sample_late(times.subspan(i, block), theta + i, omega + i);
+            sample_late(times.subspan(i, vector_block), theta + i, omega + i);
         }
-    }
-
-    // Blocks until one holds a time that the clock does not reach; how many times they are.
-    template <std::size_t block>
-    std::size_t sample_leading_blocks(std::span<const T> times, T* theta, T* omega) const {
-#ifdef LIBRATION_COMPILED
-        if constexpr (block == vector_block) {
-            return sample_vectors(tables_.vectors(), times.data(), times.size(), theta, omega);
-        }
-#endif
-        std::size_t done = 0;
-        for (; done < times.size() && reaches(times.subspan(done, block)); done += block) {
-            sample_block<block>(tables_, times.data() + done, theta + done, omega + done);
-        }
-        return done;
-    }
-
-    bool reaches(std::span<const T> times) const {
-        std::size_t late = 0;
-        for (const T& time : times) {
-            late += tables_.clock.reaches(time) ? 0U : 1U;
-        }
-        return late == 0;
     }
 
     // Times beyond the clock, reduced in mpfr.

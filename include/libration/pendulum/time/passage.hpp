@@ -1,6 +1,7 @@
 // Passages through the bottom: which one is next to a time, and to the start.
 #pragma once
 
+#include "libration/elliptic/jacobi.hpp"
 #include "libration/pendulum/time/phase.hpp"
 
 namespace libration::pendulum {
