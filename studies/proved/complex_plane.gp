@@ -20,6 +20,10 @@ red(m, a) = int(colour_of(m, a)) >> 16
 green(m, a) = (int(colour_of(m, a)) >> 8) & 255
 blue(m, a) = int(colour_of(m, a)) & 255
 
+# Between tics, for not more than seven of them from -r to r.
+times_decade(x, decade) = decade*(x < 1.5*decade ? 1 : x < 3.5*decade ? 2 : x < 7.5*decade ? 5 : 10)
+step_of(r) = times_decade(r/2.2, 10**floor(log10(r/2.2)))
+
 eval grid(count, 4)
 panel_w = count < 3 ? 460 : 300
 panel_h = count < 3 ? 440 : 300
@@ -35,7 +39,7 @@ do for [kind in terminals] {
         set size ratio -1
         set title plain(name).': '.first_of(main, 6, of(name)) font ',12' offset 0, -0.6
         set xrange [-reach:reach]; set yrange [-reach:reach]
-        set xtics autofreq format '%.3g' font ',10'; set ytics autofreq format '%.3g' font ',10'
+        set xtics step_of(reach) format '%.3g' font ',10'; set ytics step_of(reach) format '%.3g' font ',10'
         set datafile nocolumnheaders
         set style fill transparent solid 0 border lc rgb '#777777'
         radius = first_of(proofs, 5, part_of(name, 'lower'))

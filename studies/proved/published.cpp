@@ -64,10 +64,10 @@ const std::vector<kind_of_value>& kinds() {
          }},
         {"falkner_skan_layer",
          "falkner_skan",
-         {{"f''(0), b = 0", "0.469599988361", "the catalogue, after V. M. Falkner, S. W. Skan"},
-          {"f''(0), b = 1/2", "0.927680039837", "the catalogue, after V. M. Falkner, S. W. Skan"},
-          {"f''(0), b = 1", "1.232587656820289", "public codes for the flow towards a wall"},
-          {"f''(0), b = 1", "1.23258765682022", "public codes for the flow towards a wall"}},
+         {{"f''(0) for b = 0", "0.469599988361", "the catalogue, after V. M. Falkner, S. W. Skan"},
+          {"f''(0) for b = 1/2", "0.927680039837", "the catalogue, after V. M. Falkner, S. W. Skan"},
+          {"f''(0) for b = 1", "1.232587656820289", "public codes for the flow towards a wall"},
+          {"f''(0) for b = 1", "1.23258765682022", "public codes for the flow towards a wall"}},
          [](long digits) {
              const auto shear = [&](const std::string& b, const std::string& s) {
                  const auto equations = equations_of("falkner_skan", {"b = " + b, "s = " + s});
@@ -92,9 +92,9 @@ const std::vector<kind_of_value>& kinds() {
          }},
         {"lane_emden_zero",
          "lane_emden",
-         {{"first zero, n = 2", "4.35287459594612467697", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"},
-          {"first zero, n = 3", "6.89684861937696037545", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"},
-          {"first zero, n = 4", "14.97154634883809509761", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"}},
+         {{"first zero for n = 2", "4.35287459594612467697", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"},
+          {"first zero for n = 3", "6.89684861937696037545", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"},
+          {"first zero for n = 4", "14.97154634883809509761", "J. P. Boyd, Appl. Math. Comput. 217 (2011) 5553-5565"}},
          [](long digits) {
              std::vector<proved_decimal> zeros;
              for (const std::string n : {"n = 2", "n = 3", "n = 4"}) {
@@ -118,7 +118,7 @@ const std::vector<kind_of_value>& kinds() {
          }},
         {"van_der_pol_cycle",
          "van_der_pol",
-         {{"amplitude of the cycle, m = 1", "2.008619860874843136509",
+         {{"amplitude of the cycle for m = 1", "2.008619860874843136509",
            "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"},
           {"its period", "6.66328685932313018969", "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"}},
          [](long digits) {
@@ -144,7 +144,8 @@ const std::vector<kind_of_value>& kinds() {
          [](long digits) { return state_at(equations_of("oregonator"), "360", digits); }},
         {"van_der_pol_1000",
          "van_der_pol",
-         {{"x at t = 2000, m = 1000", "1.706167732170483", test_set}, {"x' there", "-0.8928097010247975e-3", test_set}},
+         {{"x at t = 2000 for m = 1000", "1.706167732170483", test_set},
+          {"x' there", "-0.8928097010247975e-3", test_set}},
          [](long digits) { return state_at(equations_of("van_der_pol", {"m = 1000"}), "2000", digits); }},
     };
     return all;
