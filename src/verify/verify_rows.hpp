@@ -26,7 +26,7 @@ struct compared_row {
     std::string error;
     std::optional<long> tenths_of_digits;  ///< nothing for an error of 0
     std::string condition;
-    bool proved = true;  ///< what the row is compared with
+    bool proved = true;           ///< what the row is compared with
     mpfr of_tolerance = mpfr(0);  ///< error/tolerance of that value
 };
 
