@@ -34,9 +34,10 @@ struct lane_rows {
 };
 
 /// The steps of a tape in an order in which operands come first, those of one kind together where they wait for as many
-/// others: products, squares, quotients, square roots, sums, differences and multiples, sixteen at most together. None where
-/// that would be less than three on average. One loop over the degrees serves a group. Each lane sums in the order in which one step alone does,
-/// without fused operations, so that coefficients are the same to the last bit, on every processor.
+/// others: products, squares, quotients, square roots, sums, differences and multiples, sixteen at most together. None
+/// where that would be less than three on average. One loop over the degrees serves a group. Each lane sums in the order
+/// in which one step alone does, and fuses no product with a sum: coefficients are the same to the last bit as alone
+/// wherever the compiler does not fuse either, as on x86-64 unless it is told to.
 class step_lanes {
 public:
     /// One step by itself, or groups one after the other.
@@ -51,7 +52,7 @@ public:
 
     step_lanes() = default;
     /// For a tape about any point, whose step i has its coefficients at arrays + i length, which have to stay there.
-    /// factors[i] is the constant of step i, where it has one.
+    /// factors[i] is the constant of step i, or its numerator where it has none.
     step_lanes(const tape& of, double* arrays, std::size_t length, const std::vector<double>& factors);
 
     /// Whether there is no group.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "libration/ode/constant_value.hpp"
-#include "libration/ode/step_lanes.hpp"
+#include "libration/ode/placed_steps.hpp"
 #include "libration/ode/tape.hpp"
 #include "libration/series/arithmetic.hpp"
 #include "libration/series/blocked_sums.hpp"
@@ -70,28 +70,7 @@ private:
     }
     bool due(const tape_step& step, int n) const;
 
-    // A step or a derivative with the places of its arrays, for fixed scalars of the hardware about any other point: there
-    // the search for them takes as long as the sums.
-    struct placed_step {
-        operation kind;
-        int index;
-        const tape_step* step;
-        R* result;
-        const R* a;
-        const R* b;
-        R* behind;  // what the next step holds
-        R factor;   // the constant of the step
-    };
-    struct placed_state {
-        R* here;
-        const R* above;
-    };
-    void place();
-    void place_in_lanes();
-    void run_placed(int steps_until);
-    void run_steps(int n);
-    static void placed(taylor_expansion& self, const placed_step& each, int n);
-
+    void run_placed(int steps_until) requires std::floating_point<R>;
     void clear();
     void run();
     void run_singular();
@@ -113,10 +92,7 @@ private:
     std::vector<std::vector<int>> states_;  // steps of the derivatives of each unknown
     std::vector<R> arrays_;
     series::blocked_sums<R> sums_;
-    std::vector<placed_step> placed_steps_;
-    std::vector<placed_state> placed_states_;
-    std::vector<std::size_t> place_of_;  // of each step among the placed ones
-    step_lanes lanes_;
+    placed_steps<R> placed_;  // in fixed scalars of the hardware, about any other point than the start
     R point_ = R(0);
 };
 
@@ -238,155 +214,15 @@ void taylor_expansion<R>::run() {
 }
 
 template <field R>
-void taylor_expansion<R>::place() {
-    if (!placed_steps_.empty() || !placed_states_.empty()) {
-        return;
+void taylor_expansion<R>::run_placed(int steps_until) requires std::floating_point<R> {
+    if (placed_.empty()) {
+        placed_ = placed_steps<R>(*tape_, arrays_.data(), length_, constants_, states_);
     }
-    for (int i = 0; i < static_cast<int>(tape_->steps().size()); ++i) {
-        const tape_step& s = tape_->steps()[static_cast<std::size_t>(i)];
-        place_of_.push_back(placed_steps_.size());
-        if (s.kind != operation::state && s.kind != operation::companion) {
-            placed_steps_.push_back({s.kind, i, &s, array(i), s.left < 0 ? nullptr : array(s.left),
-                                     s.right < 0 ? nullptr : array(s.right), array(i + 1),
-                                     s.constant < 0 ? R(1) : constants_[static_cast<std::size_t>(s.constant)]});
-        }
-    }
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-        const R* above = array(tape_->outputs()[i]);
-        for (std::size_t j = states_[i].size(); j-- > 0;) {
-            placed_states_.push_back({array(states_[i][j]), above});
-            above = array(states_[i][j]);
-        }
-    }
-    place_in_lanes();
-}
-
-template <field R>
-void taylor_expansion<R>::place_in_lanes() {
-    if constexpr (std::same_as<R, double>) {
-        std::vector<double> factors;
-        for (const tape_step& each : tape_->steps()) {
-            factors.push_back(each.constant < 0 ? 1 : constants_[static_cast<std::size_t>(each.constant)]);
-        }
-        lanes_ = step_lanes(*tape_, arrays_.data(), length_, factors);
-    }
-}
-
-template <field R>
-void taylor_expansion<R>::run_steps(int n) {
-    if constexpr (std::same_as<R, double>) {
-        if (n > 0 && !lanes_.empty()) {
-            lanes_.take_states(n);
-            for (const step_lanes::entry& each : lanes_.order()) {
-                if (each.alone) {
-                    placed(*this, placed_steps_[place_of_[each.first]], n);
-                    lanes_.take(each, n);
-                } else {
-                    lanes_.run(each, n);
-                }
-            }
-            return;
-        }
-    }
-    for (const placed_step& each : placed_steps_) {
-        placed(*this, each, n);
-    }
-    if constexpr (std::same_as<R, double>) {
-        if (!lanes_.empty()) {
-            lanes_.begin();
-        }
-    }
-}
-
-template <field R>
-void taylor_expansion<R>::run_placed(int steps_until) {
-    place();
     for (int n = 0; n < order_; ++n) {
         if (n <= steps_until) {
-            run_steps(n);
+            placed_.run(n, [&](int index) { step(index, n); });
         }
-        for (const placed_state& each : placed_states_) {
-            each.here[n + 1] = each.above[n] / (n + 1);
-        }
-    }
-}
-
-// sum_{k=first}^{last} a_k b_{n-k} in four partial sums, which do not wait for each other.
-template <field R>
-R sum_in_fours(const R* a, const R* b, int n, int first, int last) {
-    std::array<R, 4> sums{R(0), R(0), R(0), R(0)};
-    int k = first;
-    for (; k + 3 <= last; k += 4) {
-        sums[0] += a[k] * b[n - k];
-        sums[1] += a[k + 1] * b[n - k - 1];
-        sums[2] += a[k + 2] * b[n - k - 2];
-        sums[3] += a[k + 3] * b[n - k - 3];
-    }
-    for (; k <= last; ++k) {
-        sums[0] += a[k] * b[n - k];
-    }
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
-// sum_{k=first}^{n-first} a_k a_{n-k}, each product once.
-template <field R>
-R square_in_fours(const R* a, int n, int first) {
-    const R half = sum_in_fours(a, a, n, first, (n + 1) / 2 - 1);
-    return n % 2 == 0 && n >= 2 * first ? half + half + a[n / 2] * a[n / 2] : half + half;
-}
-
-template <field R>
-void taylor_expansion<R>::placed(taylor_expansion& self, const placed_step& each, int n) {
-    const R* const a = each.a;
-    const R* const b = each.b;
-    R* const result = each.result;
-    switch (each.kind) {
-        case operation::sum: result[n] = a[n] + b[n]; return;
-        case operation::difference: result[n] = a[n] - b[n]; return;
-        case operation::product: result[n] = sum_in_fours(a, b, n, 0, n); return;
-        case operation::square: result[n] = square_in_fours(a, n, 0); return;
-        case operation::quotient: result[n] = (a[n] - sum_in_fours(b, result, n, 1, n)) / b[0]; return;
-        case operation::slope: series::slope_kernel(a, result, n); return;
-        case operation::scaled:
-            if (each.step->constant >= 0) {
-                result[n] = a[n] * each.factor;
-                return;
-            }
-            break;
-        case operation::square_root:
-            if (n > 0) {
-                result[n] = (a[n] - square_in_fours(result, n, 1)) / each.behind[0];
-                return;
-            }
-            break;
-        case operation::sine_cosine:
-            if (n > 0) {
-                result[n] = sum_in_fours(b, each.behind, n - 1, 0, n - 1) / n;
-                each.behind[n] = -sum_in_fours(b, result, n - 1, 0, n - 1) / n;
-                return;
-            }
-            break;
-        case operation::power:
-            if (n > 0) {
-                R* const slope = each.behind;
-                const R rising = sum_in_fours(b, result, n - 1, 0, n - 1) * each.factor;
-                const R falling = sum_in_fours(a, slope, n - 1, 1, n - 1);
-                result[n] = (rising - falling) / (a[0] * n);
-                slope[n - 1] = result[n] * n;
-                return;
-            }
-            break;
-        case operation::constant:
-            if (n > 0) {
-                return;
-            }
-            break;
-        default: break;
-    }
-    if (each.kind < operation::product) {
-        self.linear_step(*each.step, each.index, n);
-    } else {
-        self.function_step(*each.step, each.index, n);
+        placed_.advance(n);
     }
 }
 

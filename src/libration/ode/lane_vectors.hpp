@@ -10,7 +10,7 @@ namespace libration::ode {
 /// Rows are padded so far behind each group.
 inline constexpr std::size_t widest_vector = 8;
 
-/// n > 0. Sums as sum_in_fours does, each lane for itself.
+/// n > 0. Sums as sum_in_fours (placed_steps.hpp) does, each lane for itself.
 void run_lanes(std::span<const lane_group> groups, lane_rows& rows, int n);
 
 }  // namespace libration::ode

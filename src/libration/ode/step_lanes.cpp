@@ -209,7 +209,7 @@ private:
             const tape_step& each = step_at(step);
             left.push_back(each.left);
             right.push_back(each.right);
-            to_.rows_.factors.push_back(each.constant < 0 ? each.numerator : factors_[static_cast<std::size_t>(step)]);
+            to_.rows_.factors.push_back(factors_[static_cast<std::size_t>(step)]);
         }
         to_.rows_.factors.resize(made.factors + (steps.size() + widest_vector - 1) / widest_vector * widest_vector,
                                  1.0);

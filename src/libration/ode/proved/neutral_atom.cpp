@@ -28,8 +28,8 @@ std::optional<side> side_at(const T& y, const T& v, const T& s, const Less& less
 }
 
 // In floating arithmetic; what does not get on has met y = 0.
-side likely_side(const mpfr& slope) {
-    taylor_march<mpfr> march(explicit_system(with_value(equations(), "slope", slope)));
+side likely_side(const equation_system& given, const mpfr& slope) {
+    taylor_march<mpfr> march(explicit_system(with_value(given, "slope", slope)));
     try {
         for (mpfr s(1);; s += s / 16) {
             const auto& state = march.advance_to(s);
@@ -51,6 +51,7 @@ side likely_side(const mpfr& slope) {
 
 ball thomas_fermi_slope() {
     const auto bits = static_cast<int>(ball::working_bits());
+    const equation_system given = equations();
     mpfr middle;
     {
         const precision_scope more(decimal_digits(bits + side_guard_bits));
@@ -58,13 +59,13 @@ ball thomas_fermi_slope() {
         mpfr high(-1);
         for (int k = 0; k < bits; ++k) {
             middle = (low + high) / 2;
-            (likely_side(middle) == side::above ? high : low) = middle;
+            (likely_side(given, middle) == side::above ? high : low) = middle;
         }
     }
     const auto decided = [](const std::vector<ball>& state) {
         return side_at(state[0], state[1], state[2], [](const ball& a, const ball& b) { return certainly_less(a, b); });
     };
-    return between(equations(), "slope", middle, decided, ball(-3));
+    return between(given, "slope", middle, decided, ball(-3));
 }
 
 }  // namespace libration::ode
