@@ -1,7 +1,7 @@
 // theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of
 // Boost.Math in double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run
-// on one thread, in turns, the sampler also with each set of vector instructions that the processor has; medians of CPU time with their spread. GSL, which may not be linked here, times itself
-// in a program of its own.
+// on one thread, in turns, the sampler also with each set of vector instructions that the processor has; medians of
+// CPU time with their spread. GSL, which may not be linked here, times itself in a program of its own.
 //
 //   ./run bench trajectory
 //
