@@ -1,5 +1,5 @@
-// The steps of a tape with the places of their arrays, for fixed scalars of the hardware about any point: there the search
-// for them would take as long as the sums.
+// The steps of a tape with the places of their arrays, for fixed scalars of the hardware about any point: there the
+// search for them would take as long as the sums.
 #pragma once
 
 #include <array>

@@ -33,11 +33,11 @@ struct lane_rows {
     double* row(int n) { return numbers.data() + static_cast<std::size_t>(n) * length; }
 };
 
-/// The steps of a tape in an order in which operands come first, those of one kind together where they wait for as many
-/// others: products, squares, quotients, square roots, sums, differences and multiples, sixteen at most together. None
-/// where that would be less than three on average. One loop over the degrees serves a group. Each lane sums in the order
-/// in which one step alone does, and fuses no product with a sum: coefficients are the same to the last bit as alone
-/// wherever the compiler does not fuse either, as on x86-64 unless it is told to.
+/// The steps of a tape in an order in which operands come first, those of one kind together where they wait for as
+/// many others: products, squares, quotients, square roots, sums, differences and multiples, sixteen at most together.
+/// None where that would be less than three on average. One loop over the degrees serves a group. Each lane sums in the
+/// order in which one step alone does, and fuses no product with a sum: coefficients are the same to the last bit as
+/// alone wherever the compiler does not fuse either, as on x86-64 unless it is told to.
 class step_lanes {
 public:
     /// One step by itself, or groups one after the other.

@@ -25,7 +25,8 @@ struct solution_component {
 std::vector<solution_component> components_of(const explicit_system& system);
 
 /// The truths of a problem at any times. A truth is proved (proved_march); before a singular start, and where theorem S
-/// does not hold for that, it is that of two marches of other orders and precisions, within 16 times what they differ by. The condition number is the largest
+/// does not hold for that, it is that of two marches of other orders and precisions, within 16 times what they differ
+/// by. The condition number is the largest
 ///     (|t dy/dt| + sum_x |x dy/dx|) / max(1, |y|)
 /// of the components y that are compared, x the starts and the parameters that are not 0 (dependence); at a singular
 /// start |t dy/dt| / max(1, |y|) of the first one alone.
