@@ -32,15 +32,19 @@ struct found_value {
 };
 
 std::vector<found_value> found_unknowns(const find_options& options, long digits) {
-    if (options.conditions.size() != options.unknowns.size()) {
-        throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",
-                                      options.unknowns.size(), options.conditions.size()));
-    }
     const auto system = options.problem.equations();
     if (std::ranges::any_of(options.conditions, is_at_infinity)) {
         const bool one = options.conditions.size() == 1;
-        return {{options.unknowns.front(), proved_for_infinity(system, options.unknowns.front(),
-                                                               one ? options.conditions.front() : "several", digits)}};
+        std::vector<found_value> found;
+        for (const std::string& each : options.unknowns) {
+            found.push_back(
+                {each, proved_for_infinity(system, each, one ? options.conditions.front() : "several", digits)});
+        }
+        return found;
+    }
+    if (options.conditions.size() != options.unknowns.size()) {
+        throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",
+                                      options.unknowns.size(), options.conditions.size()));
     }
     std::vector<ode::point_condition> conditions;
     for (const std::string& each : options.conditions) {

@@ -14,6 +14,7 @@
 #include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/layers_at_infinity.hpp"
 #include "libration/ode/proved/neutral_atom.hpp"
+#include "libration/ode/proved/tritronquee.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "text/cell.hpp"
 #include "text/input_error.hpp"
@@ -22,10 +23,15 @@ namespace libration {
 
 namespace {
 
+std::string without_blanks(const std::string& text) {
+    std::string plain;
+    std::ranges::copy_if(text, std::back_inserter(plain), [](char c) { return c != ' '; });
+    return plain;
+}
+
 // f'(inf) = 1 in its parts, or nothing.
 std::optional<std::string> value_at_infinity(const std::string& condition, const std::string& left) {
-    std::string plain;
-    std::ranges::copy_if(condition, std::back_inserter(plain), [](char c) { return c != ' '; });
+    const std::string plain = without_blanks(condition);
     return plain.starts_with(left + "=") ? std::optional(plain.substr(left.size() + 1)) : std::nullopt;
 }
 
@@ -42,30 +48,46 @@ bool is_of_catalogue(const ode::equation_system& system, const char* name) {
            std::ranges::equal(system.starts, known.starts, same_start);
 }
 
-// A value of a parameter for which this has a limit.
+ode::number number_at_infinity(const std::string& text) {
+    return naming_option("--such-that", [&] { return ode::parse_constant(text).constant(); });
+}
+
+// A value of a parameter, or of a start, for which this has a limit.
 struct lemma_at_infinity {
     const char* problem;
     const char* unknown;
     const char* of;
     /// The limits that it holds for, in words, and whether this is one.
     const char* limits;
-    std::function<bool(const ode::number&)> holds;
-    std::function<ball(const ode::equation_system&, const ode::number&)> value;
+    std::function<bool(const std::string&)> holds;
+    std::function<ball(const ode::equation_system&, const std::string&)> value;
 };
+
+bool is_zero_at_infinity(const std::string& limit) { return number_at_infinity(limit).sign() == 0; }
+
+// Without oscillations.
+constexpr const char* tritronquee_limit = "-sqrt(-z/6)";
+
+bool is_tritronquee_limit(const std::string& limit) { return limit == tritronquee_limit; }
 
 const std::vector<lemma_at_infinity>& lemmas() {
     static const std::vector<lemma_at_infinity> all{
-        {"blasius", "k", "f'(inf)", "above 0", [](const ode::number& limit) { return limit.sign() > 0; },
-         [](const ode::equation_system&, const ode::number& limit) {
-             return ode::blasius_shear(ode::constant_value<ball>::of(limit));
+        {"blasius", "k", "f'(inf)", "above 0",
+         [](const std::string& limit) { return number_at_infinity(limit).sign() > 0; },
+         [](const ode::equation_system&, const std::string& limit) {
+             return ode::blasius_shear(ode::constant_value<ball>::of(number_at_infinity(limit)));
          }},
         {"falkner_skan", "s", "f'(inf)", "1",
-         [](const ode::number& limit) { return (limit - ode::number(1)).sign() == 0; },
-         [](const ode::equation_system& system, const ode::number&) { return ode::falkner_skan_shear(system); }},
-        {"sakiadis", "G", "f'(inf)", "0", [](const ode::number& limit) { return limit.sign() == 0; },
-         [](const ode::equation_system& system, const ode::number&) { return ode::sakiadis_shear(system); }},
-        {"thomas_fermi", "slope", "y(inf)", "0", [](const ode::number& limit) { return limit.sign() == 0; },
-         [](const ode::equation_system&, const ode::number&) { return ode::thomas_fermi_slope(); }}};
+         [](const std::string& limit) { return (number_at_infinity(limit) - ode::number(1)).sign() == 0; },
+         [](const ode::equation_system& system, const std::string&) { return ode::falkner_skan_shear(system); }},
+        {"sakiadis", "G", "f'(inf)", "0", is_zero_at_infinity,
+         [](const ode::equation_system& system, const std::string&) { return ode::sakiadis_shear(system); }},
+        {"thomas_fermi", "slope", "y(inf)", "0", is_zero_at_infinity,
+         [](const ode::equation_system&, const std::string&) { return ode::thomas_fermi_slope(); }},
+        {"painleve_1", "u(0)", "u(-inf)", tritronquee_limit, is_tritronquee_limit,
+         [](const ode::equation_system&, const std::string&) { return ode::tritronquee_start().value; }},
+        {"painleve_1", "u'(0)", "u(-inf)", tritronquee_limit, is_tritronquee_limit,
+         [](const ode::equation_system&, const std::string&) { return ode::tritronquee_start().slope; }}};
     return all;
 }
 
@@ -81,24 +103,23 @@ void require_accelerated(const ode::equation_system& system) {
 }  // namespace
 
 bool is_at_infinity(const std::string& condition) {
-    std::string plain;
-    std::ranges::copy_if(condition, std::back_inserter(plain), [](char c) { return c != ' '; });
-    return plain.find("(inf)") != std::string::npos;
+    const std::string plain = without_blanks(condition);
+    return plain.find("(inf)") != std::string::npos || plain.find("(-inf)") != std::string::npos;
 }
 
 proved_decimal proved_for_infinity(const ode::equation_system& system, const std::string& unknown,
                                    const std::string& condition, long digits) {
-    const auto lemma = std::ranges::find_if(
-        lemmas(), [&](const lemma_at_infinity& each) { return is_of_catalogue(system, each.problem); });
+    const auto lemma = std::ranges::find_if(lemmas(), [&](const lemma_at_infinity& each) {
+        return unknown == each.unknown && is_of_catalogue(system, each.problem);
+    });
     const auto value = lemma == lemmas().end() ? std::nullopt : value_at_infinity(condition, lemma->of);
-    if (lemma == lemmas().end() || unknown != lemma->unknown || !value) {
+    if (!value) {
         throw error(error_kind::undecided, "--such-that", condition,
                     "is a condition at infinity, and this problem brings no lemma for that; those of the catalogue "
-                    "that do are blasius for k, falkner_skan for s and sakiadis for G, with f'(inf), and thomas_fermi "
-                    "for slope, with y(inf)");
+                    "that do are blasius for k, falkner_skan for s and sakiadis for G, with f'(inf), thomas_fermi "
+                    "for slope, with y(inf), and painleve_1 for u(0) and u'(0), with u(-inf)");
     }
-    const auto wanted = naming_option("--such-that", [&] { return ode::parse_constant(*value).constant(); });
-    if (!lemma->holds(wanted)) {
+    if (!lemma->holds(*value)) {
         throw input_error("--such-that", condition,
                           std::string("is no condition that ") + lemma->problem + " has a lemma for",
                           std::string("give the value ") + lemma->limits);
@@ -106,7 +127,7 @@ proved_decimal proved_for_infinity(const ode::equation_system& system, const std
     if (lemma->problem == std::string("falkner_skan")) {
         require_accelerated(system);
     }
-    return proved_value(digits, [&] { return lemma->value(system, wanted); });
+    return proved_value(digits, [&] { return lemma->value(system, *value); });
 }
 
 table state_at_infinity(const ode::equation_system& system, long digits) {

@@ -11,6 +11,7 @@
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/proved/tritronquee.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/problem.hpp"
 #include "named_choice.hpp"
@@ -89,6 +90,15 @@ const std::vector<kind_of_value>& kinds() {
          {{"y'(0) for y(inf) = 0", "-1.588071022611375312718", "J. P. Boyd, J. Comput. Appl. Math. 244 (2013) 90-101"}},
          [](long digits) {
              return std::vector<proved_decimal>{proved_value(digits, [] { return ode::thomas_fermi_slope(); })};
+         }},
+        {"tritronquee",
+         "painleve_1",
+         {{"u(0) without oscillations at -inf", "-0.1875543083404949",
+           "B. Fornberg, J. A. C. Weideman, J. Comput. Phys. 230 (2011) 5957-5973"},
+          {"u'(0)", "0.3049055602612289", "B. Fornberg, J. A. C. Weideman, J. Comput. Phys. 230 (2011) 5957-5973"}},
+         [](long digits) {
+             return std::vector<proved_decimal>{proved_value(digits, [] { return ode::tritronquee_start().value; }),
+                                                proved_value(digits, [] { return ode::tritronquee_start().slope; })};
          }},
         {"lane_emden_zero",
          "lane_emden",
@@ -256,9 +266,8 @@ const study& published() {
             "the line at 1 holds. The table has both, and the source.",
         .of = &values_in_print(),
         .parameters = {{"--values",
-                        "blasius,falkner_skan_layer,sakiadis_layer,thomas_fermi_slope,lane_emden_zero,lorenz_orbit,van_"
-                        "der_pol_cycle,"
-                        "hires,van_der_pol_1000",
+                        "blasius,falkner_skan_layer,sakiadis_layer,thomas_fermi_slope,tritronquee,lane_emden_zero,"
+                        "lorenz_orbit,van_der_pol_cycle,hires,van_der_pol_1000",
                         "which values; hires and van_der_pol_1000 take minutes, oregonator more than an hour"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},
         .seconds = 600,

@@ -57,11 +57,30 @@ TEST_CASE("bounds of a radius are printed outwards", "[command][singularity]") {
     CHECK(entire.front().at("upper") == "inf");
 }
 
+// (1 + t^2/3)^(-1/2) starts where its equation is singular.
+TEST_CASE("singularities and the radius from a singular start", "[command][singularity]") {
+    const words star{"--problem", "lane_emden", "--set", "n=5", "--digits", "15"};
+    const auto rows = rows_of(with({"singularities", "--prove"}, star));
+    REQUIRE(rows.size() == 2);
+    const precision_scope scope(40);
+    for (const auto& row : rows) {
+        CHECK(row.at("position_re") == "0");
+        CHECK(abs(abs(number_of(row.at("position_im"))) - sqrt(mpfr(3))) < mpfr("1e-14"));
+        CHECK(row.at("kind") == "algebraic");
+        CHECK(row.at("exponent_re") == "-0.5");
+        CHECK(row.at("rigour") == "proved");
+    }
+    const auto radius = rows_of(with({"radius", "--prove"}, star)).front();
+    CHECK(number_of(radius.at("lower")) < sqrt(mpfr(3)));
+    CHECK(sqrt(mpfr(3)) < number_of(radius.at("upper")));
+}
+
 TEST_CASE("what singularities and proofs do not understand is refused", "[command][singularity][bad input]") {
     check_refused({"singularities"}, {"--problem"});
     check_refused({"singularities", "--problem", "blasius", "--within", "0"}, {"--within", "'0'"});
     check_refused({"singularities", "--problem", "blasius", "--digits", "0"}, {"--digits"});
-    check_refused({"singularities", "--problem", "lane_emden"}, {"--problem"});
+    check_refused({"singularities", "--problem", "thomas_fermi"}, {"--problem", "root"});
+    check_refused({"radius", "--prove", "--problem", "lane_emden", "--set", "n=3/2"}, {"--problem", "several values"});
     check_refused({"radius", "--prove", "--energy", "1"}, {"--prove", "--problem"});
     check_refused({"radius", "--prove", "--problem", "blasius", "--order", "20"}, {"--order", "'20'"});
     check_refused({"radius", "--prove", "--problem", "blasius", "--at", "1"}, {"--at"});

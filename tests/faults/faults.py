@@ -280,6 +280,21 @@ FAULTS = [
         ("what powers of the distance move beyond N", "            sum += a.terms[j];\n", ""),
     ),
     *in_file(
+        "src/libration/ode/proved/singular_step.cpp", [SINGULAR],
+        ("what a series about a singular start leaves out", "const magnitude rest = bound(i, away, static_cast<unsigned long>(l));",
+         "const magnitude rest;"),
+        ("one power of the distance too many there", "pow(distance / tail_.radius, first - derivative);",
+         "pow(distance / tail_.radius, first + 1 - derivative);"),
+        ("a slope near the edge bounded by its first term", "        throw precision_exhausted(\"a derivative near", "        precision_exhausted(\"a derivative near"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/tritronquee.cpp", ["ode/proved/tritronquee_test.cpp"],
+        ("what the expansion at infinity leaves out", "magnitude(away))", "magnitude())"),
+        ("the slope of what it leaves out", "magnitude(away_of_slope))", "magnitude())"),
+        ("a tenth of the defect", "return sum * x_;", "return sum * x_ / 10;"),
+        ("the first term of the defect without the second derivative", "abs(product_of_order(m) + own)", "abs(product_of_order(m))"),
+    ),
+    *in_file(
         ROOM + "ode/proved/tail_bound.hpp", [TAILS],
         ("one power of the distance too many", "static_cast<unsigned long>(degree) + 1);",
          "static_cast<unsigned long>(degree) + 2);"),
@@ -308,6 +323,7 @@ FAULTS = [
          "widths.emplace_back();"),
         ("an imaginary part with the wrong sign", "map[i][size + j] = -im;", "map[i][size + j] = im;"),
         ("an integral without its last factor", "    sum = sum * distance;\n", ""),
+        ("the errors behind a singular start forgotten", "error_frame(std::move(added));", "error_frame(std::vector<magnitude>(added.size()));"),
     ),
     *in_file(
         "src/libration/ode/proved/radius_bounds.cpp", [BOUNDS],

@@ -18,6 +18,11 @@ struct first_order_form {
     /// The derivative of an expression in leaves along the solution.
     expression slope_of(const expression& e) const;
 
+    /// The system itself in leaves, without starts: for expansions about points that are given with their states.
+    explicit_system about_points(const number& point) const {
+        return explicit_system::first_order(leaves, slopes, point);
+    }
+
     /// All slopes at a state and a time.
     template <field R>
     std::vector<R> slopes_at(const std::vector<R>& state, const R& time) const {
@@ -42,5 +47,9 @@ struct first_order_form {
 private:
     std::vector<unknown_function> unknowns_;
 };
+
+/// What the polynomial form of a system is made of, from which its solution goes on: the system itself, or that in leaves
+/// where its start is singular.
+explicit_system beyond_start(const explicit_system& system);
 
 }  // namespace libration::ode

@@ -52,4 +52,8 @@ expression first_order_form::slope_of(const expression& e) const {
     return sum;
 }
 
+explicit_system beyond_start(const explicit_system& system) {
+    return system.singular() ? first_order_form(system).about_points(system.point()) : system;
+}
+
 }  // namespace libration::ode

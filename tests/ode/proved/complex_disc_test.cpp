@@ -26,8 +26,7 @@ bool holds(const complex_ball& outside, const complex_ball& value) {
 }
 
 // By straight lines through the corners, in steps of half a radius.
-complex_set moved(const complex_flow& flow, const std::vector<complex_ball>& corners) {
-    complex_set now = flow.start();
+complex_set moved(const complex_flow& flow, complex_set now, const std::vector<complex_ball>& corners) {
     for (const complex_ball& corner : corners) {
         for (bool arrived = false; !arrived;) {
             const complex_disc disc(flow, now);
@@ -41,6 +40,10 @@ complex_set moved(const complex_flow& flow, const std::vector<complex_ball>& cor
         }
     }
     return now;
+}
+
+complex_set moved(const complex_flow& flow, const std::vector<complex_ball>& corners) {
+    return moved(flow, flow.start(), corners);
 }
 
 }  // namespace
@@ -139,6 +142,35 @@ TEST_CASE("integrals along a step", "[ode][proved][singularity]") {
     const complex_ball half = pole * z - z * z / 2;
     const complex_ball weighted = (half - q * z * 2 + q * q * plain) / 4;
     CHECK(holds(disc.integral(0, z, complex_ball(1), ball(2), 2), weighted));
+}
+
+// sin(t)/t and (1 + t^2/3)^(-1/2), whose radius is sqrt(3): the disc about 0 is one of theorem S, those behind it of T.
+TEST_CASE("discs lead away from a singular start", "[ode][proved][singularity]") {
+    const precision_scope scope(60);
+    const std::string text = "t*y'' + 2*y' + t*y^n = 0; y(0) = 1; y'(0) = 0; ";
+    const auto sinc = [](const complex_ball& t) { return sin(t) / t; };
+    const auto plummer = [](const complex_ball& t) { return exp(-log(complex_ball(1) + t * t / complex_ball(3)) / 2); };
+    const auto follow = [&](const char* n, const auto& exact) {
+        const complex_flow flow(explicit_system(parse(text + n)), 150);
+        const complex_disc about_start(flow);
+        CHECK(certainly_less(ball(1), about_start.radius().exact()));
+        complex_set now = about_start.moved_to(exact_midpoint(at(1, 1, 2)));
+        CHECK(holds(values_of(now)[0], exact(now.offset)));
+        CHECK(certainly_less(radius_of(values_of(now)[0].re), pow(ball(2), -120)));
+        for (const complex_ball& corner : {at(1, 5, 5), at(5, 5, 5), at(7, 3, 5)}) {
+            now = moved(flow, now, {exact_midpoint(corner)});
+            CHECK(holds(values_of(now)[0], exact(now.offset)));
+            CHECK(certainly_less(radius_of(values_of(now)[0].re), pow(ball(2), -110)));
+        }
+    };
+    follow("n = 1", sinc);
+    follow("n = 5", plummer);
+    const complex_flow flow(explicit_system(parse(text + "n = 5")), 150);
+    const complex_disc about_start(flow);
+    CHECK(certainly_less(about_start.radius().exact(), sqrt(ball(3))));
+    CHECK_THROWS_AS(about_start.integral(0, at(1, 0, 2), complex_ball(0), ball(1), 0), error);
+    // Functions of several values have none about a singular start.
+    CHECK_THROWS_AS(complex_flow(explicit_system(parse(text + "n = 3/2")), 100), error);
 }
 
 }  // namespace ode_proved_complex_disc_test

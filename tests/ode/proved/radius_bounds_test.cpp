@@ -188,4 +188,25 @@ TEST_CASE("a pole with complex exponents is shown by a smaller loop", "[ode][pro
     CHECK(radius < midpoint_of(found.upper).convert_to<double>() + 5e-9);
 }
 
+// y = (1 + t^2/3)^(-1/2): R = sqrt(3), from a start where the equation is singular. A covering of more is refused.
+TEST_CASE("the radius about a singular start", "[ode][proved][singularity]") {
+    const auto star = [](const std::string& n) {
+        return explicit_system(changed(parse(std::string(problem_text("lane_emden"))), "n = " + n));
+    };
+    const precision_scope scope(60);
+    const proved_radius plummer = prove_radius(star("5"), 25);
+    const ball exact = sqrt(ball(3));
+    CHECK(certainly_less(plummer.lower, exact));
+    CHECK(certainly_less(exact, plummer.upper));
+    CHECK(certainly_less(plummer.upper - plummer.lower, exact * tenth_to(25)));
+    CHECK(plummer.rotation == 2);
+    CHECK(covers(plummer.cover.discs, std::sqrt(3.0) * (1 - 1e-12), std::numbers::pi / 2));
+    const complex_flow flow(star("5"), 120);
+    const covering more = covered_disc(flow, exact_near(exact * (ball(1) + tenth_to(6))), {2}, {.finest_bits = 24});
+    CHECK_FALSE(more.complete);
+    // sin(t)/t is entire: nothing bounds it from above.
+    CHECK_THROWS_AS(prove_radius(star("1"), 10), error);
+    CHECK_THROWS_AS(prove_radius(explicit_system(parse(std::string(problem_text("thomas_fermi")))), 10), error);
+}
+
 }  // namespace ode_proved_radius_bounds_test

@@ -12,6 +12,7 @@
 #include "libration/ode/proved/tail_bound.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/complex_number.hpp"
 #include "proved.hpp"
 
 namespace ode_proved_singular_step_test {
@@ -101,6 +102,33 @@ TEST_CASE("theorem S counts what powers of the distance move beyond a list", "[o
             sum = sum * t + expansion.coefficients(0)[k];
         }
         CHECK(certainly_less(abs(sinc(t) - sum), tail->at(0, magnitude::of(1, -2)).exact()));
+    }
+}
+
+// Derivatives of what is left out: from one term on their bound falls only where the distance is not too near the radius.
+TEST_CASE("a series about a singular start holds values and slopes in its disc", "[ode][proved][singular]") {
+    const precision_scope scope(60);
+    for (const int degree : {11, 41, 201}) {
+        INFO(degree);
+        const singular_series series(lane_emden("5"), 150, degree);
+        CHECK(certainly_less(series.radius().exact(), sqrt(ball(3))));
+        for (const int part : {1, 4, 8}) {
+            const ball s = exact_midpoint(series.radius().exact() * part / 10);
+            const auto state = series.at(s);
+            CHECK(overlaps(state[0], plummer(s)));
+            CHECK(overlaps(state[1], -s / 3 * plummer(s) * plummer(s) * plummer(s)));
+            const auto beside = series.at(complex_number<ball>(ball(0), s));  // at i s
+            const ball exact = ball(1) / sqrt(ball(1) - s * s / 3);
+            CHECK(overlaps(beside[0].re, exact));
+            CHECK(overlaps(beside[1].im, -s / 3 * exact * exact * exact));
+            CHECK(contains_zero(beside[0].im));
+        }
+        // Near the start the next power is all of the remainder.
+        const ball s = exact_midpoint(series.radius().exact() / 64);
+        const auto state = series.at(s);
+        CHECK(overlaps(state[0], plummer(s)));
+        CHECK(overlaps(state[1], -s / 3 * plummer(s) * plummer(s) * plummer(s)));
+        CHECK_THROWS_AS(series.at(exact_midpoint(series.radius().exact() * 999 / 1000)), precision_exhausted);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
 namespace libration::ode {
@@ -32,8 +33,9 @@ public:
     /// The working precision of the centres, and that of the maps of errors.
     static constexpr long usual_error_bits = 96;
 
-    /// Throws error where the start is singular. Where the polynomial form of the system needs a function of several
-    /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice.
+    /// A start may be regular singular (singular_step.hpp, whose errors it throws). Where the polynomial form of the system needs a function of several
+    /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice. Throws error where
+    /// both are so.
     complex_flow(const explicit_system& system, long bits);
 
     /// The start of the system.
@@ -50,6 +52,7 @@ private:
     std::size_t given_ = 0;
     long bits_;
     ball origin_;
+    std::shared_ptr<const singular_series> singular_;  ///< about the start, where that is singular
     std::vector<ball> start_;
 };
 
@@ -59,18 +62,23 @@ class complex_disc {
 public:
     /// Throws precision_exhausted where the set is too wide for any radius, or where a function of it is not finite.
     complex_disc(const complex_flow& flow, complex_set about);
+    /// About the start, where it may be singular: then theorem S.
+    explicit complex_disc(const complex_flow& flow);
 
     const complex_set& about() const { return set_; }
-    const magnitude& radius() const { return set_tail_->radius; }
+    const magnitude& radius() const { return singular_ ? singular_->radius() : set_tail_->radius; }
     /// Theorem V: the set at t0 + offset, |offset - about().offset| < radius(); offset exact.
     complex_set moved_to(const complex_ball& offset) const;
     /// An enclosure, over the whole set, of
     ///     int ((z - centre)/scale)^power y_unknown(t0 + z) dz
-    /// along the straight line from about().offset to `offset` inside the disc, `scale` exact and not 0.
+    /// along the straight line from about().offset to `offset` inside the disc, `scale` exact and not 0. Not from a
+    /// singular start.
     complex_ball integral(std::size_t unknown, const complex_ball& offset, const complex_ball& centre,
                           const ball& scale, int power) const;
 
 private:
+    void expand();
+    std::vector<complex_ball> image_at(const complex_ball& distance) const;
     ball_matrix scaled_map(const complex_ball& distance, const std::vector<long>& scales) const;
 
     const complex_flow* flow_;
@@ -78,6 +86,7 @@ private:
     long bits_;
     std::unique_ptr<taylor_expansion<complex_ball>> of_centre_, of_set_;
     std::optional<tail_bound> tail_, set_tail_;
+    std::shared_ptr<const singular_series> singular_;  ///< instead of these, about a singular start
 };
 
 /// The enclosures of the unknowns over a set.

@@ -15,26 +15,23 @@
 
 namespace libration::ode {
 
-/// A system for paths in the plane: its polynomial form, which carries functions of several values along.
+/// A system for paths in the plane: its polynomial form, which carries functions of several values along. The start may
+/// be regular singular; throws error where the series there is in powers of a root, or where there are such functions.
 struct path_system {
-    explicit path_system(const explicit_system& system)
-        : lifted(lifted_for_paths(system)), points(tape::about_points(lifted.system)), origin(system.point()) {
-        for (const auto& of_unknown : system.starts()) {
-            functions.push_back(starts.size());
-            starts.insert(starts.end(), of_unknown.begin(), of_unknown.end());
-        }
-        if (lifted.given != starts.size()) {
-            first = ode::lifted(system);
-        }
-    }
+    explicit path_system(const explicit_system& system);
 
     lifted_system lifted;
     tape points;
     number origin;
-    /// Of the unknowns and lower derivatives of the given system, in order: the first of the unknowns that are carried.
+    /// How many unknowns and lower derivatives the given system has; they are the first of the unknowns that are
+    /// carried, in order.
+    std::size_t given = 0;
+    /// Their starts.
     std::vector<number> starts;
     /// Which of them are the unknowns themselves.
     std::vector<std::size_t> functions;
+    /// The series about the start, where that is singular: in the unknowns and the order that they were given in.
+    std::optional<tape> singular;
     /// The lifted system whose unknowns are all carried, where they are.
     std::optional<lifted_system> first;
 };
@@ -57,6 +54,10 @@ public:
 
     /// About the start.
     void about_start() {
+        if (of_->singular) {
+            about_singular_start();
+            return;
+        }
         std::vector<complex> values;
         for (const number& each : of_->starts) {
             values.push_back(constant_value<complex>::of(each));
@@ -67,7 +68,9 @@ public:
         about(complex(0), values);
     }
 
+    /// About a point from the carried unknowns there; not about a singular start.
     void about(const complex& offset, const std::vector<complex>& values) {
+        at_singular_start_.clear();
         offset_ = offset;
         const complex time = complex(origin_) + offset;
         solution_state<complex> state;
@@ -81,9 +84,10 @@ public:
     int order() const { return expansion_.order(); }
     /// How many unknowns are carried, and how many of them, the first ones, are given.
     std::size_t carried() const { return of_->lifted.given; }
-    std::size_t given() const { return of_->starts.size(); }
+    std::size_t given() const { return of_->given; }
     const complex* coefficients(std::size_t unknown) const {
-        return expansion_.coefficients(static_cast<int>(unknown));
+        return at_singular_start_.empty() ? expansion_.coefficients(static_cast<int>(unknown))
+                                          : at_singular_start_[unknown].data();
     }
 
     /// The carried unknowns at t0 + offset.
@@ -141,6 +145,29 @@ public:
     }
 
 private:
+    void about_singular_start() {
+        const tape& of = *of_->singular;
+        int highest = 0;
+        for (const int q : of.orders()) {
+            highest = std::max(highest, q);
+        }
+        taylor_expansion<T> series(of, order() + highest);
+        series.about_start();
+        at_singular_start_.clear();
+        for (std::size_t i = 0; i < of.orders().size(); ++i) {
+            const T* const first = series.coefficients(static_cast<int>(i));
+            std::vector<T> a(first, first + order() + highest + 1);
+            for (int l = 0; l < of.orders()[i]; ++l) {
+                at_singular_start_.emplace_back(a.begin(), a.begin() + order() + 1);
+                for (std::size_t n = 1; n < a.size(); ++n) {
+                    a[n - 1] = a[n] * static_cast<int>(n);
+                }
+                a.back() = T(0);
+            }
+        }
+        offset_ = complex(0);
+    }
+
     // (n + 1) a_{n+1}/a_n.
     complex ratio_of(std::size_t unknown, int n) const {
         const complex* const a = coefficients(unknown);
@@ -198,6 +225,7 @@ private:
     taylor_expansion<complex> expansion_;
     T origin_;
     complex offset_;
+    std::vector<std::vector<complex>> at_singular_start_;  ///< the coefficients there, else empty
 };
 
 }  // namespace libration::ode

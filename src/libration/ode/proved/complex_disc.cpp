@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "set_values.hpp"
@@ -19,6 +20,8 @@ constexpr long bits_below_complex_set = 24;
 constexpr int complex_set_order = 44;
 // Paths go by at most 2/3 of a radius.
 constexpr double terms_for_a_bit = 1.75;
+// Of the series about a singular start, of which there is one: 0.8 of its radius leave no more than its rounding.
+constexpr double singular_terms_for_a_bit = 3.2;
 // Parts of an estimated radius; the estimate may be below the radius by a power of the order.
 constexpr std::array<unsigned long, 8> parts_of_estimate{125, 116, 108, 100, 92, 82, 70, 55};
 
@@ -58,6 +61,15 @@ long bits_of(const complex_set& set, long most) {
                       std::max(most, complex_flow::usual_error_bits));
 }
 
+void require_one_value(const lifted_system& of, std::size_t given) {
+    if (of.given != given) {
+        throw error(
+            error_kind::argument, "problem", "",
+            "starts where its equation is singular, with functions of several values, which is not proved: choose "
+            "another start");
+    }
+}
+
 std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<complex_ball>& expansion,
                                      const complex_ball& point, std::size_t unknowns, const magnitude& size) {
     const double log_of_radius = estimated_radius(expansion, unknowns, size.is_zero() ? magnitude(1U) : size);
@@ -95,12 +107,20 @@ bool certainly_within(const complex_ball& z, const magnitude& r) {
 }
 
 complex_flow::complex_flow(const explicit_system& system, long bits)
-    : lifted_(lifted_for_paths(system)),
+    : lifted_(lifted_for_paths(beyond_start(system))),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
       bits_(bits) {
     const precision_scope scope(decimal_digits(bits));
     origin_ = constant_value<ball>::of(system.point());
+    if (system.singular()) {
+        singular_ = std::make_shared<singular_series>(
+            system, bits, static_cast<int>(static_cast<double>(bits) * singular_terms_for_a_bit));
+        start_ = singular_->at(ball(0));
+        given_ = start_.size();
+        require_one_value(lifted_, given_);
+        return;
+    }
     start_ = enclosed_start(system, bits);
     given_ = start_.size();
     if (lifted_.given != given_) {
@@ -125,6 +145,18 @@ complex_set complex_flow::start() const {
 
 complex_disc::complex_disc(const complex_flow& flow, complex_set about)
     : flow_(&flow), set_(std::move(about)), bits_(bits_of(set_, flow.bits_)) {
+    expand();
+}
+
+complex_disc::complex_disc(const complex_flow& flow)
+    : flow_(&flow), set_(flow.start()), bits_(bits_of(set_, flow.bits_)), singular_(flow.singular_) {
+    if (!singular_) {
+        expand();
+    }
+}
+
+void complex_disc::expand() {
+    const complex_flow& flow = *flow_;
     const auto time = [&] { return complex_ball(flow.origin_ + set_.offset.re, set_.offset.im); };
     {
         const precision_scope scope(decimal_digits(complex_flow::usual_error_bits));
@@ -150,6 +182,21 @@ complex_disc::complex_disc(const complex_flow& flow, complex_set about)
     if (!tail_) {
         throw precision_exhausted("the series about a point of a path");
     }
+}
+
+// The unknowns at a distance from the centre of the set.
+std::vector<complex_ball> complex_disc::image_at(const complex_ball& distance) const {
+    if (singular_) {
+        return singular_->at(distance);
+    }
+    std::vector<complex_ball> image;
+    const auto state = of_centre_->at(distance);
+    const magnitude away = size_of(distance);
+    for (std::size_t i = 0; i < set_.centre.size(); ++i) {
+        const magnitude tail = tail_->at(i, away);
+        image.emplace_back(widened(state[i][0].re, tail), widened(state[i][0].im, tail));
+    }
+    return image;
 }
 
 // The derivative of the flow by the start in the scales before and after, real parts first.
@@ -185,13 +232,9 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
     std::vector<magnitude> added;
     {
         const precision_scope scope(decimal_digits(bits_));
-        const auto state = of_centre_->at(distance);
-        const magnitude away = size_of(distance);
-        std::vector<complex_ball> image;
-        for (std::size_t i = 0; i < size; ++i) {
-            const magnitude tail = tail_->at(i, away);
-            image.emplace_back(widened(state[i][0].re, tail), widened(state[i][0].im, tail));
-            result.centre.push_back(exact_midpoint(image.back()));
+        const std::vector<complex_ball> image = image_at(distance);
+        for (const complex_ball& each : image) {
+            result.centre.push_back(exact_midpoint(each));
         }
         result.scales = scales_of(result.centre);
         for (const bool imaginary : {false, true}) {
@@ -202,6 +245,10 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
             }
         }
     }
+    if (singular_) {  // the start is known as well as its series
+        result.errors = error_frame(std::move(added));
+        return result;
+    }
     const precision_scope few(decimal_digits(complex_flow::usual_error_bits));
     result.errors = set_.errors.moved(scaled_map(distance, result.scales), added);
     return result;
@@ -209,6 +256,10 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
 
 complex_ball complex_disc::integral(std::size_t unknown, const complex_ball& offset, const complex_ball& centre,
                                     const ball& scale, int power) const {
+    if (singular_) {
+        throw error(error_kind::argument, "offset", "",
+                    "is on a way from a singular start, along which nothing is integrated");
+    }
     const precision_scope few(decimal_digits(complex_flow::usual_error_bits));
     const complex_ball distance = exact_difference(offset, set_.offset);
     const complex_ball from = exact_difference(set_.offset, centre) / scale;

@@ -52,7 +52,7 @@ public:
     covering result() {
         covering found;
         try {
-            discs_.push_back(std::make_unique<complex_disc>(flow_, flow_.start()));
+            discs_.push_back(std::make_unique<complex_disc>(flow_));
             note(*discs_.back());
             const ball inner = exact_midpoint(ldexp(discs_.front()->radius().exact() * 3, -2));
             nearest_missing_ = inner;
@@ -208,8 +208,7 @@ bool certainly_not_zero(const complex_ball& z) { return !contains_zero(z.re) || 
 // A march by discs, each a step inside the one before.
 class disc_path {
 public:
-    explicit disc_path(const complex_flow& flow)
-        : flow_(flow), now_(std::make_unique<complex_disc>(flow, flow.start())) {}
+    explicit disc_path(const complex_flow& flow) : flow_(flow), now_(std::make_unique<complex_disc>(flow)) {}
 
     // In steps of 0.6 of a radius; each(disc, offset) sees every one.
     template <class Each>

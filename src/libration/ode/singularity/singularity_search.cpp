@@ -43,15 +43,15 @@ double squared_distance(const plane_point& a, const plane_point& b) { return std
 singularity_search::singularity_search(const path_system& of, int rotation, long most_points)
     : of_(of), rotation_(rotation), most_points_(most_points), series_(of, search_order) {
     series_.about_start();
-    std::vector<complex> values;
-    for (std::size_t i = 0; i < series_.carried(); ++i) {
-        values.push_back(series_.coefficients(i)[0]);
-    }
-    expand({0, 0}, values, -1);
+    add_expanded({0, 0}, -1);
 }
 
 void singularity_search::expand(const plane_point& at, const std::vector<complex>& values, int parent) {
     series_.about(as_number(at), values);
+    add_expanded(at, parent);
+}
+
+void singularity_search::add_expanded(const plane_point& at, int parent) {
     point made{at, std::exp2(series_.log_of_radius(parent < 0 ? std::max(2, rotation_) : 1)), {}, parent};
     for (std::size_t i = 0; i < series_.carried(); ++i) {
         const complex* const a = series_.coefficients(i);
@@ -213,6 +213,10 @@ void singularity_search::look_at_last() {
     int turns = 0;
     const plane_point inside = folded(at, mirrored, turns);
     if (!(std::abs(at) < 1.2 * within_)) {
+        return;
+    }
+    // Rounding makes the solution one of those that are singular at the start itself.
+    if (of_.singular && std::abs(at) < believed_part * points_.front().radius) {
         return;
     }
     const double away = std::abs(as_point(estimate->distance));

@@ -52,6 +52,8 @@ private:
     bool add_point(const plane_point& at);
     int best_parent(const plane_point& at) const;
     void expand(const plane_point& at, const std::vector<complex>& values, int parent);
+    // The point of the series as it is.
+    void add_expanded(const plane_point& at, int parent);
     bool crosses_cut(const plane_point& from, const plane_point& to) const;
     bool is_explained(const cell& of) const;
     void look_at_last();
