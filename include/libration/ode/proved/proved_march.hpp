@@ -51,8 +51,8 @@ public:
     /// The same at every time of a ball.
     std::optional<std::vector<ball>> at(const ball& target);
 
-    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set. Throws error for a
-    /// singular start, which has none.
+    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set; from a singular start
+    /// for that itself (singular_step.hpp, derivative_beyond_start, whose errors it throws), before the first step alone.
     void keep_derivative();
     /// What the unknowns are before the first step: nothing, or after a singular start enclosures of all their values up
     /// to where the march begins.
@@ -106,6 +106,7 @@ private:
     march_watch watch_;
     march_end end_ = march_end::none;
     std::vector<ball> before_;
+    std::optional<explicit_system> singular_;  ///< where it begins behind a singular start
 };
 
 }  // namespace libration::ode

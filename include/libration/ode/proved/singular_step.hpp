@@ -6,6 +6,7 @@
 
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
 namespace libration::ode {
@@ -45,5 +46,11 @@ struct singular_step {
 
 /// By a series with a remainder below 2^-bits of the unknowns, whose errors it throws.
 singular_step proved_singular_step(const explicit_system& system, long bits);
+
+/// The derivatives of the unknowns and lower derivatives at t0 + distance by the starts, in order, on so many bits: theorem
+/// S for the system and what its right sides say of the derivative by one start, which starts as a unit vector. A start
+/// that the equation fixes, such as y'(0) = 0 of t y'' + 2 y' + .., does not move: 0. Throws as singular_series, and error
+/// where such a start is not 0.
+ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits);
 
 }  // namespace libration::ode

@@ -123,6 +123,10 @@ std::optional<std::vector<moved_value>> dependence::moved(const proved_march& ma
                                                           const std::vector<ball>& state, long negligible) const {
     const precision_scope scope(decimal_digits(march.bits()));
     const ball t = constant_value<ball>::of(time);
+    if (open_->open.system.singular() && contains_zero(t - constant_value<ball>::of(open_->open.system.point()))) {
+        throw error(error_kind::undecided, "time", "",
+                    "is that of a singular start, where no condition numbers are proved: choose times behind it");
+    }
     const given_numbers given(open_->open);
     const ball_matrix flow = march.derivative_at(t);
     const ball_matrix by_values = rows_of_product(flow, given.by_values);

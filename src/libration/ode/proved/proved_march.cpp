@@ -45,7 +45,11 @@ struct proved_march::expansions {
 proved_march::~proved_march() = default;
 
 proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits)
-    : proved_march(begin_of(system, bits), bits, std::move(watch), error_bits) {}
+    : proved_march(begin_of(system, bits), bits, std::move(watch), error_bits) {
+    if (system.singular()) {
+        singular_ = system;
+    }
+}
 
 proved_march::proved_march(singular_step begin, long bits, march_watch watch, long error_bits)
     : proved_march(begin.beyond, begin.state, bits, error_bits, std::move(watch)) {
@@ -229,9 +233,11 @@ void proved_march::step(int direction) {
 }
 
 void proved_march::keep_derivative() {
-    if (!before_.empty()) {
-        throw error(error_kind::argument, "problem", "",
-                    "starts where its equation is singular, so that nothing is proved of how it depends on its start");
+    if (singular_) {
+        const precision_scope scope(decimal_digits(bits_));
+        const ball distance = time_ - constant_value<ball>::of(singular_->point());
+        derivative_ = derivative_beyond_start(*singular_, distance, error_bits_);
+        return;
     }
     derivative_ = ball_matrix(lifted_.given);
     for (std::size_t i = 0; i < lifted_.given; ++i) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -154,6 +156,87 @@ singular_step proved_singular_step(const explicit_system& system, long bits) {
                                        : rational(integer(1) << static_cast<unsigned>(exponent));
     return {first_order_form(system).about_points(system.point() + number(step)), series.at(distance),
             series.at(hull(ball(0), distance))};
+}
+
+namespace {
+
+std::string variation_of(const std::string& name) { return "variation of " + name; }
+
+// The system with the derivative of its solution by start number l of unknown k beside it.
+equation_system with_variation(const explicit_system& system, std::size_t k, std::size_t l) {
+    equation_system made;
+    made.variable = system.variable();
+    const expression point(system.point());
+    const auto& unknowns = system.unknowns();
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const auto& [name, order] = unknowns[i];
+        const expression here = unknown(name);
+        const expression varied = unknown(variation_of(name));
+        expression sum(0);
+        for (const unknown_function& each : unknowns) {
+            for (int j = 0; j < each.order; ++j) {
+                sum = sum + partial(system.right()[i], unknown(each.name, j)) * unknown(variation_of(each.name), j);
+            }
+        }
+        made.add(unknown(name, order), system.right()[i]);
+        made.add(unknown(variation_of(name), order), sum);
+        for (std::size_t j = 0; j < system.starts()[i].size(); ++j) {
+            const int order_of_start = static_cast<int>(j);
+            made.begin(derivative(here, order_of_start), expression(system.starts()[i][j]), point);
+            made.begin(derivative(varied, order_of_start), i == k && j == l ? 1 : 0, point);
+        }
+    }
+    return made;
+}
+
+// The derivatives by that start at a distance; nothing where the equation fixes it.
+std::optional<std::vector<ball>> varied_state(const explicit_system& given, std::size_t k, std::size_t l,
+                                              const ball& distance, long bits) {
+    const explicit_system system(with_variation(given, k, l));
+    std::optional<singular_series> series;
+    try {
+        series.emplace(system, bits, static_cast<int>(bits / bits_a_power) + more_powers);
+    } catch (const error& refusal) {
+        if (refusal.kind() == error_kind::argument) {
+            return std::nullopt;
+        }
+        throw;
+    }
+    const std::vector<ball> state = series->at(distance);
+    std::vector<ball> varied;
+    for (const unknown_function& each : given.unknowns()) {
+        std::size_t place = 0;
+        for (const unknown_function& other : system.unknowns()) {
+            if (other.name == variation_of(each.name)) {
+                varied.insert(varied.end(), state.begin() + static_cast<std::ptrdiff_t>(place),
+                              state.begin() + static_cast<std::ptrdiff_t>(place) + other.order);
+            }
+            place += static_cast<std::size_t>(other.order);
+        }
+    }
+    return varied;
+}
+
+}  // namespace
+
+ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits) {
+    const precision_scope scope(decimal_digits(bits) + 10);
+    const std::size_t size = first_order_form(system).leaves.size();
+    ball_matrix result(size);
+    for (std::size_t k = 0; k < system.unknowns().size(); ++k) {
+        for (std::size_t l = 0; l < system.starts()[k].size(); ++l) {
+            const auto column = varied_state(system, k, l, distance, bits);
+            if (!column && system.starts()[k][l].sign() != 0) {
+                throw error(error_kind::undecided, "problem", "",
+                            "fixes " + primed(system.unknowns()[k].name, static_cast<int>(l)) +
+                                " at its singular start, so that nothing is proved of how it depends on that");
+            }
+            for (std::size_t i = 0; i < size; ++i) {
+                result[i].push_back(column ? (*column)[i] : ball(0));
+            }
+        }
+    }
+    return result;
 }
 
 }  // namespace libration::ode

@@ -211,10 +211,18 @@ std::optional<std::vector<moved_value>> problem_truths::moved_at(const number& t
 }
 
 std::string problem_truths::condition_at(const exact& time, const components& asked, long digits) {
-    if (system_.singular()) {
-        return condition_of_slope(time, asked.front(), digits);
+    std::optional<std::vector<moved_value>> moved;
+    try {
+        if (system_.singular() && (is_start(system_, time) || !proves(time))) {
+            return condition_of_slope(time, asked.front(), digits);
+        }
+        moved = moved_at(as_expression(time));
+    } catch (const error&) {
+        if (!system_.singular()) {
+            throw;
+        }
+        return condition_of_slope(time, asked.front(), digits);  // a start that the equation fixes
     }
-    const auto moved = moved_at(as_expression(time));
     if (!moved) {
         return "inf";
     }
