@@ -19,7 +19,8 @@ namespace {
 
 constexpr long proof_digits = 10;
 constexpr long existence_digits = 5;
-// Systems of more unknowns have proofs that take minutes: their radius is that of the search.
+// Systems of more unknowns have proofs that take minutes: their radius is that of the search, as it is where the proof is
+// refused.
 constexpr std::size_t most_proved_unknowns = 4;
 
 struct scenario_row {
@@ -83,7 +84,26 @@ void judge(scenario_row& row, const ode::explicit_system& system, const ode::fou
     const bool on = goes_on_beyond(system, upper);
     row.scenario = on ? "within" : "";
     row.domain = on ? "beyond the radius" : "";
-    row.reason += on ? "" : "the solution is not proved to go on beyond the radius";
+    if (!on) {
+        row.reason += row.reason.empty() ? "" : "; ";
+        row.reason += "the solution is not proved to go on beyond the radius";
+    }
+}
+
+// The proved bounds, or why there are none.
+std::string take_proved_bounds(scenario_row& row, const ode::explicit_system& system, mpfr& upper) {
+    if (size_of_state(system) > most_proved_unknowns) {
+        return "a proof for so many unknowns takes minutes";
+    }
+    try {
+        const auto radius = ode::prove_radius(system, proof_digits);
+        upper = midpoint_of(radius.upper);
+        row.lower = parts_of(midpoint_of(radius.lower), proof_digits + 2, MPFR_RNDD).text();
+        row.upper = parts_of(upper, proof_digits + 2, MPFR_RNDU).text();
+        return "";
+    } catch (const error& problem) {
+        return "no proof: the problem " + problem.reason();
+    }
 }
 
 scenario_row row_of(const std::string& name) {
@@ -110,12 +130,8 @@ scenario_row row_of(const std::string& name) {
         const precision_scope scope(proof_digits + 30);
         const bool ahead = std::ranges::any_of(map.all, is_ahead);
         mpfr upper = modulus_of(map.all.front().offset);
-        if (size_of_state(system) <= most_proved_unknowns) {
-            const auto radius = ode::prove_radius(system, proof_digits);
-            upper = midpoint_of(radius.upper);
-            row.lower = parts_of(midpoint_of(radius.lower), proof_digits + 2, MPFR_RNDD).text();
-            row.upper = parts_of(upper, proof_digits + 2, MPFR_RNDU).text();
-        } else {
+        row.reason = take_proved_bounds(row, system, upper);
+        if (!row.reason.empty()) {
             row.lower = row.upper = to_decimal(upper, proof_digits);
             row.rigour = "heuristic";
         }

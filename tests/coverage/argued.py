@@ -4,6 +4,20 @@ NOME = "include/libration/elliptic/proved/landen_nome.hpp"
 ANGLE = "include/libration/scalar/ball/arctangent.hpp"
 TURNED = "include/libration/scalar/ball/turned_point.hpp"
 MOTION = "src/libration/pendulum/motion/motion.cpp"
+ODE = "src/libration/ode/"
+LIFTED = ODE + "lifted_system.cpp"
+DISC = ODE + "proved/complex_disc.cpp"
+CONDITIONS = ODE + "proved/condition_numbers.cpp"
+EVENTS = ODE + "proved/event_search.cpp"
+LAYERS = ODE + "proved/layers_at_infinity.cpp"
+ATOM = ODE + "proved/neutral_atom.cpp"
+MARCH = ODE + "proved/proved_march.cpp"
+ROOT = ODE + "proved/proved_root.cpp"
+BOUNDS = ODE + "proved/radius_bounds.cpp"
+STEP = ODE + "proved/singular_step.cpp"
+TAIL = ODE + "proved/tail_bound.cpp"
+TRITRONQUEE = ODE + "proved/tritronquee.cpp"
+MORE_BITS = "ends the attempt, and the next one has more bits; no test is so short of them there and not before"
 
 ARGUED = {
     (NOME, "const bool bounded = zero || (mag_is_finite(size) != 0 && fmpz_fits_si(MAG_EXPREF(size)) != 0);"):
@@ -28,4 +42,67 @@ ARGUED = {
         "a motion without theta0 is given by its energy, which has its quarter before",
     (MOTION, "} else if (omega0_sign_ == 0 || (on_top && regime_ == pendulum::regime::rotation)) {"):
         "with a speed on top E is above 2",
+    (NOME, "const long exponent = zero || !bounded ? -bits_ : fmpz_get_si(MAG_EXPREF(size));"): "as above",
+    (NOME, "return bounded ? std::min(-exponent, bits_ + 8) : 0;"): "as above",
+    (NOME, "for (long level = 1; level <= longest; ++level) {"):
+        "the descent ends by its own test; the count bounds what no proof needs",
+    (LIFTED, "expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }"):
+        "expressions fold what is made of constants alone; kept for expressions that C++ builds in another way",
+    (LIFTED, "if (u.is_constant()) {"): "as above",
+    (ODE + "proved/blasius_infinity.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
+        "f'' falls like exp(-t^2/4): before t = 1000 it is below any precision that memory holds",
+    (ODE + "proved/blasius_infinity.cpp", "if (!state) {"): MORE_BITS,
+    (DISC, "for (const unsigned long part : parts_of_estimate) {"):
+        "one of the parts has held for every set; behind the loop stands what tail_near tries",
+    (DISC, "if (!set_tail_) {"): "a set without values is seen before; kept, because no radius is no disc",
+    (DISC, "if (!tail_) {"): "the centre lies in the set, whose radius holds; kept, because no bound is no proof",
+    (CONDITIONS, "if (!is_finite(moved)) {"):
+        "a map that is not finite ends the march; kept, because the comparison behind it would take infinity",
+    (CONDITIONS, "if (radius * 2048 <= middle || contains_zero(size)) {"):
+        "an unknown that is 0 has been moved by 0 exactly; kept for enclosures of it",
+    (EVENTS, "for (std::size_t k = 0; k < form.leaves.size(); ++k) {"): "every unknown of a condition is a leaf of the system",
+    (EVENTS, "if (contains_zero(sampled(hull(first, last)).slope)) {"): MORE_BITS,
+    (EVENTS, "if (before == 0 || behind == 0) {"): "the second time: " + MORE_BITS,
+    (EVENTS, "if (behind != forwards) {"): "a monotone function does not turn: it says a mistake of the program",
+    (EVENTS, "for (int i = 0; i < most_newton_steps; ++i) {"): "Newton's method on balls settles long before, and need not",
+    (EVENTS, "if (!is_finite(next) ||"): "the slope excludes 0 on the place",
+    (EVENTS, "arb_intersection(narrower.handle(), place.handle(), next.handle(), ball::working_bits()) == 0) {"):
+        "both hold the zero that the signs have shown",
+    (EVENTS, "if (march_.steps() - first > most_steps_between) {"): "a hundred thousand steps are no test",
+    (ODE + "proved/frame.cpp", "if (!(norm <= magnitude(1U) / 4U)) {"):
+        "columns are orthogonal to the last of 64 bits; kept, because the bound of the inverse rests on it",
+    (LAYERS, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
+    (LAYERS, "if (mpfr_number_p(handle(value)) == 0) {"):
+        "steers the guess: solutions from bad guesses end before, by an error",
+    (ATOM, "return less(v, T(0)) && less(T(y * y * sqrt(y) * 4), T(s * v * v)) ? std::optional(side::below) : std::nullopt;"):
+        "of a slope that is neither above nor below 0 nothing is said; no march has met it",
+    (ATOM, "if (!(y > 0)) {"): "steers the bisection, proves nothing: what passes below 0 has been seen to do so before",
+    (MARCH, "if (!now_->tail) {"): "the halves of a radius end in one that holds, for a centre with values",
+    (ROOT, "if (bits_.now() <= bits) {"): "digits that fail ask for more bits themselves",
+    (ROOT, "if (!is_finite(step[i])) {"): "maps that are not finite end their march before",
+    (ROOT, "if (!inverse) {"): "the second time: the same derivative had an inverse in Newton's method",
+    (ROOT, "if (!over_box) {"): MORE_BITS,
+    (ROOT, "if (!decimal) {"): MORE_BITS,
+    (BOUNDS, "if (magnitude(length) < finest_ && magnitude(width) < finest_) {"): "cells become small in both ways together",
+    (BOUNDS, "if (!certainly_less(ball(c.re * c.re + c.im * c.im), ball(cell.r1 * cell.r1))) {"):
+        "the discs that are asked belong to cells that hold this one, with centres nearer to 0; theorem L needs it",
+    (BOUNDS, "if (best == nullptr) {"): "the first disc always is nearer to 0; kept, because it is dereferenced",
+    (BOUNDS, "for (int k = 0; k < most_way_discs; ++k) {"): "ways are as long as the cell that leads to them",
+    (BOUNDS, "if (!certainly_within(exact_difference(next, from.about().offset), from.radius())) {"): MORE_BITS,
+    (BOUNDS, "if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {"):
+        "a corner on a straight way is nearer to 0 than its farther end; rounding alone could make it not so",
+    (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its round integral has been told from 0 before",
+    (STEP, "for (const unsigned long part : tried_parts) {"):
+        "the first parts have held for every start; behind them stand halves",
+    (STEP, "for (int half = 0; half < tried_halves; ++half) {"): "as above",
+    (STEP, "if (auto bound = bounded_singular_tail(of, expansion, degree, radius)) {"): "as above",
+    (STEP, "if (refusal.kind() == error_kind::argument) {"): "no start is refused for another reason; another one has to pass",
+    (TAIL, 'default: throw std::logic_error("theorem T takes products and sums alone");'):
+        "lifted systems have no other steps: it says a mistake of the program",
+    (TAIL, "if (!std::ranges::all_of(next, [](const magnitude& each) { return each.is_finite(); })) {"):
+        "magnitudes have no largest exponent: infinity comes from balls alone, which are refused before",
+    (TRITRONQUEE,
+     "if (!certainly_less(ball(5) / 8, s) || !certainly_less(ball(kappa * h + steep * h * h + defect), ball(s * h))) {"):
+        "it holds from X = 1 on for the terms that fall; kept, because the lemma rests on it",
+    (TRITRONQUEE, "if (!state) {"): MORE_BITS,
 }

@@ -48,6 +48,7 @@ TEST_CASE("a lifted system has the coefficients of the given one", "[ode]") {
         "y' = acos(y/3)/2; y(0) = 1", "y' = atan(y*t) - y; y(0) = 1", "y' = sinh(y)/4; y(0) = 1/2",
         "y' = cosh(y)/4; y(0) = 1/2", "y' = tanh(y) - t^2; y(0) = 1/2", "y' = y^(-2)/(1 + t) + 1/y; y(0) = 2",
         "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2); x(0) = 2/5; x'(0) = 0; y(0) = 0; y'(0) = 2",
+        "y' = (2 + y)^(2/7) + y/pi; y(0) = 1/5", "y' = ((2 + y)/3)^70 + sin(2)*y; y(0) = 1/5",
         "y' = exp(sin(exp(y/3))); y(0) = 0", "y' = log(2 + sqrt(1 + y^2)); y(0) = 1");
     CAPTURE(text);
     const precision_scope scope(60);
@@ -99,6 +100,54 @@ TEST_CASE("variations are the derivatives by the start", "[ode]") {
         CHECK(expansion.coefficients(1)[n] == power * (n + 1));
         power *= rational(2, 3);
     }
+}
+
+TEST_CASE("linear equations with entire coefficients have entire solutions", "[ode]") {
+    const auto entire = [](const std::string& text) { return has_entire_solutions(explicit_system(parse(text))); };
+    for (const std::string text :
+         {"y' = (t^2 + 1)*y + exp(t); y(0) = 1", "y'' = sinh(2*t)*y + cosh(t) - sin(t)*cos(t)*y'; y(0) = 1; y'(0) = 0",
+          "y' = y/2 + t/3 + sin(t)/pi + t*y/(2 + pi); y(0) = 1", "y' = exp(sin(t))*y; y(0) = 1",
+          "y' = tan(1)*y; y(0) = 1"}) {
+        INFO(text);
+        CHECK(entire(text));
+    }
+    for (const std::string text :
+         {"y' = y/t; y(1) = 1", "y' = sqrt(t)*y; y(1) = 1", "y' = t^(-1)*y; y(1) = 1", "y' = t^(1/2) + y; y(1) = 1",
+          "y' = log(t)*y; y(1) = 1", "y' = y + tan(t); y(0) = 1", "y' = y^2; y(0) = 1", "y' = exp(1/t)*y; y(1) = 1",
+          "y' = t^pi*y; y(1) = 1", "y' = (1/t + t)*y; y(1) = 1", "y' = (t + 1/t)*y; y(1) = 1",
+          "y' = (2/t)*t*y + y^2; y(1) = 1", "y' = sin(t)/t*y; y(1) = 1", "y' = (t + sqrt(t))^2*y; y(1) = 1",
+          "y' = y*log(t)/t; y(1) = 1", "y' = t/(1 + t)*y; y(1) = 1"}) {
+        INFO(text);
+        CHECK_FALSE(entire(text));
+    }
+}
+
+// Values of functions of several values are carried along paths, all others computed again.
+TEST_CASE("functions of several values are given unknowns of paths", "[ode]") {
+    const auto given = [](const std::string& text) { return lifted_for_paths(explicit_system(parse(text))).given; };
+    for (const std::string f : {"log", "sqrt", "asin", "acos", "atan"}) {
+        INFO(f);
+        CHECK(given("y' = " + f + "(1/2 + y/8); y(0) = 1/3") > 1);
+    }
+    CHECK(given("y' = (1 + y)^(1/3); y(0) = 1") > 1);
+    for (const std::string f : {"exp", "sin", "cosh", "tan", "1/"}) {
+        INFO(f);
+        CHECK(given("y' = " + f + "(1/2 + y/8); y(0) = 1/3") == 1);
+    }
+}
+
+TEST_CASE("values of powers by products and by functions", "[ode]") {
+    const precision_scope scope(40);
+    const std::vector<ode::expression> leaves{unknown("y0")};
+    expression_values<mpfr> values(leaves, mpfr(0));
+    values.push_back(mpfr(3));
+    const auto of = [&](const rational& exponent) { return values.of(pow(leaves[0], ode::expression(exponent))); };
+    const auto near = [](const mpfr& a, const mpfr& b) { return abs(mpfr(a - b)) <= 70 * epsilon<mpfr>() * abs(b); };
+    CHECK(of(5) == 243);
+    CHECK(near(of(-2), mpfr(1) / 9));
+    CHECK(near(of(70), pow(mpfr(3), 70)));
+    CHECK(near(of(rational(1, 2)), sqrt(mpfr(3))));
+    CHECK(near(values.of(pow(leaves[0], parse_constant("pi"))), pow(mpfr(3), pi<mpfr>())));
 }
 
 }  // namespace ode_lifted_system_test

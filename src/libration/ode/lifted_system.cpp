@@ -190,7 +190,7 @@ private:
     std::unordered_map<const void*, std::pair<expression, expression>> done_;
 };
 
-// A function with one value for each of its argument.
+// A function with one value for each of its argument; square roots are powers here.
 bool has_one_value(const expression& e) {
     if (e.kind() == node_kind::quotient) {
         return true;
@@ -200,7 +200,6 @@ bool has_one_value(const expression& e) {
     }
     switch (e.function()) {
         case elementary::log:
-        case elementary::sqrt:
         case elementary::asin:
         case elementary::acos:
         case elementary::atan: return false;
@@ -213,11 +212,10 @@ bool is_entire(const expression& e) {
     switch (e.kind()) {
         case node_kind::sum:
         case node_kind::product: return is_entire(e.left()) && is_entire(e.right());
-        case node_kind::quotient: return is_entire(e.left()) && e.right().is_constant();
+        case node_kind::quotient: return false;  // one by a constant is a product
         case node_kind::power: {
             const auto exponent = e.right().fraction();
-            return e.left().is_constant() ||
-                   (is_entire(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0);
+            return is_entire(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
         }
         case node_kind::function:
             switch (e.function()) {

@@ -34,8 +34,7 @@ public:
     static constexpr long usual_error_bits = 96;
 
     /// A start may be regular singular (singular_step.hpp, whose errors it throws). Where the polynomial form of the system needs a function of several
-    /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice. Throws error where
-    /// both are so.
+    /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice.
     complex_flow(const explicit_system& system, long bits);
 
     /// The start of the system.

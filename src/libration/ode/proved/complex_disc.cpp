@@ -61,18 +61,12 @@ long bits_of(const complex_set& set, long most) {
                       std::max(most, complex_flow::usual_error_bits));
 }
 
-void require_one_value(const lifted_system& of, std::size_t given) {
-    if (of.given != given) {
-        throw error(
-            error_kind::argument, "problem", "",
-            "starts where its equation is singular, with functions of several values, which is not proved: choose "
-            "another start");
-    }
-}
-
 std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<complex_ball>& expansion,
                                      const complex_ball& point, std::size_t unknowns, const magnitude& size) {
-    const double log_of_radius = estimated_radius(expansion, unknowns, size.is_zero() ? magnitude(1U) : size);
+    double log_of_radius = estimated_radius(expansion, unknowns, size.is_zero() ? magnitude(1U) : size);
+    if (log_of_radius == no_radius) {  // at an equilibrium the variations alone have a radius
+        log_of_radius = estimated_radius(expansion, of.orders().size(), magnitude(1U));
+    }
     for (const unsigned long part : parts_of_estimate) {
         const magnitude radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
         if (auto bound = bounded_tail(of, expansion, point, radius)) {
@@ -118,7 +112,6 @@ complex_flow::complex_flow(const explicit_system& system, long bits)
             system, bits, static_cast<int>(static_cast<double>(bits) * singular_terms_for_a_bit));
         start_ = singular_->at(ball(0));
         given_ = start_.size();
-        require_one_value(lifted_, given_);
         return;
     }
     start_ = enclosed_start(system, bits);

@@ -1,5 +1,8 @@
 #include "libration/ode/proved/condition_numbers.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/opened_system.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -57,7 +60,7 @@ struct given_numbers {
 // a b for a square matrix and one of as many rows.
 ball_matrix rows_of_product(const ball_matrix& a, const ball_matrix& b) {
     ball_matrix result;
-    const std::size_t columns = b.empty() ? 0 : b.front().size();
+    const std::size_t columns = b.front().size();  // a system has an unknown
     for (const auto& row : a) {
         auto& sums = result.emplace_back(columns, ball(0));
         for (std::size_t j = 0; j < columns; ++j) {
@@ -77,7 +80,7 @@ std::optional<mpfr> settled(const ball& moved, const ball& size, long negligible
     const precision_scope few(digits_of_moves);
     const mpfr middle = abs(midpoint_of(moved));
     const mpfr radius = midpoint_of(radius_of(moved));
-    if (radius * 2048 <= middle || is_exact(moved) || contains_zero(size)) {
+    if (radius * 2048 <= middle || contains_zero(size)) {
         return middle;
     }
     const mpfr least = midpoint_of(lower_bound(size)) * pow(mpfr(10), -negligible);
@@ -149,7 +152,8 @@ std::optional<std::vector<moved_value>> dependence::moved(const proved_march& ma
         const auto of_parameters = settled(by_parameters, size, negligible_condition);
         const auto of_time = settled(abs(slopes[i]) * abs(t), size, negligible_condition);
         const auto of_rounding = settled(by_rounding, size, negligible);
-        if (!of_start || !of_parameters || !of_time || !of_rounding) {
+        const std::array moves{of_start, of_parameters, of_time, of_rounding};
+        if (!std::ranges::all_of(moves, [](const auto& each) { return each.has_value(); })) {
             return std::nullopt;
         }
         result.push_back({*of_start, *of_parameters, *of_time, *of_rounding});

@@ -213,7 +213,7 @@ public:
     // In steps of 0.6 of a radius; each(disc, offset) sees every one.
     template <class Each>
     void go_to(const complex_ball& target, const Each& each) {
-        while (true) {
+        for (;;) {
             const complex_ball rest = exact_difference(target, now_->about().offset);
             const magnitude away = size_of(rest);
             const magnitude longest = now_->radius() * magnitude::of(path_part, -15);

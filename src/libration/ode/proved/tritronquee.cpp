@@ -91,9 +91,10 @@ private:
 
     int order() const { return static_cast<int>(b_.size()) - 1; }
 
+    // Of (sum b eta^k)^2, beyond N.
     ball product_of_order(std::size_t m) const {
         ball sum(0);
-        for (std::size_t i = m < b_.size() ? 0 : m - b_.size() + 1; i < b_.size() && i <= m; ++i) {
+        for (std::size_t i = m - b_.size() + 1; i < b_.size(); ++i) {
             sum += b_[i] * b_[m - i];
         }
         return sum;

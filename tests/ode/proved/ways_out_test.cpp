@@ -1,0 +1,222 @@
+// Where proofs of solutions end or turn aside: sets about 0, infinite maps, events between steps, limits.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/condition_numbers.hpp"
+#include "libration/ode/proved/event_search.hpp"
+#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/layers_at_infinity.hpp"
+#include "libration/ode/proved/proved_march.hpp"
+#include "libration/ode/proved/proved_root.hpp"
+#include "libration/ode/proved/radius_bounds.hpp"
+#include "libration/ode/proved/singular_step.hpp"
+#include "libration/ode/proved/tail_bound.hpp"
+#include "libration/ode/proved/tritronquee.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_ways_out_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+explicit_system typed(const std::string& text) { return explicit_system(parse(text)); }
+
+number time_of(const std::string& text) { return parse_constant(text).constant(); }
+
+ball about(const ball& x, long exponent) { return widened(x, magnitude::of(1, exponent)); }
+
+}  // namespace
+
+// y' = y from the box 0 +- 2^-50: e times it at t = 1, and not much more.
+TEST_CASE("a set about 0 is marched", "[ode][proved]") {
+    const precision_scope scope(40);
+    proved_march march(typed("y' = y; y(0) = 0"), {about(ball(0), -50)}, 120);
+    const auto state = march.at(ball(1));
+    REQUIRE(state);
+    const ball edge = exp(ball(1)) * pow(ball(2), -50);
+    CHECK(certainly_less(abs((*state)[0]), edge * 2));
+    CHECK(arb_contains((*state)[0].handle(), exact_midpoint(edge * 99 / 100).handle()) != 0);
+}
+
+// Where the flow presses the set together the centre is worth more bits again.
+TEST_CASE("precision rises where a set shrinks", "[ode][proved]") {
+    const precision_scope scope(80);
+    proved_march march(typed("y' = 20 - 20*y; y(0) = 2"), {about(ball(2), -40)}, 200);
+    const auto state = march.at(ball(4));
+    REQUIRE(state);
+    CHECK(overlaps((*state)[0], ball(1) + exp(ball(-80))));
+    CHECK(certainly_less(radius_of((*state)[0]), pow(ball(2), -150)));
+}
+
+TEST_CASE("a march says how far it is", "[ode][proved]") {
+    long calls = 0;
+    proved_march march(typed("y'' = -y; y(0) = 1; y'(0) = 0"), 80, [&](const ball&, long) { ++calls; });
+    REQUIRE(march.at(time_of("300")));
+    CHECK(march.steps() / 64 == calls);
+    CHECK(calls > 0);
+}
+
+// x' = 1/y at y = 0, about it, and so near that the set reaches 0.
+TEST_CASE("a march ends where a quotient has no value", "[ode][proved]") {
+    const auto system = typed("y' = 1/y; x' = 0; y(0) = 1; x(0) = 1");
+    const auto end_from = [&](const ball& y) {
+        proved_march march(system, {y, ball(1)}, 120);
+        CHECK_FALSE(march.at(ball(1)));
+        return march.end();
+    };
+    CHECK(end_from(ball(0)) == march_end::steps);
+    CHECK(end_from(about(ball(0), -60)) == march_end::steps);
+    CHECK(end_from(about(pow(ball(2), -40), -39)) == march_end::precision);
+    CHECK(end_from(about(pow(ball(2), -60), -59)) == march_end::steps);
+}
+
+// y = t - c with the zero c where a quarter of the first step ends: it is on both sides of it, and counted once.
+TEST_CASE("an event between two pieces of a step is one", "[ode][proved]") {
+    constexpr long bits = 100;
+    proved_march march(typed("y' = 1 + z; z' = -z; y(0) = 0; z(0) = 1"), bits);
+    REQUIRE(march.prepare());
+    for (const int part : {1, 2, 3}) {
+        const precision_scope scope(decimal_digits(bits));
+        const ball distance = exact_midpoint(march.length().exact() * part / 4);
+        mpq_t exactly;
+        mpq_init(exactly);
+        mpfr_get_q(exactly, handle(midpoint_of(distance)));
+        rational time;
+        mpq_set(time.backend().data(), exactly);
+        mpq_clear(exactly);
+        const auto system = parse("y' = 1 + z; z' = -z; y(0) = 0; z(0) = 1");
+        const ode::expression g = variable() - ode::expression(time);
+        event_search search(explicit_system(system), g, bits);
+        const auto first = search.next(crossing::any, std::nullopt);
+        REQUIRE(first);
+        CHECK(overlaps(first->time, distance));
+        const number end = number(rational(time * 8));
+        CHECK_FALSE(search.next(crossing::any, end));
+    }
+}
+
+TEST_CASE("events about a singular start", "[ode][proved][singular]") {
+    const auto system = parse(std::string(problem_text("lane_emden")));
+    const auto first_zero = [&](const std::string& condition, int direction) {
+        event_search search(explicit_system(system), parse_condition(system, condition), 100, direction);
+        return search.next(crossing::any, std::nullopt);
+    };
+    CHECK(first_zero("y = 1/2", 1));
+    CHECK_THROWS_WITH(first_zero("y = 1/2", -1), Catch::Contains("behind which alone"));
+    CHECK_THROWS_WITH(first_zero("y = 1", 1), Catch::Contains("within the first step"));
+}
+
+TEST_CASE("frames of flat maps, and no frame of an infinite one", "[ode][proved]") {
+    const error_frame box({magnitude(1U), magnitude(1U)});
+    const error_frame flat = box.moved({{ball(1), ball(0)}, {ball(0), ball(0)}}, {magnitude(), magnitude()});
+    CHECK(certainly_less(abs(flat.reach(0).exact() - 1), pow(ball(2), -20)));
+    CHECK(flat.widths()[1].is_zero());
+    const ball infinite = ball(1) / 0;
+    CHECK_THROWS_AS(box.moved({{infinite, ball(0)}, {ball(0), ball(1)}}, {magnitude(), magnitude()}),
+                    precision_exhausted);
+}
+
+TEST_CASE("unknowns that conditions do not hold, or whose solutions end", "[ode][proved]") {
+    const auto find = [](const std::string& text, const std::string& name, const std::string& unknown) {
+        return proved_unknowns(parse(text), {name}, {{unknown, 0, time_of("1"), time_of("2")}}, 10);
+    };
+    CHECK_THROWS_WITH(find("y' = y; x' = k; y(0) = 1; x(0) = 0; k = 1", "k", "y"), Catch::Contains("not isolated"));
+    CHECK_THROWS_WITH(find("y' = k*y^2; y(0) = 1; k = 3", "k", "y"), Catch::Contains("nearer first guess"));
+}
+
+// With y = 0 all that its start does to it is 0, which no width hides.
+TEST_CASE("an unknown that is 0 has no relative condition", "[ode][proved][condition]") {
+    const auto found = proved_conditions(parse("y' = y*sin(z); z' = z; y(0) = 0; z(0) = 1/3"), {time_of("1")}, 10);
+    CHECK(found.front().moved[0].by_start == 0);
+    CHECK(found.front().moved[0].by_parameters == 0);
+    CHECK(found.front().moved[1].by_start > 0);
+}
+
+TEST_CASE("coverings that are small, and that have a limit", "[ode][proved][singularity]") {
+    const precision_scope scope(40);
+    const complex_flow flow(typed("y' = y^2; y(0) = 1"), 100);
+    const covering small = covered_disc(flow, exact_midpoint(ball(1) / 8), {1}, {});
+    CHECK(small.complete);
+    CHECK(small.discs.size() == 1);
+    // A narrow sector, whose first cell is longer than wide.
+    CHECK(covered_disc(flow, exact_midpoint(ball(99) / 100), {48}, {}).complete);
+    for (const int percent : {101, 150}) {
+        const covering beyond = covered_disc(flow, exact_midpoint(ball(percent) / 100), {48}, {.finest_bits = 16});
+        CHECK_FALSE(beyond.complete);
+        CHECK(certainly_less(beyond.covered, ball(1)));
+    }
+    const covering limited = covered_disc(flow, exact_midpoint(ball(99) / 100), {1}, {.most_discs = 3});
+    CHECK_FALSE(limited.complete);
+    CHECK(limited.reason.find("more than 3 discs") != std::string::npos);
+    // A path that begins with a stay, and one whose discs become too small.
+    CHECK(loop_about(flow, {complex_ball(0)}, complex_ball(1), magnitude::of(1, -8), 0).evidence ==
+          loop_evidence::integral);
+    const complex_flow kepler(typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2); x(0) = 2/5; x'(0) = 0; "
+                                    "y(0) = 0; y'(0) = 2"),
+                              64);
+    const mpfr collision("0.29861228866811");
+    CHECK_THROWS(
+        loop_about(kepler, {}, exact_midpoint(complex_ball(ball(0), ball(collision))), magnitude::of(1, -30), 0));
+}
+
+// About an equilibrium, y = 0 and z = t, the variations alone say how far: v' = t v.
+TEST_CASE("discs about equilibria", "[ode][proved][singularity]") {
+    const precision_scope scope(40);
+    const complex_flow flow(typed("y' = y*z + y^2; z' = 1; y(0) = 0; z(0) = 0"), 100);
+    const complex_disc disc(flow);
+    CHECK(certainly_less(ball(1), disc.radius().exact()));
+    const auto values = values_of(disc.moved_to(complex_ball(1)));
+    CHECK(contains_zero(values[0].re));
+    CHECK(overlaps(values[1].re, ball(1)));
+    CHECK_THROWS_AS(disc.moved_to(complex_ball(disc.radius().exact() * 2)), error);
+}
+
+// 1/y over a set that holds 0.
+TEST_CASE("a set over which a quotient has no value has no disc", "[ode][proved][singularity]") {
+    const complex_flow flow(typed("y' = 1/y; y(0) = 1"), 100);
+    const complex_set wide{complex_ball(0), {complex_ball(1)}, {0}, error_frame({magnitude(2U), magnitude(2U)})};
+    CHECK_THROWS_AS(complex_disc(flow, wide), precision_exhausted);
+}
+
+TEST_CASE("singular starts with a difference, third order, and 0", "[ode][proved][singular]") {
+    const precision_scope scope(40);
+    // w = sin(t)/t + t^2/6 - 1 of w'' + 2 w'/t = -sin(t)/t + 1 by s = sin(t)/t as a second unknown.
+    const auto step = proved_singular_step(
+        typed("t*w'' + 2*w' = t - t*s; t*s'' + 2*s' = -t*s; w(0) = 0; w'(0) = 0; s(0) = 1; s'(0) = 0"), 80);
+    const ball t = constant_value<ball>::of(step.beyond.point());
+    CHECK(overlaps(step.state[0], sin(t) / t + t * t / 6 - 1));
+    // y = t/2.
+    const auto line = proved_singular_step(typed("t*y' = t - y; y(0) = 0"), 80);
+    CHECK(overlaps(line.state[0], constant_value<ball>::of(line.beyond.point()) / 2));
+    CHECK_THROWS_WITH(proved_singular_step(typed("t*y''' + 3*y'' = -y''^2; y(0) = 1; y'(0) = 0; y''(0) = 0"), 80),
+                      Catch::Contains("second derivatives"));
+    // n + 100 is at least n - |100|, by which powers from 100 on alone are known to be determined.
+    const tape of = tape::about_start(typed("t*y' = t - 100*y; y(0) = 0"));
+    taylor_expansion<ball> expansion(of, 48);
+    expansion.about_start();
+    CHECK_FALSE(bounded_singular_tail(of, expansion, 40, magnitude(1U)));
+}
+
+TEST_CASE("conditions at infinity without what they need", "[ode][proved]") {
+    CHECK_THROWS_WITH(falkner_skan_shear(parse("f''' + f*f'' + 1 - f'^2 = 0; f(0) = 0; f'(0) = 0; f''(0) = 1")),
+                      Catch::Contains("no parameter"));
+    const precision_scope scope(30);
+    CHECK_THROWS_AS(tritronquee_far_out(0, 3), precision_exhausted);
+    // S - r log S is the same at the start and at the end.
+    const ball s(100);
+    const ball i(3);
+    const ball rho(60);
+    const ball left = epidemic_remainder(s, i, rho);
+    CHECK(overlaps(left - rho * log(left), s + i - rho * log(s)));
+    CHECK_THROWS_AS(epidemic_remainder(about(s, 7), i, rho), precision_exhausted);
+}
+
+}  // namespace ode_proved_ways_out_test
