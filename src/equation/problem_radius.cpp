@@ -21,15 +21,24 @@ std::string at_words(const complex_number<mpfr>& z) {
                        to_decimal(mpfr(abs(z.im)), digits_of_place));
 }
 
-}  // namespace
-
-std::string words_of_evidence(const ode::explicit_system& system, const ode::loop_result& loop) {
+std::string words_of_loop(const ode::explicit_system& system, const ode::loop_result& loop) {
     const std::string name = ode::first_order_form(system).names[loop.unknown];
     if (loop.evidence == ode::loop_evidence::change) {
         return name + " is another after a turn round it";
     }
     return loop.power == 0 ? fmt::format("the round integral of {} is not 0", name)
                            : fmt::format("the round integral of (t - t*)^{} {} is not 0", loop.power, name);
+}
+
+}  // namespace
+
+std::string words_of_evidence(const ode::explicit_system& system, const ode::proved_singularity& proved) {
+    const std::string loop = words_of_loop(system, proved.evidence);
+    if (proved.pole_order == 0) {
+        return loop;
+    }
+    return fmt::format("{}; 1/{} has a {} zero", loop, system.unknowns().front().name,
+                       proved.pole_order == 1 ? "simple" : "double");
 }
 
 proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits) {
@@ -46,7 +55,7 @@ proved_radius_answer proved_radius_of(const ode::explicit_system& system, long d
                               radius.rotation > 1 ? fmt::format(" but for turns by 1/{}", radius.rotation) : "") +
                   fmt::format("upper  {}  proved: a singularity within {} of {}, for {}\n", upper,
                               upper_bound_text(radius.evidence->reach.exact()), at_words(radius.evidence->centre),
-                              words_of_evidence(system, radius.evidence->evidence));
+                              words_of_evidence(system, *radius.evidence));
     return answer;
 }
 

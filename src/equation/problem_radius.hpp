@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "libration/ode/proved/radius_bounds.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
 #include "text/table.hpp"
 
 namespace libration {
@@ -18,7 +18,7 @@ struct proved_radius_answer {
 /// with entire coefficients. Throws error of the kind undecided with what is proved, where that is less.
 proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits);
 
-/// What shows that a loop has a singularity in it, in words.
-std::string words_of_evidence(const ode::explicit_system& system, const ode::loop_result& loop);
+/// What shows that a singularity is there, and that it is a pole where that is proved, in words.
+std::string words_of_evidence(const ode::explicit_system& system, const ode::proved_singularity& proved);
 
 }  // namespace libration

@@ -64,7 +64,7 @@ std::vector<column> columns_of_map() {
             {"kind", "pole, with branches, algebraic, logarithm or complex power"},
             {"exponent_re", "exponent p of the leading behaviour, real part"},
             {"exponent_im", "imaginary part"},
-            {"rigour", "proved: of the place alone; the kind is heuristic"},
+            {"rigour", "proved: of the place, and of a pole by a zero of its inverse; other kinds are heuristic"},
             {"unknown", "the unknown with that behaviour"},
             {"coefficient_re", "c in c (t - t*)^p, or c (1 - (t - t0)/(t* - t0))^p where p is no whole number"},
             {"coefficient_im", "imaginary part"},
@@ -89,7 +89,7 @@ table map_table(const singularities_options& options, const ode::explicit_system
         std::string uncertainty = to_decimal(each.uncertainty, uncertainty_digits);
         std::string evidence;
         if (options.prove) {
-            evidence = words_of_evidence(system, proofs[i].evidence);
+            evidence = words_of_evidence(system, proofs[i]);
             uncertainty = upper_bound_text(proofs[i].reach.exact());
         }
         data.add_row({decimal_cell(mpfr(origin + each.offset.re), digits), decimal_cell(each.offset.im, digits),

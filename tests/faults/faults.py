@@ -319,7 +319,7 @@ FAULTS = [
         ("the radii of a step in the plane forgotten", "added.push_back(magnitude(off) * magnitude::of(1, -result.scales[i]));",
          "added.emplace_back();"),
         ("the tail of a step in the plane forgotten", "const magnitude tail = tail_->at(i, away);", "const magnitude tail;"),
-        ("the width of a start forgotten", "widths.push_back(magnitude(start_[i] - centre[i].re) * magnitude::of(1, -scales[i]));",
+        ("the width of a start forgotten", "widths.push_back(magnitude(off) * magnitude::of(1, -scales[i]));",
          "widths.emplace_back();"),
         ("an imaginary part with the wrong sign", "map[i][size + j] = -im;", "map[i][size + j] = im;"),
         ("an integral without its last factor", "    sum = sum * distance;\n", ""),
@@ -332,6 +332,16 @@ FAULTS = [
         ("half of the sector", "last_turn_ = ball(1) / ball(2 * symmetry.rotation)", "last_turn_ = ball(1) / ball(4 * symmetry.rotation)"),
         ("a loop that is not closed", "for (int k = 0; k <= loop_corners; ++k) {", "for (int k = 0; k < loop_corners; ++k) {"),
         ("the way to the loop forgotten", "farthest_ = certainly_less(modulus, farthest_) ? farthest_ : modulus;", ""),
+    ),
+    *in_file(
+        "src/libration/ode/proved/proved_singularity.cpp", [BOUNDS],
+        ("a zero beyond the reach", "const bool one_zero = certainly_within(step, reach);", "const bool one_zero = true;"),
+    ),
+    *in_file(
+        "src/libration/ode/singularity/regular_coordinates.cpp", ["ode/singularity/regular_coordinates_test.cpp"],
+        ("a coordinate that is not regular", "moving.is_constant() && (!cubic", "(!cubic"),
+        ("a term of the slope", "- 3 * c * v * v -", "- 2 * c * v * v -"),
+        ("a term of the third coordinate", "c * v + g * v * v - k * p * v", "c * v + g * v * v"),
     ),
     *in_file(
         ROOM + "series/blocked_sums.hpp", ["ode/fast_product_test.cpp"],

@@ -209,4 +209,32 @@ TEST_CASE("the radius about a singular start", "[ode][proved][singularity]") {
     CHECK_THROWS_AS(prove_radius(explicit_system(parse(std::string(problem_text("thomas_fermi")))), 10), error);
 }
 
+// 1/(7/3 - t), the tangent, 1/(1 - t)^2, and Painleve's second equation at a complex pole; not a place beside, nor a
+// branch point.
+TEST_CASE("poles are zeros in regular coordinates", "[ode][proved][singularity]") {
+    const precision_scope scope(60);
+    const auto is_pole = [](const std::string& text, const complex_ball& offset, int exponent) {
+        return is_pole_near(typed(text), {}, exact_midpoint(offset), magnitude(tenth_to(exponent)), 160);
+    };
+    const complex_ball third(ball(7) / 3);
+    CHECK(is_pole("y' = y^2; y(0) = 3/7", third, 30));
+    CHECK_FALSE(is_pole("y' = y^2; y(0) = 3/7", third + complex_ball(tenth_to(20)), 30));
+    CHECK(is_pole("y' = 1 + y^2; y(0) = 0", complex_ball(pi<ball>() / 2), 30));
+    CHECK(is_pole("u'' = 6*u^2; u(0) = 1; u'(0) = 2", complex_ball(1), 30));
+    CHECK_FALSE(is_pole("u'' = 6*u^2; u(0) = 1; u'(0) = 2", complex_ball(ball(1) + tenth_to(25)), 30));
+    CHECK_FALSE(is_pole("y' = -1/(2*y); y(0) = 1", complex_ball(1), 20));
+    for (const std::string name : {"weierstrass", "painleve_1", "painleve_2", "duffing", "riccati", "logistic"}) {
+        INFO(name);
+        const explicit_system system(parse(std::string(problem_text(name))));
+        singularity_request request;
+        request.nearest_alone = true;
+        request.digits = 24;
+        const auto map = singularities_of(system, request);
+        REQUIRE_FALSE(map.all.empty());
+        const auto& found = map.all.front();
+        const auto proved = prove_singularity(system, found, mpfr("1e-18"));
+        CHECK(proved.pole_order == (name == "weierstrass" || name == "painleve_1" ? 2 : 1));
+    }
+}
+
 }  // namespace ode_proved_radius_bounds_test

@@ -36,6 +36,8 @@ public:
     /// A start may be regular singular (singular_step.hpp, whose errors it throws). Where the polynomial form of the system needs a function of several
     /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice.
     complex_flow(const explicit_system& system, long bits);
+    /// Of a system without starts (explicit_system::first_order), for sets that come from elsewhere.
+    static complex_flow about_points(const explicit_system& system, long bits);
 
     /// The start of the system.
     complex_set start() const;
@@ -45,6 +47,8 @@ public:
 
 private:
     friend class complex_disc;
+    struct without_start {};
+    complex_flow(const explicit_system& system, long bits, without_start);
 
     lifted_system lifted_;
     tape tape_, varied_tape_;
@@ -68,6 +72,8 @@ public:
     const magnitude& radius() const { return singular_ ? singular_->radius() : set_tail_->radius; }
     /// Theorem V: the set at t0 + offset, |offset - about().offset| < radius(); offset exact.
     complex_set moved_to(const complex_ball& offset) const;
+    /// The unknowns at every t0 + offset of a ball inside the disc, over the whole set. Not about a singular start.
+    std::vector<complex_ball> values_over(const complex_ball& offset) const;
     /// An enclosure, over the whole set, of
     ///     int ((z - centre)/scale)^power y_unknown(t0 + z) dz
     /// along the straight line from about().offset to `offset` inside the disc, `scale` exact and not 0. Not from a
@@ -87,6 +93,9 @@ private:
     std::optional<tail_bound> tail_, set_tail_;
     std::shared_ptr<const singular_series> singular_;  ///< instead of these, about a singular start
 };
+
+/// The set of these enclosures, a box, at t0 + offset; offset exact.
+complex_set set_about(const complex_ball& offset, const std::vector<complex_ball>& values);
 
 /// The enclosures of the unknowns over a set.
 std::vector<complex_ball> values_of(const complex_set& set);

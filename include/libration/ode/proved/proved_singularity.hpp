@@ -16,10 +16,22 @@ struct proved_singularity {
     complex_number<mpfr> centre;  ///< relative to the start
     magnitude reach;              ///< the radius of the disc about it
     loop_result evidence;
+    /// Of the pole that it is proved to be, by a zero in regular coordinates; 0 where that is not proved.
+    int pole_order = 0;
 };
 
+/// Whether there is exactly one pole within `reach` of an exact offset, of the order that regular_coordinates says: along
+/// the corners from the start and half of the rest, further in those coordinates, where the way ends in a disc about the
+/// offset m. With q the one that has a simple zero there, Q an enclosure of q' over the box Z of that reach about m:
+/// where m - q(m)/Q lies inside Z, q has one zero in Z, there (interval Newton: z -> m - q(m)/A(z), A(z) in Q the mean slope
+/// between m and z, maps Z into it); at a pole of order 2 p = 0 is v = 0 where the other factor of p^2 excludes 0. False
+/// where it is not proved with so many bits.
+bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>& corners, const complex_ball& offset,
+                  const magnitude& reach, long bits);
+
 /// Theorem C for a singularity that was found to more digits: some path in a polygon within `reach` of its offset ends
-/// in a singularity of the branch that its path reaches. More bits are taken until the loop closes. Throws error of the
+/// in a singularity of the branch that its path reaches; and whether that is a pole, where the equation has regular
+/// coordinates. More bits are taken until the loop closes. Throws error of the
 /// kind undecided where none of the functionals excludes 0, or a million bits do not suffice.
 proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach);
 

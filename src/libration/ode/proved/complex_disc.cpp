@@ -78,6 +78,22 @@ std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<comp
 
 }  // namespace
 
+complex_set set_about(const complex_ball& offset, const std::vector<complex_ball>& values) {
+    std::vector<complex_ball> centre;
+    for (const complex_ball& each : values) {
+        centre.push_back(exact_midpoint(each));
+    }
+    std::vector<long> scales = scales_of(centre);
+    std::vector<magnitude> widths;
+    for (const bool imaginary : {false, true}) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const ball off = imaginary ? ball(values[i].im - centre[i].im) : ball(values[i].re - centre[i].re);
+            widths.push_back(magnitude(off) * magnitude::of(1, -scales[i]));
+        }
+    }
+    return {offset, std::move(centre), std::move(scales), error_frame(std::move(widths))};
+}
+
 std::vector<complex_ball> values_of(const complex_set& set) {
     std::vector<complex_ball> values;
     const std::size_t count = set.centre.size();
@@ -100,22 +116,29 @@ bool certainly_within(const complex_ball& z, const magnitude& r) {
     return certainly_less(ball(z.re * z.re + z.im * z.im), ball(limit * limit));
 }
 
-complex_flow::complex_flow(const explicit_system& system, long bits)
+complex_flow::complex_flow(const explicit_system& system, long bits, without_start)
     : lifted_(lifted_for_paths(beyond_start(system))),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
+      given_(first_order_form(system).leaves.size()),
       bits_(bits) {
     const precision_scope scope(decimal_digits(bits));
     origin_ = constant_value<ball>::of(system.point());
+}
+
+complex_flow complex_flow::about_points(const explicit_system& system, long bits) {
+    return {system, bits, without_start()};
+}
+
+complex_flow::complex_flow(const explicit_system& system, long bits) : complex_flow(system, bits, without_start()) {
+    const precision_scope scope(decimal_digits(bits));
     if (system.singular()) {
         singular_ = std::make_shared<singular_series>(
             system, bits, static_cast<int>(static_cast<double>(bits) * singular_terms_for_a_bit));
         start_ = singular_->at(ball(0));
-        given_ = start_.size();
         return;
     }
     start_ = enclosed_start(system, bits);
-    given_ = start_.size();
     if (lifted_.given != given_) {
         start_ = lifted_values(lifted(system), origin_, start_);
     }
@@ -123,17 +146,11 @@ complex_flow::complex_flow(const explicit_system& system, long bits)
 
 complex_set complex_flow::start() const {
     const precision_scope scope(decimal_digits(bits_));
-    std::vector<complex_ball> centre;
+    std::vector<complex_ball> values;
     for (const ball& each : start_) {
-        centre.emplace_back(exact_midpoint(each));
+        values.emplace_back(each);
     }
-    std::vector<long> scales = scales_of(centre);
-    std::vector<magnitude> widths;
-    for (std::size_t i = 0; i < start_.size(); ++i) {
-        widths.push_back(magnitude(start_[i] - centre[i].re) * magnitude::of(1, -scales[i]));
-    }
-    widths.resize(2 * start_.size());
-    return {complex_ball(0), std::move(centre), std::move(scales), error_frame(std::move(widths))};
+    return set_about(complex_ball(0), values);
 }
 
 complex_disc::complex_disc(const complex_flow& flow, complex_set about)
@@ -245,6 +262,22 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
     const precision_scope few(decimal_digits(complex_flow::usual_error_bits));
     result.errors = set_.errors.moved(scaled_map(distance, result.scales), added);
     return result;
+}
+
+std::vector<complex_ball> complex_disc::values_over(const complex_ball& offset) const {
+    const precision_scope few(decimal_digits(complex_flow::usual_error_bits));
+    const complex_ball distance = offset - set_.offset;
+    if (!certainly_within(distance, radius())) {
+        throw error(error_kind::argument, "offset", "", "is not inside the disc");
+    }
+    const auto state = of_set_->at(distance);
+    const magnitude away = size_of(distance);
+    std::vector<complex_ball> values;
+    for (std::size_t i = 0; i < set_.centre.size(); ++i) {
+        const magnitude tail = set_tail_->at(i, away);
+        values.emplace_back(widened(state[i][0].re, tail), widened(state[i][0].im, tail));
+    }
+    return values;
 }
 
 complex_ball complex_disc::integral(std::size_t unknown, const complex_ball& offset, const complex_ball& centre,

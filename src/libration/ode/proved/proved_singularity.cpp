@@ -5,11 +5,14 @@
 #include <string>
 #include <utility>
 
+#include "disc_path.hpp"
+#include "libration/ode/singularity/regular_coordinates.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "needed_bits.hpp"
+#include "set_values.hpp"
 
 namespace libration::ode {
 
@@ -17,6 +20,7 @@ namespace {
 
 constexpr long loop_guard_bits = 48;
 constexpr int most_loop_attempts = 6;
+constexpr int most_pole_attempts = 3;
 constexpr int most_smaller_loops = 3;
 constexpr long least_digits_of_smaller_loop = 16;
 constexpr int most_coverings = 4;
@@ -43,6 +47,22 @@ int weights_for(const found_singularity& found) {
     return order - 1;
 }
 
+// A pole that was seen, with more bits where it takes them.
+int proved_pole_order(const explicit_system& system, const found_singularity& found,
+                      const std::vector<complex_ball>& corners, const magnitude& reach, long bits) {
+    const auto regular = regular_coordinates::of(system);
+    if (!regular || found.kind != singularity_kind::pole) {
+        return 0;
+    }
+    for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {
+        if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits)) {
+            return regular->order();
+        }
+        bits += bits / 2;
+    }
+    return 0;
+}
+
 [[noreturn]] void refuse_proof(const std::string& why) { throw error(error_kind::undecided, "problem", "", why); }
 
 std::string shown_number(const mpfr& x) { return to_decimal(x, shown_digits); }
@@ -61,7 +81,8 @@ std::optional<proved_singularity> shown_along(const explicit_system& system, con
             const complex_flow flow(system, bits);
             loop_result loop = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
             if (loop.evidence != loop_evidence::none) {
-                return proved_singularity{found.offset, loop.reach, std::move(loop)};
+                const int order = proved_pole_order(system, found, corners, loop.reach, bits);
+                return proved_singularity{found.offset, loop.reach, std::move(loop), order};
             }
         } catch (const precision_exhausted&) {
             // the next one has more bits
@@ -78,6 +99,45 @@ std::optional<proved_singularity> shown_along(const explicit_system& system, con
 }
 
 }  // namespace
+
+bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>& corners, const complex_ball& offset,
+                  const magnitude& reach, long bits) {
+    const auto regular = regular_coordinates::of(system);
+    if (!regular) {
+        return false;
+    }
+    const precision_scope scope(decimal_digits(bits));
+    const ball origin = constant_value<ball>::of(system.point());
+    const auto time_at = [&](const complex_ball& from_start) {
+        return complex_ball(origin + from_start.re, from_start.im);
+    };
+    const auto none = [](const complex_disc&, const complex_ball&) {};
+    try {
+        const complex_flow flow(system, bits);
+        disc_path path(flow);
+        for (const complex_ball& each : corners) {
+            path.go_to(each, none);
+        }
+        const complex_ball behind = path.now().about().offset;
+        path.go_to(exact_midpoint(behind + exact_difference(offset, behind) / 2), none);
+        const complex_ball here = path.now().about().offset;
+        const auto coordinates = regular->from(time_at(here), values_of(path.now().about()));
+        if (!all_finite(coordinates)) {
+            return false;
+        }
+        const complex_flow beyond = complex_flow::about_points(regular->system(), bits);
+        disc_path rest(beyond, set_about(here, coordinates));
+        rest.go_to(offset, none);
+        const complex_ball within{widened(offset.re, reach), widened(offset.im, reach)};
+        const auto over = rest.now().values_over(within);
+        const std::size_t q = regular->simple_zero();
+        const complex_ball step = values_of(rest.now().about())[q] / regular->slopes(time_at(within), over)[q];
+        const bool one_zero = certainly_within(step, reach);
+        return one_zero && (regular->order() == 1 || certainly_not_zero(regular->factor(time_at(within), over)));
+    } catch (const precision_exhausted&) {
+        return false;
+    }
+}
 
 proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach) {
     std::vector<complex_ball> corners;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "disc_path.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -12,10 +13,6 @@ namespace libration::ode {
 namespace {
 
 constexpr int loop_corners = 16;
-// Of a radius: paths go so far in one step.
-constexpr unsigned long path_part = 19'660;  // 0.6 of 2^15
-// Besides one a bit; where the discs have nine tenths of the radius it takes one in two bits.
-constexpr long most_path_discs = 60;
 // Of a covering: the longest step, and the most of them to the centre of a cell.
 constexpr unsigned long way_part = 26'214;  // 0.8 of 2^15
 constexpr int most_way_discs = 12;
@@ -201,59 +198,6 @@ private:
     std::vector<covering_disc> made_;
     ball nearest_missing_;
     std::string reason_;
-};
-
-bool certainly_not_zero(const complex_ball& z) { return !contains_zero(z.re) || !contains_zero(z.im); }
-
-// A march by discs, each a step inside the one before.
-class disc_path {
-public:
-    explicit disc_path(const complex_flow& flow) : flow_(flow), now_(std::make_unique<complex_disc>(flow)) {}
-
-    // In steps of 0.6 of a radius; each(disc, offset) sees every one.
-    template <class Each>
-    void go_to(const complex_ball& target, const Each& each) {
-        for (;;) {
-            const complex_ball rest = exact_difference(target, now_->about().offset);
-            const magnitude away = size_of(rest);
-            const magnitude longest = now_->radius() * magnitude::of(path_part, -15);
-            const bool last = away <= longest;
-            if (away.is_zero()) {
-                return;
-            }
-            complex_ball next = target;
-            if (!last) {
-                const ball part = longest.exact() / away.exact();
-                next = exact_midpoint(now_->about().offset + rest * part);
-            }
-            if (++discs_ > most_path_discs + flow_.bits()) {
-                throw error(
-                    error_kind::undecided, "problem", "",
-                    "is not followed to a singularity: the proved discs become too small before it; where a sum "
-                    "such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
-            }
-            if (!certainly_within(exact_difference(next, now_->about().offset), now_->radius())) {
-                throw precision_exhausted("a step below the rounding of its place");
-            }
-            each(*now_, next);
-            const ball modulus = upper_bound(sqrt(ball(next.re * next.re + next.im * next.im)));
-            farthest_ = certainly_less(modulus, farthest_) ? farthest_ : modulus;
-            now_ = std::make_unique<complex_disc>(flow_, now_->moved_to(next));
-            if (last) {
-                return;
-            }
-        }
-    }
-
-    const complex_disc& now() const { return *now_; }
-    const ball& farthest() const { return farthest_; }
-    long discs() const { return discs_; }
-
-private:
-    const complex_flow& flow_;
-    std::unique_ptr<complex_disc> now_;
-    ball farthest_;
-    long discs_ = 1;
 };
 
 }  // namespace
