@@ -268,7 +268,7 @@ const study& published() {
         .parameters = {{"--values",
                         "blasius,falkner_skan_layer,sakiadis_layer,thomas_fermi_slope,tritronquee,lane_emden_zero,"
                         "lorenz_orbit,van_der_pol_cycle,hires,van_der_pol_1000",
-                        "which values; hires and van_der_pol_1000 take minutes, oregonator more than an hour"}},
+                        "which values; hires and van_der_pol_1000 take minutes, oregonator most of an hour"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},
         .seconds = 600,
         .excluded = {},

@@ -14,6 +14,7 @@ ATOM = ODE + "proved/neutral_atom.cpp"
 MARCH = ODE + "proved/proved_march.cpp"
 ROOT = ODE + "proved/proved_root.cpp"
 BOUNDS = ODE + "proved/radius_bounds.cpp"
+PLACE = ODE + "proved/proved_singularity.cpp"
 STEP = ODE + "proved/singular_step.cpp"
 TAIL = ODE + "proved/tail_bound.cpp"
 TRITRONQUEE = ODE + "proved/tritronquee.cpp"
@@ -92,6 +93,14 @@ ARGUED = {
     (BOUNDS, "if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {"):
         "a corner on a straight way is nearer to 0 than its farther end; rounding alone could make it not so",
     (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its round integral has been told from 0 before",
+    (PLACE, "for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {"):
+        "a pole in a loop is a zero within its reach, which the bits of the loop have shown every time",
+    (PLACE, "if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits)) {"): "as above",
+    (PLACE, "return one_zero && (regular->order() == 1 || certainly_not_zero(regular->factor(time_at(within), over)));"):
+        "the factor is 2 a2/3 at a pole, and the reach small; kept, because a zero of p alone is no pole",
+    (PLACE, "result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2);"):
+        "the third smaller loop, and refusal after it: no singularity has needed it",
+    (PLACE, "if (!result.evidence && last) {"): "as above",
     (STEP, "for (const unsigned long part : tried_parts) {"):
         "the first parts have held for every start; behind them stand halves",
     (STEP, "for (int half = 0; half < tried_halves; ++half) {"): "as above",

@@ -17,7 +17,9 @@ flags=(-std=c++20 -O1 -g -w -fno-sanitize-recover=all -I"$root/include" -I"$root
 sanitizers=address,undefined
 # What a target does not compile anew is not watched, but there; what it does comes first.
 archives=(-Wl,--allow-multiple-definition "$build"/liblibration-{sweep,proved}.a "$build/liblibration.a")
-libraries=(-lfmt -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
+# The options know the names of all studies.
+mapfile -t studies < <(find "$build"/CMakeFiles/libration-{studies,claims}.dir -name '*.o')
+libraries=(-lfmt -lsqlite3 -lcrypto -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
 
 # The sources of a target besides its own, as patterns.
 sources_of() {
@@ -43,7 +45,7 @@ compile() { # TARGET
         clang++ "${flags[@]}" -fsanitize=fuzzer-no-link,$sanitizers -c "$source" -o "$object" &
     done < <(sources_of "$1")
     wait
-    clang++ "${flags[@]}" -fsanitize=fuzzer,$sanitizers "$here/$1_fuzz.cpp" "${objects[@]}" "${archives[@]}" "${libraries[@]}" \
+    clang++ "${flags[@]}" -fsanitize=fuzzer,$sanitizers "$here/$1_fuzz.cpp" "${objects[@]}" "${studies[@]}" "${archives[@]}" "${libraries[@]}" \
         -o "$folder/$1_fuzz"
 }
 

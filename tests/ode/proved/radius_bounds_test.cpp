@@ -223,6 +223,11 @@ TEST_CASE("poles are zeros in regular coordinates", "[ode][proved][singularity]"
     CHECK(is_pole("u'' = 6*u^2; u(0) = 1; u'(0) = 2", complex_ball(1), 30));
     CHECK_FALSE(is_pole("u'' = 6*u^2; u(0) = 1; u'(0) = 2", complex_ball(ball(1) + tenth_to(25)), 30));
     CHECK_FALSE(is_pole("y' = -1/(2*y); y(0) = 1", complex_ball(1), 20));
+    // y = (sqrt(3) tan(sqrt(3) t/2 + pi/6) - 1)/2 is 0 at 0, half way from minus its pole to it: 1/y has no value there.
+    const complex_ball pole = exact_midpoint(complex_ball(pi<ball>() * 2 / (sqrt(ball(3)) * 3)));
+    const explicit_system shifted = typed("y' = 1 + y + y^2; y(0) = 0");
+    CHECK(is_pole_near(shifted, {}, pole, magnitude(tenth_to(30)), 160));
+    CHECK_FALSE(is_pole_near(shifted, {complex_ball(0) - pole}, pole, magnitude(tenth_to(30)), 160));
     for (const std::string name : {"weierstrass", "painleve_1", "painleve_2", "duffing", "riccati", "logistic"}) {
         INFO(name);
         const explicit_system system(parse(std::string(problem_text(name))));
@@ -235,6 +240,48 @@ TEST_CASE("poles are zeros in regular coordinates", "[ode][proved][singularity]"
         const auto proved = prove_singularity(system, found, mpfr("1e-18"));
         CHECK(proved.pole_order == (name == "weierstrass" || name == "painleve_1" ? 2 : 1));
     }
+}
+
+// The tangent from the start -1: poles at 3 pi/4 and -pi/4, none of which is the mirror image of another.
+TEST_CASE("all singularities of a map are proved, mirror images once", "[ode][proved][singularity]") {
+    const precision_scope scope(40);
+    const explicit_system system = typed("y' = 1 + y^2; y(0) = -1");
+    singularity_request request;
+    request.within = 3;
+    request.digits = 20;
+    const auto map = singularities_of(system, request);
+    long calls = 0;
+    const auto proved = prove_singularities(system, map.all, 12, [&] { ++calls; });
+    REQUIRE(proved.size() == 2);
+    CHECK(calls == 2);
+    const ball quarter = pi<ball>() / 4;
+    for (const auto& each : proved) {
+        CHECK(each.pole_order == 1);
+        const ball at(each.centre.re);
+        const ball away = std::min(magnitude(at - quarter * 3), magnitude(at + quarter)).exact();
+        CHECK(certainly_less(away, tenth_to(12)));
+    }
+    const auto even = singularities_of(typed("y'' = 2*y^3 + y; y(0) = 1; y'(0) = 0"), {.within = 2, .digits = 20});
+    REQUIRE(even.all.size() >= 2);
+    CHECK(prove_singularities(typed("y'' = 2*y^3 + y; y(0) = 1; y'(0) = 0"), even.all, 12).size() == even.all.size());
+    // Of another kind as the search has it: the place alone. No place: nothing.
+    auto doubted = map.all.front();
+    doubted.kind = singularity_kind::branch_pole;
+    CHECK(prove_singularity(system, doubted, mpfr("1e-10")).pole_order == 0);
+    doubted.offset.re += 1;
+    CHECK_THROWS_WITH(prove_singularity(system, doubted, mpfr("1e-3")), Catch::Contains("no change or integral"));
+}
+
+TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity]") {
+    const explicit_system pursuit(parse(std::string(problem_text("detest_e5"))));
+    CHECK_THROWS_WITH(prove_radius(pursuit, 6), Catch::Contains("both proved; more is not"));
+    const precision_scope scope(40);
+    const auto entire = outward_decimals(prove_radius(typed("y' = y; y(0) = 1"), 5), 5);
+    CHECK(entire.lower == "inf");
+    const auto bounds = outward_decimals(prove_radius(typed("y' = y^2; y(0) = 3/7"), 10), 10);
+    CHECK(mpfr(bounds.lower) <= mpfr(7) / 3);
+    CHECK(mpfr(7) / 3 <= mpfr(bounds.upper));
+    CHECK(mpfr(bounds.upper) - mpfr(bounds.lower) < mpfr("1e-9"));
 }
 
 }  // namespace ode_proved_radius_bounds_test

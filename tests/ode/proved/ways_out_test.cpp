@@ -177,6 +177,7 @@ TEST_CASE("discs about equilibria", "[ode][proved][singularity]") {
     CHECK(contains_zero(values[0].re));
     CHECK(overlaps(values[1].re, ball(1)));
     CHECK_THROWS_AS(disc.moved_to(complex_ball(disc.radius().exact() * 2)), error);
+    CHECK_THROWS_AS(disc.values_over(complex_ball(disc.radius().exact() * 2)), error);
 }
 
 // 1/y over a set that holds 0.
