@@ -33,7 +33,7 @@ std::string words_of_loop(const ode::explicit_system& system, const ode::loop_re
 }  // namespace
 
 std::string words_of_evidence(const ode::explicit_system& system, const ode::proved_singularity& proved) {
-    const std::string loop = words_of_loop(system, proved.evidence);
+    std::string loop = words_of_loop(system, proved.evidence);
     if (proved.pole_order == 0) {
         return loop;
     }

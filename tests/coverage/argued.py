@@ -53,8 +53,6 @@ ARGUED = {
     (ODE + "proved/blasius_infinity.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
         "f'' falls like exp(-t^2/4): before t = 1000 it is below any precision that memory holds",
     (ODE + "proved/blasius_infinity.cpp", "if (!state) {"): MORE_BITS,
-    (DISC, "for (const unsigned long part : parts_of_estimate) {"):
-        "one of the parts has held for every set; behind the loop stands what tail_near tries",
     (DISC, "if (!set_tail_) {"): "a set without values is seen before; kept, because no radius is no disc",
     (DISC, "if (!tail_) {"): "the centre lies in the set, whose radius holds; kept, because no bound is no proof",
     (CONDITIONS, "if (!is_finite(moved)) {"):
@@ -89,7 +87,6 @@ ARGUED = {
         "the discs that are asked belong to cells that hold this one, with centres nearer to 0; theorem L needs it",
     (BOUNDS, "if (best == nullptr) {"): "the first disc always is nearer to 0; kept, because it is dereferenced",
     (BOUNDS, "for (int k = 0; k < most_way_discs; ++k) {"): "ways are as long as the cell that leads to them",
-    (BOUNDS, "if (!certainly_within(exact_difference(next, from.about().offset), from.radius())) {"): MORE_BITS,
     (BOUNDS, "if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {"):
         "a corner on a straight way is nearer to 0 than its farther end; rounding alone could make it not so",
     (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its round integral has been told from 0 before",

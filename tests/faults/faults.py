@@ -331,6 +331,9 @@ FAULTS = [
         ("the outer arc of a cell left out", "for (const ball* r : {&cell.r2, &cell.r1}) {", "for (const ball* r : {&cell.r1}) {"),
         ("half of the sector", "last_turn_ = ball(1) / ball(2 * symmetry.rotation)", "last_turn_ = ball(1) / ball(4 * symmetry.rotation)"),
         ("a loop that is not closed", "for (int k = 0; k <= loop_corners; ++k) {", "for (int k = 0; k < loop_corners; ++k) {"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/disc_path.hpp", [BOUNDS],
         ("the way to the loop forgotten", "farthest_ = certainly_less(modulus, farthest_) ? farthest_ : modulus;", ""),
     ),
     *in_file(

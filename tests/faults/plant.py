@@ -84,12 +84,22 @@ class Workshop:
             failed = [f"{test} fails"]
         return failed, done.stdout
 
+    def sources_with(self, path):
+        """What of the library a fault is compiled into beside the test: the source, or those beside a header of src/ that
+        include it."""
+        if path.suffix == ".hpp":
+            named = f'#include "{path.name}"'
+            paths = [p for p in path.parent.glob("*.cpp") if named in p.read_text()]
+        else:
+            paths = [path]
+        return [p.relative_to(self.folder) for p in paths]
+
     def planted(self, fault):
         """Who catches a fault: all failing cases of the first of its tests that has some."""
         path = self.folder / fault.file
         text = path.read_text()
         path.write_text(text.replace(fault.old, fault.new))
-        sources = [fault.file] if fault.file.endswith(".cpp") else []
+        sources = self.sources_with(path)
         try:
             for test in fault.tests:
                 failed, _ = self.failures(test, sources)

@@ -2,6 +2,7 @@
 // that is too large, a covering with a hole.
 #include "libration/ode/proved/radius_bounds.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -261,9 +262,13 @@ TEST_CASE("all singularities of a map are proved, mirror images once", "[ode][pr
         const ball away = std::min(magnitude(at - quarter * 3), magnitude(at + quarter)).exact();
         CHECK(certainly_less(away, tenth_to(12)));
     }
-    const auto even = singularities_of(typed("y'' = 2*y^3 + y; y(0) = 1; y'(0) = 0"), {.within = 2, .digits = 20});
+    // Four poles, one of which stands for another on the other side of the axis.
+    const explicit_system spring(parse(std::string(problem_text("duffing"))));
+    const auto even = singularities_of(spring, {.within = 1.6, .digits = 20});
     REQUIRE(even.all.size() >= 2);
-    CHECK(prove_singularities(typed("y'' = 2*y^3 + y; y(0) = 1; y'(0) = 0"), even.all, 12).size() == even.all.size());
+    const auto poles = prove_singularities(spring, even.all, 12);
+    CHECK(poles.size() == even.all.size());
+    CHECK(std::ranges::all_of(poles, [](const auto& each) { return each.pole_order == 1; }));
     // Of another kind as the search has it: the place alone. No place: nothing.
     auto doubted = map.all.front();
     doubted.kind = singularity_kind::branch_pole;
@@ -282,6 +287,10 @@ TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity
     CHECK(mpfr(bounds.lower) <= mpfr(7) / 3);
     CHECK(mpfr(7) / 3 <= mpfr(bounds.upper));
     CHECK(mpfr(bounds.upper) - mpfr(bounds.lower) < mpfr("1e-9"));
+    // More digits than are proved: outwards all the same.
+    const auto fine = outward_decimals(prove_radius(typed("y' = y^2; y(0) = 3/7"), 4), 12);
+    CHECK(mpfr(fine.lower) <= mpfr(7) / 3);
+    CHECK(mpfr(7) / 3 <= mpfr(fine.upper));
 }
 
 }  // namespace ode_proved_radius_bounds_test

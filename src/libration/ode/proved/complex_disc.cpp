@@ -79,9 +79,9 @@ std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<comp
 }  // namespace
 
 complex_set set_about(const complex_ball& offset, const std::vector<complex_ball>& values) {
-    std::vector<complex_ball> centre;
-    for (const complex_ball& each : values) {
-        centre.push_back(exact_midpoint(each));
+    std::vector<complex_ball> centre = values;
+    for (complex_ball& each : centre) {
+        each = exact_midpoint(each);
     }
     std::vector<long> scales = scales_of(centre);
     std::vector<magnitude> widths;

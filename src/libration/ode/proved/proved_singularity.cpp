@@ -225,8 +225,7 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
     }
     if (!found.complete) {
         refuse_proof("has a radius of at most " + shown_number(midpoint_of(result.upper)) + " and at least " +
-                     (is_finite(found.covered) ? shown_number(midpoint_of(found.covered)) : "0") +
-                     ", both proved; more is not: " + found.reason);
+                     shown_number(midpoint_of(found.covered)) + ", both proved; more is not: " + found.reason);
     }
     result.lower = rho;
     result.cover = std::move(found);
