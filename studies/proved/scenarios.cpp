@@ -19,8 +19,8 @@ namespace {
 
 constexpr long proof_digits = 10;
 constexpr long existence_digits = 5;
-// Systems of more unknowns have proofs that take minutes: their radius is that of the search, as it is where the proof is
-// refused.
+// Systems of more unknowns have proofs that take minutes: their radius is that of the search, as it is where the proof
+// is refused.
 constexpr std::size_t most_proved_unknowns = 4;
 
 struct scenario_row {

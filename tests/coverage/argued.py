@@ -93,6 +93,7 @@ ARGUED = {
     (PLACE, "for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {"):
         "a pole in a loop is a zero within its reach, which the bits of the loop have shown every time",
     (PLACE, "if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits)) {"): "as above",
+    (PLACE, "if (problem.kind() != error_kind::undecided) {"): "no way is refused for another reason; another one has to pass",
     (PLACE, "return one_zero && (regular->order() == 1 || certainly_not_zero(regular->factor(time_at(within), over)));"):
         "the factor is 2 a2/3 at a pole, and the reach small; kept, because a zero of p alone is no pole",
     (PLACE, "result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2);"):

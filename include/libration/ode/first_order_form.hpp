@@ -48,8 +48,8 @@ private:
     std::vector<unknown_function> unknowns_;
 };
 
-/// What the polynomial form of a system is made of, from which its solution goes on: the system itself, or that in leaves
-/// where its start is singular.
+/// What the polynomial form of a system is made of, from which its solution goes on: the system itself, or that in
+/// leaves where its start is singular.
 explicit_system beyond_start(const explicit_system& system);
 
 }  // namespace libration::ode

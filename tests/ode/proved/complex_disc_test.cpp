@@ -90,8 +90,8 @@ TEST_CASE("uncertain starts are carried in the frame", "[ode][proved][singularit
     CHECK(certainly_less(radius_of(value.re), ball(64 * 3) * pow(ball(2), -101)));
 }
 
-// 1/(1 - z) from the exact start 1, by one step of 9/10 of the proved radius: of 100 bits the series leaves out more than
-// 2^-40 there, so that without its tail the enclosure would miss.
+// 1/(1 - z) from the exact start 1, by one step of 9/10 of the proved radius: of 100 bits the series leaves out more
+// than 2^-40 there, so that without its tail the enclosure would miss.
 TEST_CASE("a long step holds what its series leaves out", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const complex_flow flow(explicit_system(parse("y' = y^2; y(0) = 1")), 100);

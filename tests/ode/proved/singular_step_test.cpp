@@ -1,5 +1,5 @@
-// Theorem S against closed forms: the step from a regular singular start, what comes behind it, and a remainder that has
-// to be seen.
+// Theorem S against closed forms: the step from a regular singular start, what comes behind it, and a remainder that
+// has to be seen.
 #include "libration/ode/proved/singular_step.hpp"
 
 #include <catch2/catch.hpp>
@@ -55,8 +55,8 @@ TEST_CASE("the step from a singular start holds closed forms", "[ode][proved][si
     }
 }
 
-// With a list that is cut after a few powers the remainder is as large as the bound says, and not much smaller: the next
-// power alone is within a factor of a thousand of it, at a quarter of the radius.
+// With a list that is cut after a few powers the remainder is as large as the bound says, and not much smaller: the
+// next power alone is within a factor of a thousand of it, at a quarter of the radius.
 TEST_CASE("theorem S bounds what a short list leaves out", "[ode][proved][singular]") {
     const precision_scope scope(60);
     const auto system = lane_emden("5");
@@ -85,7 +85,8 @@ TEST_CASE("theorem S bounds what a short list leaves out", "[ode][proved][singul
     CHECK_FALSE(bounded_singular_tail(of, expansion, 40, magnitude(2U)));
 }
 
-// sin(t)/t: 110 a_10 = -a_8, and so on: what the powers of t on the right side move beyond the list is all of its remainder.
+// sin(t)/t: 110 a_10 = -a_8, and so on: what the powers of t on the right side move beyond the list is all of its
+// remainder.
 TEST_CASE("theorem S counts what powers of the distance move beyond a list", "[ode][proved][singular]") {
     const precision_scope scope(80);
     const auto system = lane_emden("1");
@@ -105,7 +106,8 @@ TEST_CASE("theorem S counts what powers of the distance move beyond a list", "[o
     }
 }
 
-// Derivatives of what is left out: from one term on their bound falls only where the distance is not too near the radius.
+// Derivatives of what is left out: from one term on their bound falls only where the distance is not too near the
+// radius.
 TEST_CASE("a series about a singular start holds values and slopes in its disc", "[ode][proved][singular]") {
     const precision_scope scope(60);
     for (const int degree : {11, 41, 201}) {
@@ -147,8 +149,8 @@ TEST_CASE("solutions from singular starts have proved digits", "[ode][proved][si
     CHECK(holds(states[2][0], plummer(ball(10))));
 }
 
-// The first zero for n = 1 is pi; those of n = 2, 3, 4 are printed [Boyd2011] with 20 digits, of which sources doubt the
-// last.
+// The first zero for n = 1 is pi; those of n = 2, 3, 4 are printed [Boyd2011] with 20 digits, of which sources doubt
+// the last.
 TEST_CASE("the first zeros of Lane-Emden functions", "[ode][proved][singular]") {
     const auto zero = [](const std::string& n, long digits) {
         event_request request;

@@ -21,8 +21,8 @@ std::optional<regular_coordinates> of(const std::string& text) {
 
 }  // namespace
 
-// The chain rule by a central difference of order 2 in 60 digits with the step 10^-20: its error is 10^-40 times a third
-// derivative, here below 10^6.
+// The chain rule by a central difference of order 2 in 60 digits with the step 10^-20: its error is 10^-40 times a
+// third derivative, here below 10^6.
 TEST_CASE("regular coordinates move as the equation says", "[ode][singularity]") {
     const std::string f = GENERATE(
         "y' = 1 + t*y - exp(t)*y^2; y(0) = 1/3", "y'' = 6*y^2 + t; y(0) = 1/3; y'(0) = 2",

@@ -33,8 +33,9 @@ public:
     /// The working precision of the centres, and that of the maps of errors.
     static constexpr long usual_error_bits = 96;
 
-    /// A start may be regular singular (singular_step.hpp, whose errors it throws). Where the polynomial form of the system needs a function of several
-    /// values (a logarithm, a root), that function is an unknown of its own along each path: no branch is chosen twice.
+    /// A start may be regular singular (singular_step.hpp, whose errors it throws). Where the polynomial form of the
+    /// system needs a function of several values (a logarithm, a root), that function is an unknown of its own along
+    /// each path: no branch is chosen twice.
     complex_flow(const explicit_system& system, long bits);
     /// Of a system without starts (explicit_system::first_order), for sets that come from elsewhere.
     static complex_flow about_points(const explicit_system& system, long bits);

@@ -37,8 +37,8 @@ public:
     static constexpr long most_steps = 10'000'000;
     static constexpr long usual_error_bits = 64;
 
-    /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth. From a
-    /// singular start after a step of theorem S (singular_step.hpp), whose errors it throws.
+    /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth. From
+    /// a singular start after a step of theorem S (singular_step.hpp), whose errors it throws.
     proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits);
     /// The same from every start of a box of balls, the given unknowns at the point of the system.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
@@ -51,11 +51,12 @@ public:
     /// The same at every time of a ball.
     std::optional<std::vector<ball>> at(const ball& target);
 
-    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set; from a singular start
-    /// for that itself (singular_step.hpp, derivative_beyond_start, whose errors it throws), before the first step alone.
+    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set; from a singular
+    /// start for that itself (singular_step.hpp, derivative_beyond_start, whose errors it throws), before the first
+    /// step alone.
     void keep_derivative();
-    /// What the unknowns are before the first step: nothing, or after a singular start enclosures of all their values up
-    /// to where the march begins.
+    /// What the unknowns are before the first step: nothing, or after a singular start enclosures of all their values
+    /// up to where the march begins.
     const std::vector<ball>& before() const { return before_; }
     /// That at a time where at() has just been.
     ball_matrix derivative_at(const ball& time) const;

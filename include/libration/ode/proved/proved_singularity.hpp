@@ -20,12 +20,12 @@ struct proved_singularity {
     int pole_order = 0;
 };
 
-/// Whether there is exactly one pole within `reach` of an exact offset, of the order that regular_coordinates says: along
-/// the corners from the start and half of the rest, further in those coordinates, where the way ends in a disc about the
-/// offset m. With q the one that has a simple zero there, Q an enclosure of q' over the box Z of that reach about m:
-/// where m - q(m)/Q lies inside Z, q has one zero in Z, there (interval Newton: z -> m - q(m)/A(z), A(z) in Q the mean slope
-/// between m and z, maps Z into it); at a pole of order 2 p = 0 is v = 0 where the other factor of p^2 excludes 0. False
-/// where it is not proved with so many bits.
+/// Whether there is exactly one pole within `reach` of an exact offset, of the order that regular_coordinates says:
+/// along the corners from the start and half of the rest, further in those coordinates, where the way ends in a disc
+/// about the offset m. With q the one that has a simple zero there, Q an enclosure of q' over the box Z of that reach
+/// about m: where m - q(m)/Q lies inside Z, q has one zero in Z, there (interval Newton: z -> m - q(m)/A(z), A(z) in Q
+/// the mean slope between m and z, maps Z into it); at a pole of order 2 p = 0 is v = 0 where the other factor of p^2
+/// excludes 0. False where it is not proved with so many bits.
 bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>& corners, const complex_ball& offset,
                   const magnitude& reach, long bits);
 

@@ -11,7 +11,8 @@
 
 namespace libration::ode {
 
-/// y(t0 + s) = p(s) + e(s) about a regular singular start t0, p of degree N and e bounded by theorem S (tail_bound.hpp).
+/// y(t0 + s) = p(s) + e(s) about a regular singular start t0, p of degree N and e bounded by theorem S
+/// (tail_bound.hpp).
 class singular_series {
 public:
     /// In the largest disc that was found, on so many bits. Throws error where the series is not in whole powers of the
@@ -24,8 +25,8 @@ public:
 
     /// The solution is analytic in |s| < radius().
     const magnitude& radius() const { return tail_.radius; }
-    /// Enclosures of the unknowns and their lower derivatives, in order, at real or complex s, |s| < radius() but for the
-    /// last parts of it: throws precision_exhausted where a derivative of e is not bounded by its first term.
+    /// Enclosures of the unknowns and their lower derivatives, in order, at real or complex s, |s| < radius() but for
+    /// the last parts of it: throws precision_exhausted where a derivative of e is not bounded by its first term.
     template <field R>
     std::vector<R> at(const R& distance) const;
 
@@ -47,10 +48,10 @@ struct singular_step {
 /// By a series with a remainder below 2^-bits of the unknowns, whose errors it throws.
 singular_step proved_singular_step(const explicit_system& system, long bits);
 
-/// The derivatives of the unknowns and lower derivatives at t0 + distance by the starts, in order, on so many bits: theorem
-/// S for the system and what its right sides say of the derivative by one start, which starts as a unit vector. A start
-/// that the equation fixes, such as y'(0) = 0 of t y'' + 2 y' + .., does not move: 0. Throws as singular_series, and error
-/// where such a start is not 0.
+/// The derivatives of the unknowns and lower derivatives at t0 + distance by the starts, in order, on so many bits:
+/// theorem S for the system and what its right sides say of the derivative by one start, which starts as a unit vector.
+/// A start that the equation fixes, such as y'(0) = 0 of t y'' + 2 y' + .., does not move: 0. Throws as
+/// singular_series, and error where such a start is not 0.
 ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits);
 
 }  // namespace libration::ode

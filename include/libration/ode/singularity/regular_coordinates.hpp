@@ -11,7 +11,7 @@
 
 namespace libration::ode {
 
-/// Of equations whose poles can be seen to be poles by their form [Painleve; Okamoto1979]:
+/// Of equations whose poles can be seen to be poles by their form [Okamoto1979]:
 ///     y' = A(t) + B(t) y + C(t) y^2,                                             poles of order 1,
 ///     y'' = a2 y^2 + b y + c(t),  c'' = 0,                                       poles of order 2,
 ///     y'' = a3 y^3 + a2 y^2 + b(t) y + c,  b'' = 0, and b' = 0 or a2 = 0,        poles of order 1.

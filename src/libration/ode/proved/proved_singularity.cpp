@@ -136,6 +136,11 @@ bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>
         return one_zero && (regular->order() == 1 || certainly_not_zero(regular->factor(time_at(within), over)));
     } catch (const precision_exhausted&) {
         return false;
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided) {
+            throw;
+        }
+        return false;  // a zero of y is in the way, where 1/y is singular
     }
 }
 

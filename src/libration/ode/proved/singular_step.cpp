@@ -107,8 +107,8 @@ singular_series::singular_series(const explicit_system& system, long bits, int d
     tail_ = tail_of(of_, expansion_, degree);
 }
 
-// |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 where its quotients
-// (n+1)/(n+1-l) |s|/rho are at most 1 from there on.
+// |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 where its
+// quotients (n+1)/(n+1-l) |s|/rho are at most 1 from there on.
 magnitude singular_series::bound(std::size_t unknown, const magnitude& distance, unsigned long derivative) const {
     const auto first = static_cast<unsigned long>(tail_.degree) + 1;
     const ball longest = tail_.radius.exact() * magnitude(first + 1 - derivative).exact();
