@@ -33,14 +33,17 @@ struct found_value {
 
 std::vector<found_value> found_unknowns(const find_options& options, long digits) {
     const auto system = options.problem.equations();
-    if (std::ranges::any_of(options.conditions, is_at_infinity)) {
-        const bool one = options.conditions.size() == 1;
+    const auto named = [&](const std::vector<proved_decimal>& values) {
         std::vector<found_value> found;
-        for (const std::string& each : options.unknowns) {
-            found.push_back(
-                {each, proved_for_infinity(system, each, one ? options.conditions.front() : "several", digits)});
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            found.push_back({options.unknowns[i], values[i]});
         }
         return found;
+    };
+    if (std::ranges::any_of(options.conditions, is_at_infinity)) {
+        const bool one = options.conditions.size() == 1;
+        return named(
+            proved_for_infinity(system, options.unknowns, one ? options.conditions.front() : "several", digits));
     }
     if (options.conditions.size() != options.unknowns.size()) {
         throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",
@@ -51,13 +54,8 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
         const ode::start read = naming_option("--such-that", [&] { return ode::parse_point_condition(system, each); });
         conditions.push_back({read.of.name(), read.of.derivative(), read.point.constant(), read.value.constant()});
     }
-    const auto values =
-        naming_option("--unknown", [&] { return proved_unknowns(system, options.unknowns, conditions, digits); });
-    std::vector<found_value> found;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        found.push_back({options.unknowns[i], values[i]});
-    }
-    return found;
+    return named(
+        naming_option("--unknown", [&] { return proved_unknowns(system, options.unknowns, conditions, digits); }));
 }
 
 std::vector<found_value> found_orbit(const find_options& options, long digits) {

@@ -52,15 +52,15 @@ ode::number number_at_infinity(const std::string& text) {
     return naming_option("--such-that", [&] { return ode::parse_constant(text).constant(); });
 }
 
-// A value of a parameter, or of a start, for which this has a limit.
+// Values of parameters, or of starts, for which this has a limit.
 struct lemma_at_infinity {
     const char* problem;
-    const char* unknown;
+    std::vector<std::string> unknowns;
     const char* of;
     /// The limits that it holds for, in words, and whether this is one.
     const char* limits;
     std::function<bool(const std::string&)> holds;
-    std::function<ball(const ode::equation_system&, const std::string&)> value;
+    std::function<std::vector<ball>(const ode::equation_system&, const std::string&)> values;
 };
 
 bool is_zero_at_infinity(const std::string& limit) { return number_at_infinity(limit).sign() == 0; }
@@ -72,22 +72,45 @@ bool is_tritronquee_limit(const std::string& limit) { return limit == tritronque
 
 const std::vector<lemma_at_infinity>& lemmas() {
     static const std::vector<lemma_at_infinity> all{
-        {"blasius", "k", "f'(inf)", "above 0",
+        {"blasius",
+         {"k"},
+         "f'(inf)",
+         "above 0",
          [](const std::string& limit) { return number_at_infinity(limit).sign() > 0; },
          [](const ode::equation_system&, const std::string& limit) {
-             return ode::blasius_shear(ode::constant_value<ball>::of(number_at_infinity(limit)));
+             return std::vector{ode::blasius_shear(ode::constant_value<ball>::of(number_at_infinity(limit)))};
          }},
-        {"falkner_skan", "s", "f'(inf)", "1",
+        {"falkner_skan",
+         {"s"},
+         "f'(inf)",
+         "1",
          [](const std::string& limit) { return (number_at_infinity(limit) - ode::number(1)).sign() == 0; },
-         [](const ode::equation_system& system, const std::string&) { return ode::falkner_skan_shear(system); }},
-        {"sakiadis", "G", "f'(inf)", "0", is_zero_at_infinity,
-         [](const ode::equation_system& system, const std::string&) { return ode::sakiadis_shear(system); }},
-        {"thomas_fermi", "slope", "y(inf)", "0", is_zero_at_infinity,
-         [](const ode::equation_system&, const std::string&) { return ode::thomas_fermi_slope(); }},
-        {"painleve_1", "u(0)", "u(-inf)", tritronquee_limit, is_tritronquee_limit,
-         [](const ode::equation_system&, const std::string&) { return ode::tritronquee_start().value; }},
-        {"painleve_1", "u'(0)", "u(-inf)", tritronquee_limit, is_tritronquee_limit,
-         [](const ode::equation_system&, const std::string&) { return ode::tritronquee_start().slope; }}};
+         [](const ode::equation_system& system, const std::string&) {
+             return std::vector{ode::falkner_skan_shear(system)};
+         }},
+        {"sakiadis",
+         {"G"},
+         "f'(inf)",
+         "0",
+         is_zero_at_infinity,
+         [](const ode::equation_system& system, const std::string&) {
+             return std::vector{ode::sakiadis_shear(system)};
+         }},
+        {"thomas_fermi",
+         {"slope"},
+         "y(inf)",
+         "0",
+         is_zero_at_infinity,
+         [](const ode::equation_system&, const std::string&) { return std::vector{ode::thomas_fermi_slope()}; }},
+        {"painleve_1",
+         {"u(0)", "u'(0)"},
+         "u(-inf)",
+         tritronquee_limit,
+         is_tritronquee_limit,
+         [](const ode::equation_system&, const std::string&) {
+             const auto start = ode::tritronquee_start();
+             return std::vector{start.value, start.slope};
+         }}};
     return all;
 }
 
@@ -107,10 +130,14 @@ bool is_at_infinity(const std::string& condition) {
     return plain.find("(inf)") != std::string::npos || plain.find("(-inf)") != std::string::npos;
 }
 
-proved_decimal proved_for_infinity(const ode::equation_system& system, const std::string& unknown,
-                                   const std::string& condition, long digits) {
+std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& system,
+                                                const std::vector<std::string>& unknowns, const std::string& condition,
+                                                long digits) {
     const auto lemma = std::ranges::find_if(lemmas(), [&](const lemma_at_infinity& each) {
-        return unknown == each.unknown && is_of_catalogue(system, each.problem);
+        const bool about_all = std::ranges::all_of(unknowns, [&](const std::string& name) {
+            return std::ranges::find(each.unknowns, name) != each.unknowns.end();
+        });
+        return about_all && is_of_catalogue(system, each.problem);
     });
     const auto value = lemma == lemmas().end() ? std::nullopt : value_at_infinity(condition, lemma->of);
     if (!value) {
@@ -127,7 +154,13 @@ proved_decimal proved_for_infinity(const ode::equation_system& system, const std
     if (lemma->problem == std::string("falkner_skan")) {
         require_accelerated(system);
     }
-    return proved_value(digits, [&] { return lemma->value(system, *value); });
+    const auto all = proved_decimals(digits, [&] { return lemma->values(system, *value); });
+    std::vector<proved_decimal> asked;
+    for (const std::string& name : unknowns) {
+        asked.push_back(
+            all[static_cast<std::size_t>(std::ranges::find(lemma->unknowns, name) - lemma->unknowns.begin())]);
+    }
+    return asked;
 }
 
 table state_at_infinity(const ode::equation_system& system, long digits) {

@@ -97,8 +97,10 @@ const std::vector<kind_of_value>& kinds() {
            "B. Fornberg, J. A. C. Weideman, J. Comput. Phys. 230 (2011) 5957-5973"},
           {"u'(0)", "0.3049055602612289", "B. Fornberg, J. A. C. Weideman, J. Comput. Phys. 230 (2011) 5957-5973"}},
          [](long digits) {
-             return std::vector<proved_decimal>{proved_value(digits, [] { return ode::tritronquee_start().value; }),
-                                                proved_value(digits, [] { return ode::tritronquee_start().slope; })};
+             return proved_decimals(digits, [] {
+                 const auto start = ode::tritronquee_start();
+                 return std::vector{start.value, start.slope};
+             });
          }},
         {"lane_emden_zero",
          "lane_emden",

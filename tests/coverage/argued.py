@@ -43,8 +43,9 @@ ARGUED = {
         "a motion without theta0 is given by its energy, which has its quarter before",
     (MOTION, "} else if (omega0_sign_ == 0 || (on_top && regime_ == pendulum::regime::rotation)) {"):
         "with a speed on top E is above 2",
-    (NOME, "const long exponent = zero || !bounded ? -bits_ : fmpz_get_si(MAG_EXPREF(size));"): "as above",
-    (NOME, "return bounded ? std::min(-exponent, bits_ + 8) : 0;"): "as above",
+    (NOME, "const long exponent = zero || !bounded ? -bits_ : fmpz_get_si(MAG_EXPREF(size));"):
+        "no memory holds a number whose exponent is no long",
+    (NOME, "return bounded ? std::min(-exponent, bits_ + 8) : 0;"): "no memory holds a number whose exponent is no long",
     (NOME, "for (long level = 1; level <= longest; ++level) {"):
         "the descent ends by its own test; the count bounds what no proof needs",
     (LIFTED, "expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }"):
@@ -99,10 +100,7 @@ ARGUED = {
     (PLACE, "result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2);"):
         "the third smaller loop, and refusal after it: no singularity has needed it",
     (PLACE, "if (!result.evidence && last) {"): "as above",
-    (STEP, "for (const unsigned long part : tried_parts) {"):
-        "the first parts have held for every start; behind them stand halves",
-    (STEP, "for (int half = 0; half < tried_halves; ++half) {"): "as above",
-    (STEP, "if (auto bound = bounded_singular_tail(of, expansion, degree, radius)) {"): "as above",
+    (STEP, "if (bound) {"): "a radius among those that are tried has held for every start; kept, because no bound is no proof",
     (STEP, "if (refusal.kind() == error_kind::argument) {"): "no start is refused for another reason; another one has to pass",
     (TAIL, 'default: throw std::logic_error("theorem T takes products and sums alone");'):
         "lifted systems have no other steps: it says a mistake of the program",

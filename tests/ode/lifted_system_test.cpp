@@ -136,6 +136,7 @@ TEST_CASE("functions of several values are given unknowns of paths", "[ode]") {
     }
 }
 
+// Of 70 products each rounds by half a unit.
 TEST_CASE("values of powers by products and by functions", "[ode]") {
     const precision_scope scope(40);
     const std::vector<ode::expression> leaves{unknown("y0")};

@@ -145,6 +145,7 @@ TEST_CASE("integrals along a step", "[ode][proved][singularity]") {
 }
 
 // sin(t)/t and (1 + t^2/3)^(-1/2), whose radius is sqrt(3): the disc about 0 is one of theorem S, those behind it of T.
+// Of 150 bits the first step keeps 120, and a dozen steps of half a radius 110.
 TEST_CASE("discs lead away from a singular start", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const std::string text = "t*y'' + 2*y' + t*y^n = 0; y(0) = 1; y'(0) = 0; ";

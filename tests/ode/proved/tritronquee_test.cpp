@@ -68,7 +68,7 @@ TEST_CASE("the lemma of the tritronquee solution bounds what short expansions le
             const value_and_slope far = tritronquee_far_out(x, most);
             CHECK(overlaps(far.value, (*state)[0]));
             CHECK(overlaps(far.slope, -(*state)[1]));
-            // Oscillations are bounded in each direction by the energy of both: two powers of ten are not lost.
+            // The barrier takes the whole defect for an oscillation, and twice it: less than two digits are lost.
             const ball missing = abs((*state)[0] - exact_midpoint(far.value));
             CHECK(certainly_less(radius_of(far.value), missing * 100));
         }

@@ -70,23 +70,39 @@ double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns, con
     return least;
 }
 
-template <field R>
-std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<R>& expansion, const R& point,
-                                    double log_of_radius) {
+// The first bound that bound_at(radius) gives, radius by radius.
+template <class BoundAt>
+std::optional<tail_bound> first_tail(double log_of_radius, const BoundAt& bound_at) {
     magnitude radius;
     for (const unsigned long part : tried_parts) {
         radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
-        if (auto bound = bounded_tail(of, expansion, point, radius)) {
+        if (std::optional<tail_bound> bound = bound_at(radius)) {
             return bound;
         }
     }
     for (int half = 0; half < tried_halves; ++half) {
         radius *= magnitude::of(1, -1);
-        if (auto bound = bounded_tail(of, expansion, point, radius)) {
+        if (std::optional<tail_bound> bound = bound_at(radius)) {
             return bound;
         }
     }
     return std::nullopt;
+}
+
+template <field R>
+std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<R>& expansion, const R& point,
+                                    double log_of_radius) {
+    return first_tail(log_of_radius,
+                      [&](const magnitude& radius) { return bounded_tail(of, expansion, point, radius); });
+}
+
+// n (n - 1) .. (n - l + 1)
+inline ball falling(int n, int l) {
+    ball product(1);
+    for (int j = 0; j < l; ++j) {
+        product *= n - j;
+    }
+    return product;
 }
 
 inline bool is_finite(const complex_number<ball>& z) { return is_finite(z.re) && is_finite(z.im); }

@@ -72,30 +72,13 @@ tail_bound tail_of(const tape& of, const taylor_expansion<ball>& expansion, int 
         size = std::max(size, magnitude(expansion.coefficients(static_cast<int>(i))[0]));
     }
     const double log_of_radius = estimated_radius(expansion, unknowns, size.is_zero() ? magnitude(1U) : size);
-    const magnitude estimate = power_of_two(log_of_radius < no_radius ? log_of_radius : 0);
-    magnitude radius;
-    for (const unsigned long part : tried_parts) {
-        radius = estimate * magnitude::of(part * 328, -15);
-        if (auto bound = bounded_singular_tail(of, expansion, degree, radius)) {
-            return *bound;
-        }
-    }
-    for (int half = 0; half < tried_halves; ++half) {
-        radius *= magnitude::of(1, -1);
-        if (auto bound = bounded_singular_tail(of, expansion, degree, radius)) {
-            return *bound;
-        }
+    const auto bound = first_tail(log_of_radius < no_radius ? log_of_radius : 0, [&](const magnitude& radius) {
+        return bounded_singular_tail(of, expansion, degree, radius);
+    });
+    if (bound) {
+        return *bound;
     }
     throw precision_exhausted("the first step from a singular start");
-}
-
-// n .. (n - l + 1)
-ball falling(int n, int l) {
-    ball result(1);
-    for (int j = 0; j < l; ++j) {
-        result *= n - j;
-    }
-    return result;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "set_values.hpp"
+
 namespace libration::ode {
 
 namespace {
@@ -200,20 +202,11 @@ std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>
 
 namespace {
 
-// n (n - 1) .. (n - l + 1) for n = degree + 1.
-ball falling_behind(int degree, int l) {
-    ball product(1);
-    for (int j = 0; j < l; ++j) {
-        product *= degree + 1 - j;
-    }
-    return product;
-}
-
 // Whether n .. (n-q+1) - sum_l w_l n .. (n-l+1) is positive for all n > degree: what it is there with |w|.
 bool determines_coefficients(const std::vector<number>& weights, int degree) {
-    ball least = falling_behind(degree, static_cast<int>(weights.size()));
+    ball least = falling(degree + 1, static_cast<int>(weights.size()));
     for (std::size_t l = 0; l < weights.size(); ++l) {
-        least -= abs(constant_value<ball>::of(weights[l])) * falling_behind(degree, static_cast<int>(l));
+        least -= abs(constant_value<ball>::of(weights[l])) * falling(degree + 1, static_cast<int>(l));
     }
     return arb_is_positive(least.handle()) != 0;
 }
@@ -229,7 +222,7 @@ std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_exp
     }
     // ||e^(l)|| for ||s^q e^(q)|| = 1.
     const auto part = [&](std::size_t unknown, int l) {
-        const ball quotient = falling_behind(degree, l) / falling_behind(degree, of.orders()[unknown]);
+        const ball quotient = falling(degree + 1, l) / falling(degree + 1, of.orders()[unknown]);
         return magnitude(quotient) / pow(radius, static_cast<unsigned long>(l));
     };
     const norms_of_steps<ball> norms(of, expansion, degree, ball(0), radius);
