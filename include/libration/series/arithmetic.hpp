@@ -7,6 +7,7 @@
 
 #include "libration/series/convolution.hpp"
 #include "libration/series/jet.hpp"
+#include "libration/series/polynomial_blocks.hpp"
 
 namespace libration::series {
 
@@ -63,9 +64,12 @@ power_series<T> integral(const power_series<T>& a, const T& constant) {
     return result;
 }
 
-/// Value and derivative of the polynomial at x, by Horner's rule. O(N).
+/// Value and derivative of the polynomial at x, by Horner's rule or in blocks (polynomial_blocks.hpp). O(N).
 template <ring T>
 jet<T> evaluate(const power_series<T>& a, const T& x) {
+    if (polynomial_blocks<T>::serve(a, x)) {
+        return polynomial_blocks<T>(a, x).value_and_slope();
+    }
     const int order = a.order();
     if (order == 0) {
         return {a[0], T(0)};
@@ -82,6 +86,9 @@ jet<T> evaluate(const power_series<T>& a, const T& x) {
 /// The value alone: the same roundings as evaluate(), at half the cost.
 template <ring T>
 T evaluate_value(const power_series<T>& a, const T& x) {
+    if (polynomial_blocks<T>::serve(a, x)) {
+        return polynomial_blocks<T>(a, x).value();
+    }
     const int order = a.order();
     if (order == 0) {
         return a[0];
