@@ -1,6 +1,8 @@
 #include "libration/algebra/linear_system.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
 
 namespace series_linear_system_test {
 
@@ -37,6 +39,51 @@ TEST_CASE("a growing system solves what its equations share once", "[series][lin
     CHECK(y[1] == Approx(4));
     CHECK(y[2] == Approx(1));
     CHECK(growing_system<double>(0, 1e-14).solution()->empty());
+}
+
+TEST_CASE("systems that slide over a sequence have the solutions that each has alone", "[series][linear_system]") {
+    // Equations k: x_0 u_k + x_1 u_{k-1} + x_2 u_{k-2} = v_k of sequences that no recurrence makes.
+    const auto row_at = [](int k) {
+        const auto u = [](int n) { return std::cos(n * n); };
+        return std::vector<double>{u(k), u(k - 1), u(k - 2), std::sin(3 * k * k)};
+    };
+    const auto alone = [&](int last) {
+        std::vector<std::vector<double>> a;
+        std::vector<double> b;
+        for (int k = last - 2; k <= last; ++k) {
+            auto row = row_at(k);
+            b.push_back(row.back());
+            row.pop_back();
+            a.push_back(row);
+        }
+        return *solve_linear(a, b, 1e-14);
+    };
+    sliding_systems systems(3, 1e-14, row_at);
+    // Neighbours, some that share nothing, one twice, in no order.
+    for (const std::vector<int>& lasts :
+         {std::vector<int>{50, 49, 48, 47, 40, 30}, std::vector<int>{20, 19, 18, 17, 18, 16},
+          std::vector<int>{7, 30, 8, 7}, std::vector<int>{9}, std::vector<int>{}}) {
+        std::vector<std::vector<double>> found;
+        CHECK(systems.solve(lasts, [&](const std::vector<double>& x) {
+            found.push_back(x);
+            return true;
+        }));
+        REQUIRE(found.size() == lasts.size());
+        for (std::size_t i = 0; i < lasts.size(); ++i) {
+            const auto expected = alone(lasts[i]);
+            for (std::size_t j = 0; j < 3; ++j) {
+                INFO(lasts[i] << " " << j);
+                // Conditions of these three equations are below 100.
+                CHECK(found[i][j] == Approx(expected[j]).epsilon(1e-12));
+            }
+        }
+    }
+    // It ends where the caller has seen enough, and where equations depend on each other.
+    int seen = 0;
+    CHECK_FALSE(systems.solve(std::vector<int>{50, 49, 48}, [&](const std::vector<double>&) { return ++seen < 2; }));
+    CHECK(seen == 2);
+    sliding_systems dependent(2, 1e-14, [](int k) { return std::vector<double>{1.0 * k, 2.0 * k, 1}; });
+    CHECK_FALSE(dependent.solve(std::vector<int>{5}, [](const std::vector<double>&) { return true; }));
 }
 
 }  // namespace series_linear_system_test

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -54,19 +56,20 @@ std::optional<std::vector<T>> solve_linear(std::vector<std::vector<T>> a, std::v
 }
 
 /// A system that grows by one equation at a time: Gaussian elimination by rows, the pivot chosen among the columns. What
-/// several systems share of their equations is eliminated once: keep() goes back to it.
+/// several systems share of their equations is eliminated once: keep() goes back to it. Entries are reduced by inner
+/// products with a column of those before.
 template <rounding_scalar T>
 class growing_system {
 public:
     /// For so many unknowns. An equation is dependent where none of what is left of it is above `negligible` times its
     /// largest coefficient.
-    growing_system(std::size_t unknowns, T negligible) : negligible_(std::move(negligible)), columns_(unknowns) {
+    growing_system(std::size_t unknowns, T negligible)
+        : negligible_(std::move(negligible)), columns_(unknowns), reduced_(unknowns + 1) {
         std::iota(columns_.begin(), columns_.end(), std::size_t{0});
-        rows_.reserve(unknowns);
     }
 
     std::size_t unknowns() const { return columns_.size(); }
-    std::size_t equations() const { return rows_.size(); }
+    std::size_t equations() const { return reduced_.back().size(); }
 
     /// Takes an equation, its coefficients and then its right side, unless there are as many as unknowns; false where it
     /// depends on those before. O(equations unknowns).
@@ -79,21 +82,23 @@ public:
         for (std::size_t j = 0; j < unknowns(); ++j) {
             largest = std::max(largest, T(abs(row[j])));
         }
-        for (std::size_t k = 0; k < equations(); ++k) {
-            subtract(rows_[k], k, row);
-        }
+        subtract_equations(row);
         const std::size_t pivot = largest_left(row);
         if (abs(row[columns_[pivot]]) <= largest * negligible_) {
             return false;
         }
         std::swap(columns_[equations()], columns_[pivot]);
-        normalise(row);
-        rows_.push_back(std::move(row));
+        append(row);
         return true;
     }
 
     /// Forgets all equations but the first ones.
-    void keep(std::size_t equations) { rows_.resize(std::min(equations, rows_.size())); }
+    void keep(std::size_t equations) {
+        const std::size_t kept = std::min(equations, this->equations());
+        for (std::vector<T>& column : reduced_) {
+            column.erase(column.begin() + static_cast<std::ptrdiff_t>(kept), column.end());
+        }
+    }
 
     /// The solution where there are as many equations as unknowns. O(n^2).
     std::optional<std::vector<T>> solution() const {
@@ -104,24 +109,30 @@ public:
         for (std::size_t k = unknowns(); k-- > 0;) {
             T known(0);
             for (std::size_t j = k + 1; j < unknowns(); ++j) {
-                add_product(known, rows_[k][columns_[j]], x[columns_[j]]);
+                add_product(known, reduced_[columns_[j]][k], x[columns_[j]]);
             }
-            x[columns_[k]] = rows_[k].back() - known;
+            x[columns_[k]] = reduced_.back()[k] - known;
         }
         return x;
     }
 
 private:
-    // Takes a multiple of the k-th equation off a row, so that its pivot's column becomes 0.
-    void subtract(const std::vector<T>& equation, std::size_t k, std::vector<T>& row) const {
-        const T factor = -row[columns_[k]];
-        if (factor == 0) {
-            return;
+    // Takes the multiples of all equations off a row that make the columns of their pivots 0.
+    void subtract_equations(std::vector<T>& row) const {
+        std::vector<T> factors;
+        factors.reserve(equations());
+        const auto reduce = [&](std::size_t column) {
+            row[column] -=
+                inner_product(factors.data(), 1, reduced_[column].data(), 1, static_cast<int>(factors.size()));
+        };
+        for (std::size_t k = 0; k < equations(); ++k) {
+            reduce(columns_[k]);
+            factors.push_back(row[columns_[k]]);
         }
-        for (std::size_t j = k + 1; j < unknowns(); ++j) {
-            add_product(row[columns_[j]], factor, equation[columns_[j]]);
+        for (std::size_t j = equations(); j < unknowns(); ++j) {
+            reduce(columns_[j]);
         }
-        add_product(row.back(), factor, equation.back());
+        reduce(unknowns());
     }
 
     // The place among the columns without a pivot where a row is largest.
@@ -138,18 +149,93 @@ private:
         return pivot;
     }
 
-    // Divides a row by its pivot.
-    void normalise(std::vector<T>& row) const {
-        const T pivot = row[columns_[equations()]];
-        for (std::size_t j = equations() + 1; j < unknowns(); ++j) {
-            row[columns_[j]] /= pivot;
+    // Takes a row divided by its pivot, that of the next equation.
+    void append(const std::vector<T>& row) {
+        const std::size_t before = equations();
+        const T& pivot = row[columns_[before]];
+        for (std::size_t j = 0; j < unknowns(); ++j) {
+            reduced_[columns_[j]].push_back(j > before ? row[columns_[j]] / pivot : T(0));
         }
-        row.back() /= pivot;
+        reduced_.back().push_back(row.back() / pivot);
     }
 
     T negligible_;
     std::vector<std::size_t> columns_;  ///< those of the pivots, then the others
-    std::vector<std::vector<T>> rows_;  ///< reduced, with the pivot 1 that is not written
+    /// By columns, the right side last; of a column with a pivot, which is 1, what is below counts for nothing.
+    std::vector<std::vector<T>> reduced_;
+};
+
+/// Square systems of successive equations, each of those that end with the one of `lasts`. What several have in common
+/// is eliminated once: the intersection of all, then those of ever smaller groups of neighbours in the list.
+template <rounding_scalar T, class Equation>
+class sliding_systems {
+public:
+    /// `equation(k)` has the coefficients and then the right side of the equation k, as growing_system takes them.
+    sliding_systems(std::size_t unknowns, T negligible, Equation equation)
+        : unknowns_(static_cast<int>(unknowns)),
+          system_(unknowns, std::move(negligible)),
+          equation_(std::move(equation)) {}
+
+    /// Calls found(x) for the solution x of each in turn, until that returns false; false where it does or a system is
+    /// singular. O(n^3) for the first and n^2 for each equation that is not shared.
+    template <class Found>
+    bool solve(std::span<const int> lasts, const Found& found) {
+        system_.keep(0);
+        return lasts.empty() || solve_group(lasts, {}, found);
+    }
+
+private:
+    // Equations first .. end - 1.
+    struct interval {
+        int first = 0;
+        int end = 0;
+    };
+
+    template <class Found>
+    bool solve_group(std::span<const int> lasts, interval known, const Found& found) {
+        const auto [least, greatest] = std::ranges::minmax(lasts);
+        const interval shared{greatest - unknowns_ + 1, least + 1};
+        if (shared.first < shared.end) {
+            if (known.first == known.end) {
+                known = {shared.first, shared.first};
+            }
+            if (!add(known.end, shared.end) || !add(shared.first, known.first)) {
+                return false;
+            }
+            known = shared;
+        }
+        if (lasts.size() == 1) {
+            return found(*system_.solution());
+        }
+        const std::size_t equations = system_.equations();
+        const std::size_t part = widest_gap(lasts);
+        const bool go_on = solve_group(lasts.first(part), known, found);
+        system_.keep(equations);
+        return go_on && solve_group(lasts.subspan(part), known, found);
+    }
+
+    bool add(int first, int end) {
+        for (int k = first; k < end; ++k) {
+            if (!system_.add(equation_(k))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // How many come before it.
+    static std::size_t widest_gap(std::span<const int> lasts) {
+        std::size_t widest = 1;
+        for (std::size_t i = 2; i < lasts.size(); ++i) {
+            const auto gap = [&](std::size_t at) { return std::abs(lasts[at - 1] - lasts[at]); };
+            widest = gap(i) > gap(widest) ? i : widest;
+        }
+        return widest;
+    }
+
+    int unknowns_;
+    growing_system<T> system_;
+    Equation equation_;
 };
 
 }  // namespace libration

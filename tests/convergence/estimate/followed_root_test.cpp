@@ -82,4 +82,63 @@ TEST_CASE("starts are found where long double parts the roots, and beyond", "[co
     }
 }
 
+TEST_CASE("roots are polished to all digits in a precision that grows", "[convergence][followed_root]") {
+    // (x - 3)(x^2 - 2x + 5)(x^2 + x/3 + 7/9): 3, 1 +- 2i, -1/6 +- i sqrt(27)/6.
+    for (const long digits : {37, 61, 160, 1000}) {
+        const precision_scope scope(digits);
+        const mpfr third = mpfr(1) / 3;
+        power_series<mpfr> p({mpfr(1)});
+        for (const power_series<mpfr>& factor :
+             {power_series<mpfr>({-3, 1}), power_series<mpfr>({5, -2, 1}),
+              power_series<mpfr>(std::vector<mpfr>{third * 7 * third, third, mpfr(1)})}) {
+            auto next = power_series<mpfr>::zero(p.order() + factor.order());
+            for (int i = 0; i <= p.order(); ++i) {
+                for (int j = 0; j <= factor.order(); ++j) {
+                    next[i + j] += p[i] * factor[j];
+                }
+            }
+            p = next;
+        }
+        const std::vector<complex_number<mpfr>> roots{
+            {mpfr(3), mpfr(0)}, {mpfr(1), mpfr(2)}, {mpfr(mpfr(-1) / 6), mpfr(sqrt(mpfr(27)) / 6)}};
+        for (const auto& root : roots) {
+            const mpfr off = root.im == 0 ? mpfr(0) : ldexp(mpfr(1), -40);
+            const auto found = fitting::polished(p, {mpfr(root.re + ldexp(mpfr(1), -40)), mpfr(root.im - off)});
+            REQUIRE(found);
+            // The values of a polynomial with 6 terms of size about 100 are rounded where its slope is about 10.
+            CHECK_THAT(found->re, near(root.re, 1000, mpfr(1)));
+            CHECK_THAT(found->im, near(root.im, 1000, mpfr(1)));
+            CHECK((found->im == 0) == (root.im == 0));
+        }
+    }
+    const precision_scope scope(100);
+    // No slope, no step; and no real root for a real start.
+    CHECK_FALSE(fitting::polished(power_series<mpfr>({1, 0, 1}), {mpfr(0)}));
+    CHECK_FALSE(fitting::polished(power_series<mpfr>({1, 0, 1}), {mpfr(mpfr(7) / 5)}));
+}
+
+TEST_CASE("values and slopes beside the real axis are those of the definition", "[convergence][followed_root]") {
+    const precision_scope scope(50);
+    const power_series<mpfr> p({7, -3, 0, 2, -5, 1});
+    const fitting::polynomial_values values(p);
+    for (const complex_number<mpfr>& z :
+         {complex_number<mpfr>{mpfr(2), mpfr(1)}, complex_number<mpfr>{mpfr(0), mpfr(3)},
+          complex_number<mpfr>{mpfr(-1), mpfr(0)}}) {
+        complex_number<mpfr> value{mpfr(0)};
+        complex_number<mpfr> slope{mpfr(0)};
+        complex_number<mpfr> power{mpfr(1)};
+        for (int n = 0; n <= p.order(); ++n) {
+            value = value + power * p[n];
+            slope = n < p.order() ? slope + power * mpfr(p[n + 1] * (n + 1)) : slope;
+            power = power * z;
+        }
+        const auto found = values.at(z);  // all in integers
+        CHECK(found.value == value);
+        CHECK(found.slope == slope);
+    }
+    const fitting::polynomial_values constant(power_series<mpfr>({4}));
+    CHECK(constant.at({mpfr(2), mpfr(1)}).value == complex_number<mpfr>{mpfr(4)});
+    CHECK(constant.at({mpfr(2), mpfr(1)}).slope == complex_number<mpfr>{mpfr(0)});
+}
+
 }  // namespace convergence_followed_root_test

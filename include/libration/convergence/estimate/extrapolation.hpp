@@ -62,40 +62,52 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
-/// The polynomial of degree p in 1/n fitted to the entries first .. last, at 1/n = 0, std::nullopt where the equations
-/// are singular. In the variable u with u = -+1 at the ends n = m and n = m/2, so that the normal equations are well
-/// conditioned.
+/// The sums that least squares with a polynomial in 1/n on the entries `first` .. `last` ask for, in the variable u with
+/// u = -+1 at the ends n = m and n = m/2, so that the normal equations are well conditioned.
 template <rounding_scalar T>
-std::optional<T> fitted_value(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last,
-                              std::size_t degree) {
-    std::vector<std::vector<T>> normal(degree + 1, std::vector<T>(degree + 1, T(0)));
-    std::vector<T> right(degree + 1, T(0));
-    std::vector<T> powers(degree + 1, T(1));
-    const auto fill = [&](const T& u) {
-        for (std::size_t i = 1; i <= degree; ++i) {
-            powers[i] = powers[i - 1] * u;
-        }
-    };
-    for (std::size_t e = first; e <= last; ++e) {
-        fill(T(T(2 * s[last].n) / s[e].n - 3));
-        for (std::size_t i = 0; i <= degree; ++i) {
-            for (std::size_t j = 0; j <= degree; ++j) {
-                normal[i][j] += powers[i] * powers[j];
+class fitted_polynomial {
+public:
+    /// For degrees up to `most`. O((last - first) most).
+    fitted_polynomial(const std::vector<sequence_entry<T>>& s, std::size_t first, std::size_t last, std::size_t most)
+        : powers_(2 * most + 1, T(0)), values_(most + 1, T(0)) {
+        for (std::size_t e = first; e <= last; ++e) {
+            const T u = T(2 * s[last].n) / s[e].n - 3;
+            T power(1);
+            for (std::size_t k = 0; k < powers_.size(); ++k) {
+                if (k > 0) {
+                    power *= u;
+                }
+                powers_[k] += power;
+                if (k <= most) {
+                    add_product(values_[k], power, s[e].value);
+                }
             }
-            right[i] += powers[i] * s[e].value;
         }
     }
-    const auto solution = solve_linear(std::move(normal), std::move(right), T(epsilon<T>() * 64));
-    if (!solution) {
-        return std::nullopt;
+
+    /// The polynomial of this degree at 1/n = 0, u = -3; std::nullopt where the equations are singular.
+    std::optional<T> at_infinity(std::size_t degree) const {
+        std::vector<std::vector<T>> normal(degree + 1);
+        for (std::size_t i = 0; i <= degree; ++i) {
+            const auto row = powers_.begin() + static_cast<std::ptrdiff_t>(i);
+            normal[i].assign(row, row + static_cast<std::ptrdiff_t>(degree) + 1);
+        }
+        std::vector<T> right(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(degree) + 1);
+        const auto solution = solve_linear(std::move(normal), std::move(right), T(epsilon<T>() * 64));
+        if (!solution) {
+            return std::nullopt;
+        }
+        T value(0);
+        for (std::size_t i = degree + 1; i-- > 0;) {
+            value = value * -3 + (*solution)[i];
+        }
+        return value;
     }
-    fill(T(-3));
-    T value(0);
-    for (std::size_t i = 0; i <= degree; ++i) {
-        value += (*solution)[i] * powers[i];
-    }
-    return value;
-}
+
+private:
+    std::vector<T> powers_;  ///< sum u^k
+    std::vector<T> values_;  ///< sum u^k value
+};
 
 }  // namespace fitting
 
@@ -146,13 +158,19 @@ sequence_limit<T> fitted_limit(const std::vector<sequence_entry<T>>& s) {
                     "is below the 4 that a fit needs");
     }
     const std::size_t last = s.size() - 1;
+    const std::size_t most = std::min(most_degree, s.size() < 16 ? 0 : s.size() / 8 - 1);
+    std::vector<fitting::fitted_polynomial<T>> fits;
+    for (const std::size_t less :
+         {std::size_t(0), std::size_t(1), std::size_t(2), std::size_t(3), s.size() / 8, s.size() / 4}) {
+        const std::size_t end = last - std::min(less, last / 2);
+        fits.emplace_back(s, end / 2, end, most);
+    }
     std::optional<sequence_limit<T>> best;
-    for (std::size_t degree = 0; degree <= most_degree && (degree == 0 || 8 * (degree + 1) <= s.size()); ++degree) {
-        const auto value = fitting::fitted_value(s, last / 2, last, degree);
+    for (std::size_t degree = 0; degree <= most; ++degree) {
+        const auto value = fits.front().at_infinity(degree);
         std::optional<T> moved(T(0));
-        for (const std::size_t less : {std::size_t(1), std::size_t(2), std::size_t(3), s.size() / 8, s.size() / 4}) {
-            const std::size_t end = last - std::min(less, last / 2);
-            const auto other = value && moved ? fitting::fitted_value(s, end / 2, end, degree) : std::nullopt;
+        for (std::size_t i = 1; i < fits.size(); ++i) {
+            const auto other = value && moved ? fits[i].at_infinity(degree) : std::nullopt;
             moved = other ? std::optional<T>(abs(*other - *value) > *moved ? T(abs(*other - *value)) : *moved)
                           : std::nullopt;
         }

@@ -43,8 +43,8 @@ inline mpfr exponent_at(const leading_polynomials& q, const complex_number<mpfr>
         mpfr assumed(form.highest - 1);
         return assumed;
     }
-    const auto above = evaluate(q.below, w).value;
-    const auto below = w * evaluate(q.top, w).slope * mpfr(stride);
+    const auto above = polynomial_values(q.below).at(w).value;
+    const auto below = w * polynomial_values(q.top).at(w).slope * mpfr(stride);
     return form.highest - 1 - (above / below).re;
 }
 
@@ -96,6 +96,8 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     if (!determined) {
         return std::nullopt;
     }
+    // The systems took the other half of the digits; the rounding of the coefficients is above what is left.
+    const precision_scope scope(working_digits() / 2);
     const std::vector<leading_polynomials>& fits = *determined;
     fitted_singularities found{degree, {}, mpfr(0)};
     const auto starts = starting_roots(fits[0].top);

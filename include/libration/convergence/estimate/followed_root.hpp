@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libration/algebra/polynomial_roots.hpp"
@@ -18,70 +19,126 @@ struct leftover {
     mpfr likely;  ///< the error that their decrease leaves
 };
 
-/// evaluate() of polynomial_roots.hpp at many points, without its temporaries, and on the real axis in real numbers.
+/// p and p' at many points, in the working precision of the construction, without the temporaries of evaluate() in
+/// polynomial_roots.hpp. On the real axis by Horner's rule; elsewhere by division by the real quadratic that is 0 at z and
+/// at its conjugate [Knuth, 4.6.4], half the products, which loses the digits of |z|/|im z|.
 class polynomial_values {
 public:
-    explicit polynomial_values(const series::power_series<mpfr>& p) : p_(p) {
-        sizes_.reserve(p.coefficients().size());
+    explicit polynomial_values(const series::power_series<mpfr>& p) {
+        a_.reserve(p.coefficients().size());
         for (const mpfr& a : p.coefficients()) {
-            sizes_.push_back(abs(a));
+            a_.push_back(narrow<mpfr>(a));
         }
     }
 
-    polynomial_value<mpfr> at(const complex_number<mpfr>& z) const {
-        const mpfr size = modulus_of(z);
-        polynomial_value<mpfr> at{{p_[p_.order()]}, {mpfr(0)}, sizes_.back()};
-        for (int n = p_.order() - 1; n >= 0; --n) {
-            if (z.im == 0) {
-                horner_step(at.slope.re, z.re, at.value.re);
-                horner_step(at.value.re, z.re, p_[n]);
-            } else {
-                turn(at.slope, z);
-                at.slope.re += at.value.re;
-                at.slope.im += at.value.im;
-                turn(at.value, z);
-                at.value.re += p_[n];
-            }
-            horner_step(at.rounding, size, sizes_[static_cast<std::size_t>(n)]);
+    struct value_and_slope {
+        complex_number<mpfr> value;
+        complex_number<mpfr> slope;
+    };
+
+    value_and_slope at(const complex_number<mpfr>& z) const {
+        return z.im == 0 ? on_real_axis(z.re) : beside_real_axis(z);
+    }
+
+    /// What rounding may have made of a value at a point of this modulus: eps 4 n sum |a_i| |z|^i.
+    mpfr rounding_at(const mpfr& size) const {
+        mpfr sum(0);
+        for (auto a = a_.rbegin(); a != a_.rend(); ++a) {
+            horner_step(sum, size, mpfr(abs(*a)));
         }
-        at.rounding *= epsilon<mpfr>() * (4 * p_.order());
-        return at;
+        sum *= epsilon<mpfr>() * (4 * (static_cast<int>(a_.size()) - 1));
+        return sum;
     }
 
 private:
-    // value *= z, as the operator of complex numbers rounds.
-    static void turn(complex_number<mpfr>& value, const complex_number<mpfr>& z) {
-        mpfr across = value.re;
-        across *= z.im;
-        value.re *= z.re;
-        mpfr square = value.im;
-        square *= z.im;
-        value.re -= square;
-        value.im *= z.re;
-        value.im += across;
+    value_and_slope on_real_axis(const mpfr& x) const {
+        mpfr value(0);
+        mpfr slope(0);
+        for (auto a = a_.rbegin(); a != a_.rend(); ++a) {
+            horner_step(slope, x, value);
+            horner_step(value, x, *a);
+        }
+        return {{value, mpfr(0)}, {slope, mpfr(0)}};
     }
 
-    const series::power_series<mpfr>& p_;
-    std::vector<mpfr> sizes_;
+    // p = (t^2 - 2 re t + |z|^2) quotient + before (t - 2 re) + last, and the quotient divided in turn.
+    value_and_slope beside_real_axis(const complex_number<mpfr>& z) const {
+        const mpfr square = z.re * z.re + z.im * z.im;
+        division of_p(mpfr(z.re * 2), square);
+        division of_quotient = of_p;
+        for (auto n = a_.size(); n-- > 0;) {
+            of_p.take(a_[n]);
+            if (n >= 2) {
+                of_quotient.take(of_p.last);
+            }
+        }
+        const mpfr along = of_quotient.last - z.re * of_quotient.before;
+        return {{mpfr(of_p.last - z.re * of_p.before), mpfr(z.im * of_p.before)},
+                {mpfr(of_p.before - z.im * z.im * of_quotient.before * 2), mpfr(z.im * along * 2)}};
+    }
+
+    // The two last coefficients of a division by t^2 - twice t + square.
+    struct division {
+        division(mpfr of_twice, mpfr of_square) : twice(std::move(of_twice)), square(std::move(of_square)) {}
+        mpfr twice;
+        mpfr square;
+        mpfr last = mpfr(0);
+        mpfr before = mpfr(0);
+        mpfr product = mpfr(0);
+        // last, before = next + twice last - square before, last.
+        void take(const mpfr& next) {
+            before *= square;
+            before -= next;
+            swap(before, last);
+            mpfr_mul(handle(product), handle(twice), handle(before), MPFR_RNDN);
+            mpfr_sub(handle(last), handle(product), handle(last), MPFR_RNDN);
+        }
+    };
+
+    std::vector<mpfr> a_;
 };
 
-/// Newton's iteration for a root of p from a good start; nothing where it does not settle. A real start stays real.
-inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p, complex_number<mpfr> z) {
-    constexpr int most_steps = 60;
-    const mpfr fine = epsilon<mpfr>() * 16;
-    const polynomial_values values(p);
+/// |z|^2.
+inline mpfr square_of_modulus(const complex_number<mpfr>& z) { return z.re * z.re + z.im * z.im; }
+
+/// Newton's iteration in the working precision, until a step is so small that the next one, which squares it, is below
+/// rounding, or the value is. Nothing where neither comes.
+inline std::optional<complex_number<mpfr>> settled_root(const polynomial_values& values,
+                                                        const complex_number<mpfr>& start) {
+    constexpr int most_steps = 50;
+    // The square of eps^(11/20): what squares it leaves eps^(1/10) for the curvature of p.
+    const mpfr fine = ldexp(mpfr(1), -digits<mpfr>() * 11 / 10);
+    complex_number<mpfr> z{narrow<mpfr>(start.re), narrow<mpfr>(start.im)};
     for (int step = 0; step < most_steps; ++step) {
         const auto at = values.at(z);
-        if (modulus_of(at.slope) == 0) {
+        if (at.slope.re == 0 && at.slope.im == 0) {
             return std::nullopt;
         }
         const auto by = at.value / at.slope;
+        const mpfr size = square_of_modulus(z);
         z = z - by;
-        if (modulus_of(by) <= modulus_of(z) * fine || modulus_of(at.value) <= at.rounding) {
+        if (square_of_modulus(by) <= size * fine || modulus_of(at.value) <= values.rounding_at(mpfr(sqrt(size)))) {
             return z;
         }
     }
     return std::nullopt;
+}
+
+/// A simple root of p from a good start, in the working precision, and first in little more than half of that where it is
+/// more than what starting_roots() has. Nothing where it does not settle. A real start stays real.
+inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p,
+                                                    const complex_number<mpfr>& start) {
+    constexpr long most_at_once = 60;
+    constexpr long guard_digits = 8;
+    if (working_digits() <= most_at_once) {
+        return settled_root(polynomial_values(p), start);
+    }
+    std::optional<complex_number<mpfr>> half;
+    {
+        const precision_scope scope(working_digits() / 2 + guard_digits);
+        half = polished(p, start);
+    }
+    return half ? settled_root(polynomial_values(p), *half) : std::nullopt;
 }
 
 /// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not

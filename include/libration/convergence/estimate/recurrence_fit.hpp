@@ -9,9 +9,7 @@
 // or of x f' (i = 1: logarithms), that is Prony's fit of a sum of exponentials to the last 2M coefficients.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,8 +60,8 @@ struct leading_polynomials {
     series::power_series<mpfr> below;
 };
 
-/// The recurrences of one form and degree from lists of different lengths. Their linear systems have equations in common,
-/// which are eliminated once.
+/// The recurrences of one form and degree from lists of different lengths, whose linear systems have equations in
+/// common.
 class recurrence_fits {
 public:
     recurrence_fits(const wide_series& series, const recurrence_form& form, int degree)
@@ -77,19 +75,15 @@ public:
     /// From the coefficients up to each of `lasts`. Nothing where one of the lists does not determine it, as an exact
     /// recurrence of smaller degree does not.
     std::optional<std::vector<leading_polynomials>> up_to(const std::vector<int>& lasts) const {
+        sliding_systems systems(static_cast<std::size_t>(unknowns_), mpfr(epsilon<mpfr>() * (8 * (unknowns_ + 1))),
+                                [this](int k) { return equation_at(k); });
         std::vector<leading_polynomials> fits;
-        for (auto begin = lasts.begin(); begin != lasts.end();) {
-            // Lists with more equations in common than not.
-            auto end = begin + 1;
-            while (end != lasts.end() && 2 * std::abs(*begin - *end) < unknowns_) {
-                ++end;
-            }
-            if (!add_fits({begin, end}, fits)) {
-                return std::nullopt;
-            }
-            begin = end;
-        }
-        return fits;
+        fits.reserve(lasts.size());
+        const bool all = systems.solve(lasts, [&](const std::vector<mpfr>& q) {
+            fits.push_back(leading(q));
+            return true;
+        });
+        return all ? std::optional(std::move(fits)) : std::nullopt;
     }
 
 private:
@@ -118,35 +112,6 @@ private:
         }
         row.push_back(-terms_[static_cast<std::size_t>(k) * powers + powers - 1]);
         return row;
-    }
-
-    bool add_equations(growing_system<mpfr>& system, int first, int last) const {
-        for (int k = first; k <= last; ++k) {
-            if (!system.add(equation_at(k))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    // Appends the fits of these lists; false where one is not determined.
-    bool add_fits(const std::vector<int>& lasts, std::vector<leading_polynomials>& fits) const {
-        growing_system<mpfr> system(static_cast<std::size_t>(unknowns_), mpfr(epsilon<mpfr>() * (8 * (unknowns_ + 1))));
-        const auto [shortest, longest] = std::minmax_element(lasts.begin(), lasts.end());
-        const int first = *longest - unknowns_ + 1;
-        if (!add_equations(system, first, *shortest)) {
-            return false;
-        }
-        const std::size_t shared = system.equations();
-        for (const int last : lasts) {
-            system.keep(shared);
-            if (!add_equations(system, *shortest + 1, last) ||
-                !add_equations(system, last - unknowns_ + 1, first - 1)) {
-                return false;
-            }
-            fits.push_back(leading(*system.solution()));
-        }
-        return true;
     }
 
     leading_polynomials leading(const std::vector<mpfr>& q) const {

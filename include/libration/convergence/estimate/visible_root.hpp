@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -19,25 +20,31 @@
 
 namespace libration::convergence::fitting {
 
+/// log2 |x| of x != 0, to the rounding of double.
+inline double log2_of(const mpfr& x) {
+    long exponent = 0;
+    const double mantissa = mpfr_get_d_2exp(&exponent, handle(x), MPFR_RNDN);
+    return std::log2(std::abs(mantissa)) + static_cast<double>(exponent);
+}
+
 /// A root w (im >= 0) and the exponent there.
 struct root_with_exponent {
     complex_number<mpfr> at;
     mpfr exponent;
 };
 
-/// Whether the largest |c_k w^k| k^(nu+1) of the last eighth is more than 2^-10 of that at half of the list. Logarithms
-/// of 20 digits tell.
+/// Whether the largest |c_k w^k| k^(nu+1) of the last eighth is more than 2^-10 of that at half of the list, by binary
+/// logarithms in double.
 inline bool as_large_as_coefficients(const wide_series& series, const root_with_exponent& root) {
-    const precision_scope scope(20);
     const auto count = static_cast<int>(series.c.size());
-    const mpfr size = log2(narrow<mpfr>(modulus_of(root.at)));
-    const mpfr falling = narrow<mpfr>(root.exponent) + 1;
+    const double size = log2_of(modulus_of(root.at));
+    const double falling = narrow<double>(root.exponent) + 1;
     const auto largest = [&](int first, int last) {
-        std::optional<mpfr> most;
+        std::optional<double> most;
         for (int k = std::max(1, first); k <= last; ++k) {
             const mpfr& c = series.c[static_cast<std::size_t>(k)];
             if (c != 0) {
-                const mpfr now = log2(narrow<mpfr>(abs(c))) + size * k + falling * log2(mpfr(k));
+                const double now = log2_of(c) + size * k + falling * std::log2(k);
                 most = most && *most > now ? *most : now;
             }
         }
@@ -49,58 +56,6 @@ inline bool as_large_as_coefficients(const wide_series& series, const root_with_
     return !late || !early || *late + 10 >= *early;
 }
 
-/// w^-(k - k0) k^-(nu + 1 + s) at k = k0 - back as one or two columns: the real and, off the axis, the imaginary part.
-/// `power` is w^back, `falling` k0/k, `logarithm` that of it.
-inline void add_columns(std::vector<mpfr>& row, const root_with_exponent& root, const complex_number<mpfr>& power,
-                        const mpfr& falling, const mpfr& logarithm, int terms) {
-    mpfr factor = exp(mpfr(logarithm * (root.exponent + 1)));
-    for (int s = 0; s < terms; ++s, factor *= falling) {
-        row.push_back(power.re * factor);
-        if (root.at.im != 0) {
-            row.push_back(power.im * factor);
-        }
-    }
-}
-
-/// |A w^-k| k^(-nu-1) of the first root by the coefficients up to k0, the others taken from them at once; nothing where
-/// the equations are singular.
-inline std::optional<mpfr> amplitude_of_first(const wide_series& series, const std::vector<root_with_exponent>& roots,
-                                              int k0, int terms) {
-    std::vector<std::vector<mpfr>> a;
-    std::vector<mpfr> b;
-    std::size_t unknowns = 0;
-    for (const auto& root : roots) {
-        unknowns += static_cast<std::size_t>(terms) * (root.at.im == 0 ? 1 : 2);
-    }
-    std::vector<complex_number<mpfr>> powers(roots.size(), complex_number<mpfr>{mpfr(1)});
-    for (std::size_t i = 0; i < unknowns; ++i) {
-        const int k = k0 - static_cast<int>(i);
-        if (k < 1) {
-            return std::nullopt;
-        }
-        const mpfr falling = mpfr(k0) / k;
-        const mpfr logarithm = log(falling);
-        std::vector<mpfr> row;
-        for (std::size_t r = 0; r < roots.size(); ++r) {
-            add_columns(row, roots[r], powers[r], falling, logarithm, terms);
-            powers[r] = powers[r] * roots[r].at;
-        }
-        a.push_back(std::move(row));
-        b.push_back(narrow<mpfr>(series.c[static_cast<std::size_t>(k)]));
-    }
-    const auto solution = solve_linear(std::move(a), std::move(b), mpfr(epsilon<mpfr>() * 64));
-    if (!solution) {
-        return std::nullopt;
-    }
-    mpfr sum(0);
-    const int parts = roots.front().at.im == 0 ? 1 : 2;
-    for (int part = 0; part < parts; ++part) {
-        const mpfr& x = (*solution)[static_cast<std::size_t>(part)];
-        sum += x * x;
-    }
-    return mpfr(sqrt(sum));
-}
-
 /// Whether there is a reason to doubt a root: the coefficients have fallen below it by 2^10, or its exponent is a whole
 /// number of 1 or more, as where a solution is analytic.
 inline bool is_doubtful(const wide_series& series, const root_with_exponent& root) {
@@ -109,37 +64,81 @@ inline bool is_doubtful(const wide_series& series, const root_with_exponent& roo
     return analytic || !as_large_as_coefficients(series, root);
 }
 
-/// |A w^-k| k^(-nu-1) of the first root at k = last as the coefficients up to last - back say; nothing where they say
-/// nothing.
-inline std::optional<mpfr> carried_amplitude(const wide_series& series, const std::vector<root_with_exponent>& roots,
-                                             int last, int back, int terms) {
-    const auto before = amplitude_of_first(series, roots, last - back, terms);
-    if (!before) {
-        return std::nullopt;
-    }
-    const mpfr carried = *before * pow(modulus_of(roots.front().at), -back);
-    return mpfr(carried * pow(mpfr(last - back) / last, mpfr(roots.front().exponent + 1)));
-}
+/// c_k as a sum of A_s w^-(k - last) (k/last)^-(nu + 1 + s) over roots and s < terms: for each root and s the
+/// coefficient of the real and, off the axis, of the imaginary part of A_s; then c_k. Equations k = last, last - 1, ..
+class amplitude_equations {
+public:
+    amplitude_equations(const wide_series& series, std::vector<root_with_exponent> roots, int terms)
+        : series_(series),
+          roots_(std::move(roots)),
+          terms_(terms),
+          last_(static_cast<int>(series.c.size()) - 1),
+          powers_(roots_.size(), complex_number<mpfr>{mpfr(1)}) {}
 
-/// Whether the amplitude of the first root, carried from k0 to the last coefficient, stays within a quarter for k0
-/// down to three quarters of the list. In half of the digits, 20 more than the coefficients have: the equations magnify
-/// these 20 digits less than the rounding of the coefficients themselves.
-inline bool amplitude_stays(const wide_series& series, const std::vector<root_with_exponent>& given) {
-    const precision_scope scope(working_digits() / 2);
+    const std::vector<mpfr>& operator()(int k) {
+        while (static_cast<int>(rows_.size()) <= last_ - k) {
+            add_next();
+        }
+        return rows_[static_cast<std::size_t>(last_ - k)];
+    }
+
+private:
+    void add_next() {
+        const int k = last_ - static_cast<int>(rows_.size());
+        const mpfr falling = mpfr(last_) / k;
+        const mpfr logarithm = log(falling);
+        std::vector<mpfr> row;
+        for (std::size_t r = 0; r < roots_.size(); ++r) {
+            const root_with_exponent& root = roots_[r];
+            mpfr factor = exp(mpfr(logarithm * (root.exponent + 1)));
+            for (int s = 0; s < terms_; ++s, factor *= falling) {
+                row.push_back(powers_[r].re * factor);
+                if (root.at.im != 0) {
+                    row.push_back(powers_[r].im * factor);
+                }
+            }
+            powers_[r] = powers_[r] * root.at;
+        }
+        row.push_back(narrow<mpfr>(series_.c[static_cast<std::size_t>(k)]));
+        rows_.push_back(std::move(row));
+    }
+
+    const wide_series& series_;
+    std::vector<root_with_exponent> roots_;
+    int terms_;
+    int last_;
+    std::vector<complex_number<mpfr>> powers_;  // w^(last - k) for the next k
+    std::vector<std::vector<mpfr>> rows_;
+};
+
+/// Whether the amplitude |A_0| of the first root, the others taken from the coefficients at once, stays within a quarter
+/// from all coefficients to three quarters of the list. Precision: 20 digits more than the coefficients have, for the
+/// equations magnify these 20 digits less than the rounding of the coefficients themselves.
+inline bool amplitude_stays(const wide_series& series, const std::vector<root_with_exponent>& roots) {
     const int last = static_cast<int>(series.c.size()) - 1;
-    std::vector<root_with_exponent> roots;
     int columns = 0;
-    for (const auto& [at, exponent] : given) {
-        roots.push_back({{narrow<mpfr>(at.re), narrow<mpfr>(at.im)}, narrow<mpfr>(exponent)});
-        columns += at.im == 0 ? 1 : 2;
+    for (const auto& root : roots) {
+        columns += root.at.im == 0 ? 1 : 2;
     }
     const int terms = std::clamp(last / 3 / columns, 1, 8);
-    const auto now = amplitude_of_first(series, roots, last, terms);
-    const std::array<int, 3> ways_back{1, std::max(2, last / 8), std::max(3, last / 4)};
-    return now && std::ranges::all_of(ways_back, [&](int back) {
-               const auto carried = carried_amplitude(series, roots, last, back, terms);
-               return carried && abs(*carried - *now) * 4 < *now;
-           });
+    const int unknowns = terms * columns;
+    const std::array<int, 4> lasts{last, last - 1, last - std::max(2, last / 8), last - std::max(3, last / 4)};
+    if (lasts.back() < unknowns) {
+        return false;
+    }
+    amplitude_equations equations(series, roots, terms);
+    sliding_systems systems(static_cast<std::size_t>(unknowns), mpfr(epsilon<mpfr>() * 64),
+                            [&](int k) { return equations(k); });
+    std::optional<mpfr> whole;
+    return systems.solve(lasts, [&](const std::vector<mpfr>& x) {
+        const mpfr amplitude =
+            roots.front().at.im == 0 ? mpfr(abs(x[0])) : modulus_of(complex_number<mpfr>{x[0], x[1]});
+        if (!whole) {
+            whole = amplitude;
+            return *whole > 0;
+        }
+        return abs(amplitude - *whole) * 4 < *whole;
+    });
 }
 
 /// Whether the first root is a singularity that the coefficients show, the others being those near it: nothing speaks
