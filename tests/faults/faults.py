@@ -168,12 +168,16 @@ FAULTS = [
     ),
     *in_file(
         ROOM + "approximant/proved/panel.hpp", [PANELS],
-        ("the tail of the value dropped", "enclose(sum.value, tail_.value)", "sum.value"),
-        ("the tail of the slope dropped", "enclose(sum.slope, tail_.slope)", "sum.slope"),
+        ("the tail of the value dropped", "enclose(sum, tail_.value)", "sum"),
+        ("the tail of the slope dropped", "enclose(sum, tail_.slope)", "sum"),
         ("the tail of the curvature dropped", "enclose(sum.curvature, tail_.curvature)", "sum.curvature"),
         ("the tail of a coefficient more", "pow(ratio, kept_.order() + 1) / gap", "pow(ratio, kept_.order() + 2) / gap"),
         ("the slope without its power", "tail_.value * n / gap", "tail_.value / gap"),
         ("the curvature without its power", "tail_.slope * (n - 1) / gap", "tail_.slope * (n - 1)"),
+    ),
+    *in_file(
+        ROOM + "approximant/proved/panel.hpp", [PANELS, "approximant/proved/maximum_test.cpp"],
+        ("the rounding of coefficients forgotten", "narrow<ball>(kept_[n])", "midpoint(narrow<ball>(kept_[n]))"),
     ),
     *in_file(
         ROOM + "approximant/proved/maximum.hpp", [PANELS, "approximant/proved/maximum_test.cpp"],

@@ -44,6 +44,16 @@ TEST_CASE("the largest value inside is enclosed with its place", "[proved_maximu
     check_encloses(found.place, ball(2), digits<ball>() - 8);
 }
 
+TEST_CASE("a piece is not left out by digits that its coefficients lose in few of them", "[proved_maximum]") {
+    const precision_scope scope(50);
+    // 1 + e + e (s - s^3)/4, e = 2^-80: at the ends and in the middle 1 + e, at 1/sqrt(3) more by e/(6 sqrt(3)).
+    const ball e = ldexp(ball(1), -80);
+    const ball quarter = e / 4;
+    const power_series<ball> f(std::vector<ball>{1 + e, quarter, ball(0), -quarter});
+    const auto found = largest_magnitude({enclosed_panel(f, ball(0), ball(1) / 4, -1, 1)});
+    check_encloses(found.value, 1 + e + e / (6 * sqrt(ball(3))), digits<ball>() - 6);
+}
+
 TEST_CASE("the largest value at an end is exact where the polynomial is", "[proved_maximum]") {
     const precision_scope scope(50);
     const auto found = largest_magnitude({exact_panel({2, 1})});

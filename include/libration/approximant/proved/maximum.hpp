@@ -33,14 +33,20 @@ class maximum_search {
 public:
     /// With so many steps of Newton's iteration, at least 0; as many as double the precision unless given.
     explicit maximum_search(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {})
-        : panels_(panels), steps_(steps.value_or(doublings(digits<ball>()) + 3)) {}
+        : panels_(panels), steps_(steps.value_or(doublings(digits<ball>()) + 3)) {
+        const precision_scope few(rough_digits);
+        rough_.reserve(panels.size());
+        for (const enclosed_panel& panel : panels) {
+            rough_.push_back(panel.rounded());
+        }
+    }
 
     /// Throws precision_exhausted where the working precision does not part the pieces.
     proved_maximum result() {
         std::vector<piece> left;
         for (std::size_t i = 0; i < panels_.size(); ++i) {
             for (const int s : {-1, 0, 1}) {
-                consider(panels_[i].at(ball(s)).value, panels_[i].place_of(ball(s)));
+                consider(panels_[i].value_at(ball(s)), panels_[i].place_of(ball(s)));
             }
             left.push_back({i, ball(0), 0});
         }
@@ -61,6 +67,8 @@ public:
 
 private:
     static constexpr long most_pieces = 20'000;
+    static constexpr long rough_digits = 19;      // of a ball without memory of its own
+    static constexpr long most_rough_level = 12;  // below, differences of neighbours would need more digits
 
     struct piece {
         std::size_t panel;
@@ -85,12 +93,14 @@ private:
 
     // Whether nothing of the piece is left to be found.
     bool is_settled(const piece& p) {
+        if (const auto roughly = is_settled_roughly(p)) {
+            return *roughly;
+        }
         const enclosed_panel& f = panels_[p.panel];
         const ball half = ldexp(ball(1), -p.level);
         const ball all = enclose(p.centre, half);
         const enclosed_two_jet over = f.at(all);
-        const ball reach = abs(f.at(p.centre).value) + abs(over.slope) * half;
-        if (certainly_less(abs(over.value), lower_) || certainly_less(reach, lower_)) {
+        if (is_below(f, over, p.centre, half)) {
             return true;
         }
         const bool bends = !contains_zero(over.curvature);
@@ -105,9 +115,33 @@ private:
                is_found(f, p.centre, all, lower_bound(abs(over.curvature)));
     }
 
+    // The same by enclosures in few digits, which hold as those in many do; nothing where they do not decide.
+    std::optional<bool> is_settled_roughly(const piece& p) const {
+        if (p.level > most_rough_level) {
+            return std::nullopt;
+        }
+        const precision_scope few(rough_digits);
+        const enclosed_panel& f = rough_[p.panel];
+        const ball half = ldexp(ball(1), -p.level);
+        const enclosed_two_jet over = f.at(enclose(p.centre, half));
+        if (is_below(f, over, p.centre, half)) {
+            return true;
+        }
+        return contains_zero(over.slope) && contains_zero(over.curvature) ? std::optional(false) : std::nullopt;
+    }
+
+    // Whether |f| is nowhere as large as it is somewhere else.
+    bool is_below(const enclosed_panel& f, const enclosed_two_jet& over, const ball& centre, const ball& half) const {
+        if (certainly_less(abs(over.value), lower_)) {
+            return true;
+        }
+        const ball reach = abs(f.value_at(centre)) + abs(over.slope) * half;
+        return certainly_less(reach, lower_);
+    }
+
     // Takes an end into account; the sign of the slope there, 0 where it is not decided.
     int consider_end(const enclosed_panel& f, const ball& s) {
-        const enclosed_two_jet at = f.at(s);
+        const series::jet<ball> at = f.jet_at(s);
         consider(at.value, f.place_of(s));
         return contains_zero(at.slope) ? 0 : decided_sign(at.slope);
     }
@@ -147,13 +181,14 @@ private:
     }
 
     const std::vector<enclosed_panel>& panels_;
+    std::vector<enclosed_panel> rough_;  ///< in few digits
     int steps_;
     ball lower_;  ///< |f| is not below this somewhere; exact
     std::vector<candidate> candidates_;
 };
 
 /// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of
-/// order J for each halving next to a stationary point; their number follows the shape of f and hardly the precision.
+/// order J for each halving next to a stationary point, most of them in 19 digits; their number follows the shape of f and hardly the precision.
 /// Newton's iteration is stopped after so many steps where they are given: pieces then are halved until those do.
 /// Throws precision_exhausted where the working precision does not part the pieces, as where f is 0.
 inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {}) {

@@ -39,12 +39,39 @@ public:
     enclosed_two_jet at(const ball& s) const {
         enclosed_two_jet sum{kept_[kept_.order()], ball(), ball()};
         for (int n = kept_.order() - 1; n >= 0; --n) {
-            sum.curvature = sum.curvature * s + sum.slope * 2;
-            sum.slope = sum.slope * s + sum.value;
-            sum.value = sum.value * s + kept_[n];
+            horner_step(sum.curvature, s, ball(sum.slope * 2));
+            horner_step(sum.slope, s, sum.value);
+            horner_step(sum.value, s, kept_[n]);
         }
-        return {enclose(sum.value, tail_.value), enclose(sum.slope, tail_.slope),
-                enclose(sum.curvature, tail_.curvature)};
+        return {with_tail(sum.value), slope_with_tail(sum.slope), enclose(sum.curvature, tail_.curvature)};
+    }
+
+    /// The same without the curvature.
+    series::jet<ball> jet_at(const ball& s) const {
+        series::jet<ball> sum{kept_[kept_.order()], ball()};
+        for (int n = kept_.order() - 1; n >= 0; --n) {
+            horner_step(sum.slope, s, sum.value);
+            horner_step(sum.value, s, kept_[n]);
+        }
+        return {with_tail(sum.value), slope_with_tail(sum.slope)};
+    }
+
+    /// The value alone.
+    ball value_at(const ball& s) const {
+        ball sum = kept_[kept_.order()];
+        for (int n = kept_.order() - 1; n >= 0; --n) {
+            horner_step(sum, s, kept_[n]);
+        }
+        return with_tail(sum);
+    }
+
+    /// The same function with its coefficients rounded to the working precision: wider enclosures, for less.
+    enclosed_panel rounded() const {
+        enclosed_panel result = *this;
+        for (int n = 0; n <= kept_.order(); ++n) {
+            result.kept_[n] = narrow<ball>(kept_[n]);
+        }
+        return result;
     }
 
     /// The caller's variable at s.
@@ -53,6 +80,9 @@ public:
     }
 
 private:
+    ball with_tail(const ball& sum) const { return enclose(sum, tail_.value); }
+    ball slope_with_tail(const ball& sum) const { return enclose(sum, tail_.slope); }
+
     series::power_series<ball> kept_;
     rational from_;
     rational to_;

@@ -65,6 +65,12 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
         return result;
     }
 
+    /// In place, with the roundings of the operators.
+    static void horner_step(ball& sum, const ball& x, const ball& next) {
+        arb_mul(sum.handle(), sum.handle(), x.handle(), ball::working_bits());
+        arb_add(sum.handle(), sum.handle(), next.handle(), ball::working_bits());
+    }
+
     /// With one rounding at the end.
     static ball sum_of_products(const ball* x, int x_step, const ball* y, int y_step, int count) {
         static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
