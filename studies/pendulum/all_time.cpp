@@ -191,7 +191,7 @@ const study& all_time() {
                         "p, whole periods before the one looked at"},
                        {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "ways to T*"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--periods", "1,1e6", ""}, {"--period-by", "resummed:10", ""}},
-        .seconds = 2.5,
+        .seconds = 2,
         .excluded = without_period(),
         .plan = plan};
     return result;

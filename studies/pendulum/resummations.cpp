@@ -188,7 +188,7 @@ const study& resummations() {
                        {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},
                        {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of coefficients that are not 0"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "4,6", ""}},
-        .seconds = 7,
+        .seconds = 6.5,
         .excluded = no_answer_at_limits("theta is constant", "the period is infinite"),
         .plan = plan};
     return result;

@@ -343,7 +343,7 @@ const study& error_norm() {
                        {"--step", "1e-5", "dt of the Runge-Kutta march at E = 2, dimensionless time"},
                        {"--scalar", "ball:50, and double, long-double, quad for their floors", "arithmetic"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6", ""}, {"--step", "1e-3", ""}},
-        .seconds = 13,
+        .seconds = 9,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
         .plan = plan,

@@ -283,7 +283,7 @@ const study& radius_map() {
                        {"--orders", "20,60", "N, last powers of the lists judged"},
                        {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
         .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
-        .seconds = 7,
+        .seconds = 4,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = plan};
     return result;

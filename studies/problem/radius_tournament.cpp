@@ -450,7 +450,7 @@ const study& radius_tournament() {
                   {"--orders", "20", ""},
                   {"--points", "0", ""},
                   {"--scalar", "double", ""}},
-        .seconds = 16,
+        .seconds = 8.5,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = plan};
     return result;

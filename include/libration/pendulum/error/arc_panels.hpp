@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    static constexpr long worth = 8;  ///< points that cost as much by Jacobi's functions as a panel does
+    static constexpr long worth = 3;  ///< points that cost as much by Jacobi's functions as a panel does
 
     static int mirrors(const motion& m) { return m.regime() == regime::rotation ? m.direction() : 1; }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <utility>
 
 #include "libration/elliptic/incomplete_integral.hpp"
@@ -83,6 +85,32 @@ private:
         W effective_period;
     };
 
+    // The last start of more bits: times of one size ask for the same one. Several threads may ask at once; none waits, and
+    // what they get depends on the bits alone.
+    class later_start {
+    public:
+        later_start() = default;
+        later_start(const later_start& other) : last_(other.last_.load()) {}
+        later_start& operator=(const later_start& other) {
+            last_.store(other.last_.load());
+            return *this;
+        }
+        ~later_start() = default;
+
+        template <class Make>
+        std::shared_ptr<const origin> of(long bits, const Make& make) const {
+            std::shared_ptr<const origin> last = last_.load();
+            if (last == nullptr || last->bits != bits) {
+                last = std::make_shared<const origin>(make(bits));
+                last_.store(last);
+            }
+            return last;
+        }
+
+    private:
+        mutable std::atomic<std::shared_ptr<const origin>> last_;
+    };
+
     // The precision in force when this is called, plus what the motion cancels, plus the margin.
     long bits_for(long margin) const { return digits<T>() + motion_.condition_bits() + margin; }
 
@@ -109,7 +137,8 @@ private:
 
     // Start + elapsed + quarters * T*, reduced.
     phase<W> advance(const exact& elapsed, const rational& quarters, long bits) const {
-        const origin start = bits > start_.bits ? start_at(bits) : start_;
+        const auto later = bits > start_.bits ? later_.of(bits, [this](long with) { return start_at(with); }) : nullptr;
+        const origin& start = later == nullptr ? start_ : *later;
         const precision_scope scope(decimal_digits(bits));
         integer quarter = start.quarter;
         W offset = start.offset + dimensionless_time<W>(motion_, elapsed);
@@ -159,6 +188,7 @@ private:
     motion motion_;
     period_rule by_;
     origin start_;
+    later_start later_;
 };
 
 }  // namespace libration::pendulum

@@ -60,7 +60,7 @@ template <rounding_scalar T>
 std::string log10_text(const T& x) {
     constexpr long count = 12;
     const precision_scope scope(count + 20);
-    const mpfr value = abs(widen(x));
+    const mpfr value = abs(narrow<mpfr>(widen(x)));
     return value == 0 ? "-inf" : to_decimal(mpfr(log10(value)), count);
 }
 
