@@ -167,7 +167,7 @@ mpfr scalar_traits<mpfr>::sum_of_products(const mpfr* x, int x_step, const mpfr*
     if (!size.top || !size.finite) {
         return sum_one_by_one(x, x_step, y, y_step, count);
     }
-    const int bits = digits() + guard_bits + std::bit_width(static_cast<unsigned>(count));
+    const int bits = digits() + guard_bits + static_cast<int>(std::bit_width(static_cast<unsigned>(count)));
     fixed_sum sum(*size.top, (bits - 1) / limb_bits + 1);
     for (int i = 0; i < count; ++i) {
         const mpfr& a = x[i * x_step];

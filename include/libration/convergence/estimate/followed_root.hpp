@@ -43,8 +43,8 @@ public:
     /// What rounding may have made of a value at a point of this modulus: eps 4 n sum |a_i| |z|^i.
     mpfr rounding_at(const mpfr& size) const {
         mpfr sum(0);
-        for (auto a = a_.rbegin(); a != a_.rend(); ++a) {
-            horner_step(sum, size, mpfr(abs(*a)));
+        for (auto n = a_.size(); n-- > 0;) {
+            horner_step(sum, size, mpfr(abs(a_[n])));
         }
         sum *= epsilon<mpfr>() * (4 * (static_cast<int>(a_.size()) - 1));
         return sum;
@@ -54,9 +54,9 @@ private:
     value_and_slope on_real_axis(const mpfr& x) const {
         mpfr value(0);
         mpfr slope(0);
-        for (auto a = a_.rbegin(); a != a_.rend(); ++a) {
+        for (auto n = a_.size(); n-- > 0;) {
             horner_step(slope, x, value);
-            horner_step(value, x, *a);
+            horner_step(value, x, a_[n]);
         }
         return {{value, mpfr(0)}, {slope, mpfr(0)}};
     }
