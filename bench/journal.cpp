@@ -5,8 +5,8 @@
 //   ./run bench journal --cells 100000
 //   ./run bench journal --model FILE.csv  the same, and the table of docs/pictures/one_writer.gp into FILE.csv
 //
-// An empty cell is one row of its two inputs. Memory is what the system says that the process holds, after a tenth of the
-// cells and after all of them.
+// An empty cell is one row of its two inputs. Memory is what the system says that the process holds, after a tenth of
+// the cells and after all of them.
 #include <unistd.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Proved trajectories of any equation beside the same digits unproved, by two marches in mpfr that agree; and what else is
-// proved: periodic orbits, an unknown at infinity.
+// Proved trajectories of any equation beside the same digits unproved, by two marches in mpfr that agree; and what else
+// is proved: periodic orbits, an unknown at infinity.
 #include <benchmark/benchmark.h>
 
 #include <string>

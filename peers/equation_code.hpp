@@ -1,4 +1,5 @@
-// What a peer that solves initial value problems is told on stdin, and answers on stdout, all numbers hexadecimal floats:
+// What a peer that solves initial value problems is told on stdin, and answers on stdout, all numbers hexadecimal
+// floats:
 //
 //   stdin    version                                   asks for name and version of the library, nothing else
 //   stdin    limit L                                   evaluations of the right sides that a run may take

@@ -1,6 +1,6 @@
 // Initial value problems in double by the Runge-Kutta method of Prince and Dormand of order 8 (rk8pd) of the GNU
-// Scientific Library, and how long that takes, for the benchmark `equations`. GSL is under the GPL: this is a program of
-// its own, which shares no code with libration and talks to it in text.
+// Scientific Library, and how long that takes, for the benchmark `equations`. GSL is under the GPL: this is a program
+// of its own, which shares no code with libration and talks to it in text.
 //
 //   stdin    problem tolerance passes end count, then count starts: x, x', y, y', ...
 //   stdout   the CPU time of one pass in nanoseconds, then count values at the end, hexadecimal floats

@@ -31,6 +31,13 @@ struct scalar_tag {
 using all_scalars = std::tuple<scalar_tag<double>, scalar_tag<long double>, scalar_tag<quad>, scalar_tag<mpfr, 40>,
                                scalar_tag<mpfr, 100>>;
 
+/// The fraction that an mpfr is.
+inline rational fraction_of(const mpfr& x) {
+    rational value;
+    mpfr_get_q(value.backend().data(), handle(x));
+    return value;
+}
+
 /// A number that a value is compared with, and how far it may itself be from the truth.
 struct expected_value {
     mpfr value;

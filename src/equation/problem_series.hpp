@@ -24,8 +24,8 @@ struct problem_series_request {
 };
 
 /// n,<unknown>...; with balls <unknown>_uncertainty... behind, about a complex point, or by a way through the plane,
-/// <unknown>_re,<unknown>_im..., and for a start in powers of t^(1/q), n of which are counted, power. Throws input_error
-/// for a point where there is no way to, and for balls by a way through the plane.
+/// <unknown>_re,<unknown>_im..., and for a start in powers of t^(1/q), n of which are counted, power. Throws
+/// input_error for a point where there is no way to, and for balls by a way through the plane.
 table problem_coefficients(const problem_series_request& request, const arithmetic& numbers);
 
 /// The coefficients of an unknown; about a complex point its real and its imaginary parts.

@@ -137,8 +137,8 @@ std::vector<int> orders_up_to(int last) {
     return orders;
 }
 
-// The power of t that symmetry leaves: the greatest common divisor of the steps between the coefficients behind a_0 that
-// are not 0; 1 where there are not two of them.
+// The power of t that symmetry leaves: the greatest common divisor of the steps between the coefficients behind a_0
+// that are not 0; 1 where there are not two of them.
 int power_left(const std::vector<mpfr>& a) {
     int first = 0;
     int power = 0;

@@ -9,8 +9,8 @@
 
 namespace libration {
 
-/// What is made again: studies, examples of studies of any equation, and whether the claims are judged and the reference
-/// values made.
+/// What is made again: studies, examples of studies of any equation, and whether the claims are judged and the
+/// reference values made.
 struct reproduce_set {
     std::vector<const study*> studies;
     bool claims = false;

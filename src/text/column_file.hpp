@@ -27,8 +27,8 @@ private:
 
 /// Names, and records of as many cells below them, in constant memory. Lines that begin with # are comments.
 ///
-/// The separator is that of the first line that is no comment. That line holds the names unless all of its cells are numbers: then the names are in the
-/// last comment before it, if that has as many, or there are none.
+/// The separator is that of the first line that is no comment. That line holds the names unless all of its cells are
+/// numbers: then the names are in the last comment before it, if that has as many, or there are none.
 class column_file {
 public:
     /// Reads as far as the first record.

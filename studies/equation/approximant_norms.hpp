@@ -87,7 +87,8 @@ inline std::optional<power_series<mpfr>> deciding_series(const solved_problem& o
 }
 
 // The radius of convergence from the slope of log |a_n| between the largest coefficients of the middle and of
-// the last third, a phase of complex singularities aside: some per cent off, nothing is known of the singularities here.
+// the last third, a phase of complex singularities aside: some per cent off, nothing is known of the singularities
+// here.
 inline mpfr radius_of(const power_series<mpfr>& a, int count) {
     const auto log_of = [&](int n) { return a[n] == 0 ? mpfr(-1'000'000) : mpfr(log(mpfr(abs(a[n])))); };
     const mpfr rough = log_of(count) / std::max(count, 1);

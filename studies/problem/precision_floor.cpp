@@ -84,8 +84,8 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const std:
         digits = std::max(digits, scalar.digits);
     }
     const int highest = orders.empty() ? 0 : *std::max_element(orders.begin(), orders.end());
-    // Floors and exact norms are to have their printed digits, and the place of a norm, where theta is flat to the digits
-    // below it, all of the scalar's.
+    // Floors and exact norms are to have their printed digits, and the place of a norm, where theta is flat to the
+    // digits below it, all of the scalar's.
     const precision_scope scope(digits + digits_below(m, highest) + guard_digits);
     arc_errors errors(m);
     std::vector<floor_row> rows;

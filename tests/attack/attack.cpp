@@ -3,7 +3,8 @@
 // where a digit is wrong or a value is refused.
 //
 // Energies 10^-300 .. 10^300, gaps 10^-300 .. 1 on both sides of E = 2, starts (theta0, omega0), Jacobi's functions
-// with m or 1-m down to 10^-300, and at complex arguments with any real m, 10^-300 .. 10^300; times 10^-10 .. 10^300 and fractions of T; 1 to 300 digits.
+// with m or 1-m down to 10^-300, and at complex arguments with any real m, 10^-300 .. 10^300; times 10^-10 .. 10^300
+// and fractions of T; 1 to 300 digits.
 #include <fmt/core.h>
 
 #include <atomic>

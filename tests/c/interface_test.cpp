@@ -222,7 +222,8 @@ TEST_CASE("the sampler serves arrays of doubles", "[c]") {
         const auto truth = made<number>(
             [&](auto** to) { return libration_motion_theta(swing.get(), texts[i], 30, LIBRATION_PROVED, to); });
         double nearest = 0;
-        // 7/10 is not the double 0.7: theta' < sqrt(2), so that the angle moves by less than half a unit in the last place of 1.
+        // 7/10 is not the double 0.7: theta' < sqrt(2), so that the angle moves by less than half a unit in the last
+        // place of 1.
         REQUIRE(libration_number_double(truth.get(), &nearest) == LIBRATION_OK);
         // 4 units of the sampler, that half, and half a unit of the nearest double.
         CHECK(std::abs(theta[i] - nearest) <= 5 * 0x1p-52);

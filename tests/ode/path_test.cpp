@@ -77,9 +77,9 @@ TEMPLATE_LIST_TEST_CASE("a way once around a branch point changes the sign of a 
 }
 
 TEST_CASE("the pendulum around its singularities is its elliptic functions there", "[ode][path]") {
-    // From the bottom with omega = 2 k: sin(x/2) = k sn, cos(x/2) = dn, with simple poles at t = i K' [DLMF 22.4], where
-    // x has a logarithm. By the addition theorem sn(u + iv) = (s d1 + i c d s1 c1)/(c1^2 + k^2 s^2 s1^2), s, c, d at u
-    // for k and s1, c1, d1 at v for k' [DLMF 22.8.1, 22.6.1].
+    // From the bottom with omega = 2 k: sin(x/2) = k sn, cos(x/2) = dn, with simple poles at t = i K' [DLMF 22.4],
+    // where x has a logarithm. By the addition theorem sn(u + iv) = (s d1 + i c d s1 c1)/(c1^2 + k^2 s^2 s1^2), s, c, d
+    // at u for k and s1, c1, d1 at v for k' [DLMF 22.8.1, 22.6.1].
     const precision_scope precision(50);
     const auto system = solved("x'' = -sin(x); x(0) = 0; x'(0) = 6/5");
     const auto m = modulus<mpfr>::from_modulus(mpfr(mpfr(3) / 5));

@@ -1,5 +1,5 @@
-// The letter to the authors: that it names claims, and that its table is what the bounds give. all_claims_test.cpp sees that
-// it leaves out none.
+// The letter to the authors: that it names claims, and that its table is what the bounds give. all_claims_test.cpp sees
+// that it leaves out none.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -11,14 +11,9 @@
 namespace scalar_mpfr_products_test {
 
 using namespace libration;
+using tests::fraction_of;
 
 namespace {
-
-rational exact(const mpfr& x) {
-    rational value;
-    mpfr_get_q(value.backend().data(), handle(x));
-    return value;
-}
 
 // Of the precision in force and of others, with exponents that spread over `spread` bits; some are 0.
 std::vector<mpfr> random_numbers(std::mt19937& random, int count, int spread) {
@@ -60,18 +55,18 @@ TEST_CASE("an inner product of mpfr is the exact sum, rounded once", "[scalar][m
                 rational sum = 0;
                 rational largest = 0;
                 for (int i = 0; i < count; ++i) {
-                    const rational term =
-                        exact(x[static_cast<std::size_t>(2 * i)]) * exact(y[static_cast<std::size_t>(count - 1 - i)]);
+                    const rational term = fraction_of(x[static_cast<std::size_t>(2 * i)]) *
+                                          fraction_of(y[static_cast<std::size_t>(count - 1 - i)]);
                     sum += term;
                     largest = std::max(largest, rational(abs(term)));
                 }
                 const mpfr found = inner_product(x.data(), 2, &y.back(), -1, count);
                 REQUIRE(mpfr_get_prec(handle(found)) == mpfr_get_prec(handle(mpfr())));
                 // Half a unit in the last place of the sum, and 2^(-p-30) of the largest product.
-                const rational unit = exact(mpfr(epsilon<mpfr>()));
+                const rational unit = fraction_of(mpfr(epsilon<mpfr>()));
                 const rational allowed = abs(sum) * unit / 2 + largest * unit / (integer(1) << 31);
                 INFO(digits << " digits, " << count << " terms over " << spread << " bits");
-                REQUIRE(abs(rational(exact(found) - sum)) <= allowed);
+                REQUIRE(abs(rational(fraction_of(found) - sum)) <= allowed);
             }
         }
     }

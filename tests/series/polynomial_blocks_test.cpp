@@ -7,16 +7,7 @@ namespace series_polynomial_blocks_test {
 
 using namespace libration;
 using namespace libration::series;
-
-namespace {
-
-rational exact(const mpfr& x) {
-    rational value;
-    mpfr_get_q(value.backend().data(), handle(x));
-    return value;
-}
-
-}  // namespace
+using tests::fraction_of;
 
 TEST_CASE("blocks of powers have the value and the slope of the polynomial", "[series][polynomial_blocks]") {
     const precision_scope scope(40);
@@ -30,22 +21,22 @@ TEST_CASE("blocks of powers have the value and the slope of the polynomial", "[s
             rational slope = 0;
             rational sizes = 0;
             rational power = 1;
-            const rational at = exact(x);
+            const rational at = fraction_of(x);
             for (int n = 0; n <= order; ++n) {
-                value += exact(a[n]) * power;
-                sizes += abs(rational(exact(a[n]) * power));
-                slope += n < order ? rational((n + 1) * exact(a[n + 1]) * power) : rational(0);
-                sizes += n < order ? rational(abs(rational((n + 1) * exact(a[n + 1]) * power))) : rational(0);
+                value += fraction_of(a[n]) * power;
+                sizes += abs(rational(fraction_of(a[n]) * power));
+                slope += n < order ? rational((n + 1) * fraction_of(a[n + 1]) * power) : rational(0);
+                sizes += n < order ? rational(abs(rational((n + 1) * fraction_of(a[n + 1]) * power))) : rational(0);
                 power *= at;
             }
             const polynomial_blocks<mpfr> blocks(a, x);
             const jet<mpfr> found = blocks.value_and_slope();
             CHECK(found.value == blocks.value());
             // x^n is made of n products, with half a unit each; sums over blocks, fewer than 16, add as much.
-            const rational allowed = sizes * exact(mpfr(epsilon<mpfr>())) * (order + 16) / 2;
+            const rational allowed = sizes * fraction_of(mpfr(epsilon<mpfr>())) * (order + 16) / 2;
             INFO("order " << order);
-            CHECK(abs(rational(exact(found.value) - value)) <= allowed);
-            CHECK(abs(rational(exact(found.slope) - slope)) <= allowed);
+            CHECK(abs(rational(fraction_of(found.value) - value)) <= allowed);
+            CHECK(abs(rational(fraction_of(found.slope) - slope)) <= allowed);
         }
     }
 }

@@ -45,7 +45,8 @@ TEST_CASE("approximants of Blasius' layer are best at a moderate order", "[studi
     CHECK(norm_in(rows, "asymptotic", 10) > 1e-3);
     CHECK(norm_in(rows, "asymptotic", 50) < 1e-8);
     CHECK(norm_in(rows, "asymptotic", 160) > 1e-4);
-    // At the radius 5.69 of f [Boyd1999], times k^(1/3) for k = 1, f is 8.8e-4 k^(-1/3) from its line: read off a table.
+    // At the radius 5.69 of f [Boyd1999], times k^(1/3) for k = 1, f is 8.8e-4 k^(-1/3) from its line: read off a
+    // table.
     for (const table_row& row : rows) {
         if (row.at("method") == "asymptotic" && row.at("order") == "160") {
             CHECK(static_cast<double>(number_of(row.at("predicted"))) == Approx(8.8e-4 * 1.444).epsilon(0.35));

@@ -187,8 +187,8 @@ TEST_CASE("approximants over b meet the wall shears of Falkner and Skan in print
                       Catch::Contains("no known far behaviour"));
 }
 
-// y = 1/(1 + e^-t) = 1/2 + t/4 - t^3/48 + ...: partial sums, [2/2] = (1/2 + t/4 + t^2/24)/(1 + t^2/12), and the cubic that
-// has values and slopes y (1 - y) at 0 and 1.
+// y = 1/(1 + e^-t) = 1/2 + t/4 - t^3/48 + ...: partial sums, [2/2] = (1/2 + t/4 + t^2/24)/(1 + t^2/12), and the cubic
+// that has values and slopes y (1 - y) at 0 and 1.
 TEST_CASE("proved norms of the logistic equation are those of closed forms", "[studies][equation][proved]") {
     const precision_scope scope(60);
     const auto rows = rows_about("error_norm", {"logistic", {}},

@@ -10,8 +10,8 @@ namespace studies_reference_problems_test {
 using namespace libration;
 using namespace libration::tests;
 
-// y = 1/(1 + e^-t) from y(0) = 1/2. Of y = c/(c + (1 - c) e^-t) dy/dc c/y is e^-t/(c + (1 - c) e^-t), at c = 1/2 2 e^-t y;
-// t y'/y is t (1 - y). Three digits are printed.
+// y = 1/(1 + e^-t) from y(0) = 1/2. Of y = c/(c + (1 - c) e^-t) dy/dc c/y is e^-t/(c + (1 - c) e^-t), at c = 1/2 2 e^-t
+// y; t y'/y is t (1 - y). Three digits are printed.
 TEST_CASE("reference values of the logistic equation and their condition numbers", "[studies][proved]") {
     const precision_scope scope(40);
     const auto rows =

@@ -55,9 +55,9 @@ std::optional<std::vector<T>> solve_linear(std::vector<std::vector<T>> a, std::v
     return b;
 }
 
-/// A system that grows by one equation at a time: Gaussian elimination by rows, the pivot chosen among the columns. What
-/// several systems share of their equations is eliminated once: keep() goes back to it. Entries are reduced by inner
-/// products with a column of those before.
+/// A system that grows by one equation at a time: Gaussian elimination by rows, the pivot chosen among the columns.
+/// What several systems share of their equations is eliminated once: keep() goes back to it. Entries are reduced by
+/// inner products with a column of those before.
 template <rounding_scalar T>
 class growing_system {
 public:
@@ -71,8 +71,8 @@ public:
     std::size_t unknowns() const { return columns_.size(); }
     std::size_t equations() const { return reduced_.back().size(); }
 
-    /// Takes an equation, its coefficients and then its right side, unless there are as many as unknowns; false where it
-    /// depends on those before. O(equations unknowns).
+    /// Takes an equation, its coefficients and then its right side, unless there are as many as unknowns; false where
+    /// it depends on those before. O(equations unknowns).
     bool add(std::vector<T> row) {
         using std::abs;
         if (equations() == unknowns()) {

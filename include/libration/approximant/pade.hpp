@@ -33,9 +33,9 @@ struct pade_approximant {
 };
 
 /// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M
-/// and q_0 = 1, then p = q c up to x^L. solve(a, b) gives the solution of A x = b, or nothing where there is none: there
-/// P/Q with Q(0) = 1 does not exist or is one of smaller degrees. O(L M) and a solution. Throws error when the series is
-/// too short.
+/// and q_0 = 1, then p = q c up to x^L. solve(a, b) gives the solution of A x = b, or nothing where there is none:
+/// there P/Q with Q(0) = 1 does not exist or is one of smaller degrees. O(L M) and a solution. Throws error when the
+/// series is too short.
 template <scalar T, class Solve>
 std::optional<pade_approximant<T>> pade_by(const series::power_series<T>& series, int numerator_degree,
                                            int denominator_degree, const Solve& solve) {
@@ -69,8 +69,8 @@ std::optional<pade_approximant<T>> pade_by(const series::power_series<T>& series
     return pade_approximant<T>{std::move(numerator), std::move(denominator)};
 }
 
-/// The same by Gaussian elimination, O(M^3 + L M), where a pivot up to `negligible` is none. The system loses digits with
-/// every degree of Q: scale x by the radius of convergence and give the working precision guard digits.
+/// The same by Gaussian elimination, O(M^3 + L M), where a pivot up to `negligible` is none. The system loses digits
+/// with every degree of Q: scale x by the radius of convergence and give the working precision guard digits.
 template <rounding_scalar T>
 std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
                                         int denominator_degree, const T& negligible) {

@@ -7,7 +7,8 @@
 namespace libration::pendulum {
 
 /// theta0 and omega0; or the energy E, or the gap 2 - E, from the canonical start or from theta0. Every number is exact
-/// as it is written: "2.5", "171/100", "1e-30", "3pi/4", "150deg", "2-1e-10", "acos(1/3)". Fields that are left out are empty.
+/// as it is written: "2.5", "171/100", "1e-30", "3pi/4", "150deg", "2-1e-10", "acos(1/3)". Fields that are left out are
+/// empty.
 struct given_motion {
     std::string theta0 = {};     ///< angle at time 0
     std::string omega0 = {};     ///< angular velocity at time 0

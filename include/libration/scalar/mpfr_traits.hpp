@@ -47,8 +47,8 @@ struct scalar_traits<mpfr> : default_scalar_traits<mpfr> {
         mpfr_fma(handle(sum), handle(a), handle(b), handle(sum), MPFR_RNDN);
     }
 
-    /// sum_i x[i x_step] y[i y_step], i < count, in fixed point and rounded once, to the working precision p: the error is
-    /// at most half a unit in the last place and 2^(-p-30) of the largest product. O(count).
+    /// sum_i x[i x_step] y[i y_step], i < count, in fixed point and rounded once, to the working precision p: the error
+    /// is at most half a unit in the last place and 2^(-p-30) of the largest product. O(count).
     static mpfr sum_of_products(const mpfr* x, int x_step, const mpfr* y, int y_step, int count);
 
     /// At the precision of the sum, without the two temporaries of the operators: a third of their time at 50 digits.

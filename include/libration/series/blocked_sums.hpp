@@ -63,8 +63,8 @@ public:
     }
 
 private:
-    // Of a and b only the terms of one residue each matter: a' = a_{first + i stride}, and b' likewise. Term n of a b is
-    // term m of a' b'.
+    // Of a and b only the terms of one residue each matter: a' = a_{first + i stride}, and b' likewise. Term n of a b
+    // is term m of a' b'.
     struct prepared {
         const R* a;
         const R* b;

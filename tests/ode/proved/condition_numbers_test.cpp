@@ -32,8 +32,8 @@ void check_three_digits(const mpfr& found, const mpfr& expected) {
 
 }  // namespace
 
-// y = c e^(-k t): dy/dc c = y, dy/dk k = -k t y, y' t = -k t y. 1/3 and 1/10 are no doubles: the next ones differ by less
-// than 2^-53 of themselves.
+// y = c e^(-k t): dy/dc c = y, dy/dk k = -k t y, y' t = -k t y. 1/3 and 1/10 are no doubles: the next ones differ by
+// less than 2^-53 of themselves.
 TEST_CASE("the condition numbers of an exponential, on both sides of its start", "[ode][proved][condition]") {
     const precision_scope scope(40);
     const auto system = ode::parse("y' = -k*y; y(0) = 1/3; k = 1/10");

@@ -188,8 +188,9 @@ private:
 };
 
 /// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of
-/// order J for each halving next to a stationary point, most of them in 19 digits; their number follows the shape of f and hardly the precision.
-/// Newton's iteration is stopped after so many steps where they are given: pieces then are halved until those do.
+/// order J for each halving next to a stationary point, most of them in 19 digits; their number follows the shape of f
+/// and hardly the precision. Newton's iteration is stopped after so many steps where they are given: pieces then are
+/// halved until those do.
 /// Throws precision_exhausted where the working precision does not part the pieces, as where f is 0.
 inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {}) {
     return maximum_search(panels, steps).result();

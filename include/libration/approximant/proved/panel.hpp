@@ -48,22 +48,12 @@ public:
 
     /// The same without the curvature.
     series::jet<ball> jet_at(const ball& s) const {
-        series::jet<ball> sum{kept_[kept_.order()], ball()};
-        for (int n = kept_.order() - 1; n >= 0; --n) {
-            horner_step(sum.slope, s, sum.value);
-            horner_step(sum.value, s, kept_[n]);
-        }
+        const series::jet<ball> sum = evaluate(kept_, s);
         return {with_tail(sum.value), slope_with_tail(sum.slope)};
     }
 
     /// The value alone.
-    ball value_at(const ball& s) const {
-        ball sum = kept_[kept_.order()];
-        for (int n = kept_.order() - 1; n >= 0; --n) {
-            horner_step(sum, s, kept_[n]);
-        }
-        return with_tail(sum);
-    }
+    ball value_at(const ball& s) const { return with_tail(evaluate_value(kept_, s)); }
 
     /// The same function with its coefficients rounded to the working precision: wider enclosures, for less.
     enclosed_panel rounded() const {

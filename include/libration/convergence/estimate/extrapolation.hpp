@@ -62,8 +62,8 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
-/// The sums that least squares with a polynomial in 1/n on the entries `first` .. `last` ask for, in the variable u with
-/// u = -+1 at the ends n = m and n = m/2, so that the normal equations are well conditioned.
+/// The sums that least squares with a polynomial in 1/n on the entries `first` .. `last` ask for, in the variable u
+/// with u = -+1 at the ends n = m and n = m/2, so that the normal equations are well conditioned.
 template <rounding_scalar T>
 class fitted_polynomial {
 public:

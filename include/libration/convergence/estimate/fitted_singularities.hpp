@@ -1,9 +1,9 @@
 // The nearest singularities as roots of fitted recurrences, each with an exponent and an estimate of its error.
 //
 // The systems are solved in twice the digits of the coefficients and 40 more, for they lose digits with every
-// degree. What a recurrence leaves out and what rounding in the coefficients themselves spoils shows in the
-// uncertainty: every root is compared with those from the list without its last one, its last two and so on up to its
-// last quarter of coefficients.
+// degree; their roots are taken in half of that, 20 digits more than the coefficients have. What a recurrence leaves
+// out and what rounding in the coefficients themselves spoils shows in the uncertainty: every root is compared with
+// those from the list without its last one, its last two and so on up to its last quarter of coefficients.
 #pragma once
 
 #include <algorithm>

@@ -20,8 +20,8 @@ struct leftover {
 };
 
 /// p and p' at many points, in the working precision of the construction, without the temporaries of evaluate() in
-/// polynomial_roots.hpp. On the real axis by Horner's rule; elsewhere by division by the real quadratic that is 0 at z and
-/// at its conjugate [Knuth, 4.6.4], half the products, which loses the digits of |z|/|im z|.
+/// polynomial_roots.hpp. On the real axis by Horner's rule; elsewhere by division by the real quadratic that is 0 at z
+/// and at its conjugate [Knuth, 4.6.4], half the products, which loses the digits of |z|/|im z|.
 class polynomial_values {
 public:
     explicit polynomial_values(const series::power_series<mpfr>& p) {
@@ -124,8 +124,8 @@ inline std::optional<complex_number<mpfr>> settled_root(const polynomial_values&
     return std::nullopt;
 }
 
-/// A simple root of p from a good start, in the working precision, and first in little more than half of that where it is
-/// more than what starting_roots() has. Nothing where it does not settle. A real start stays real.
+/// A simple root of p from a good start, in the working precision, and first in little more than half of that where it
+/// is more than what starting_roots() has. Nothing where it does not settle. A real start stays real.
 inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p,
                                                     const complex_number<mpfr>& start) {
     constexpr long most_at_once = 60;

@@ -111,9 +111,9 @@ private:
     std::vector<std::vector<mpfr>> rows_;
 };
 
-/// Whether the amplitude |A_0| of the first root, the others taken from the coefficients at once, stays within a quarter
-/// from all coefficients to three quarters of the list. Precision: 20 digits more than the coefficients have, for the
-/// equations magnify these 20 digits less than the rounding of the coefficients themselves.
+/// Whether the amplitude |A_0| of the first root, the others taken from the coefficients at once, stays within a
+/// quarter from all coefficients to three quarters of the list. Precision: 20 digits more than the coefficients have,
+/// for the equations magnify these 20 digits less than the rounding of the coefficients themselves.
 inline bool amplitude_stays(const wide_series& series, const std::vector<root_with_exponent>& roots) {
     const int last = static_cast<int>(series.c.size()) - 1;
     int columns = 0;

@@ -50,10 +50,10 @@ struct conditioned_state {
     std::vector<moved_value> moved;
 };
 
-/// proved_trajectory() with the derivatives by starts and parameters, from one run: theorem V encloses the derivative of
-/// the flow over each step for every point of the set, and their product in order is that of the whole flow (chain
-/// rule). The bits of these maps are doubled until the digits are there; what that costs grows with their square. Throws
-/// as proved_trajectory.
+/// proved_trajectory() with the derivatives by starts and parameters, from one run: theorem V encloses the derivative
+/// of the flow over each step for every point of the set, and their product in order is that of the whole flow (chain
+/// rule). The bits of these maps are doubled until the digits are there; what that costs grows with their square.
+/// Throws as proved_trajectory.
 std::vector<conditioned_state> proved_conditions(const equation_system& given, const std::vector<number>& times,
                                                  long digits, const march_watch& watch = {});
 

@@ -44,16 +44,16 @@ std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>
 /// tape::about_start, of products, squares and what is linear, in unknowns and first derivatives; N = degree; the
 /// expansion longer by as much as steps of the tape lag behind.
 ///
-/// t^q_i y_i^(q_i) = F_i(t, y, y'), where coefficient n of F_i reads y_n through sum_l w_il n .. (n-l+1) y_{i,n} alone, w
-/// the weights of the tape. Let p be the polynomials of degree N > q_i that the coefficients of the solution are. Where
-/// for some u >= 0 and all i
+/// t^q_i y_i^(q_i) = F_i(t, y, y'), where coefficient n of F_i reads y_n through sum_l w_il n .. (n-l+1) y_{i,n} alone,
+/// w the weights of the tape. Let p be the polynomials of degree N > q_i that the coefficients of the solution are.
+/// Where for some u >= 0 and all i
 ///     ||F_i(p), degrees > N|| + G_i(u) <= u_i,
-/// G_i(u) a bound of ||F_i(p + e) - F_i(p)|| for e = O(t^(N+1)) with ||t^q_j e_j^(q_j)|| <= u_j, hence ||e_j^(l)|| <= u_j
-/// (N+1) .. (N+2-l)/((N+1) .. (N+2-q_j)) rho^-l (that quotient falls with n), the map from t^q e^(q) to F(p + e) beyond N
-/// takes that set into itself. The set is convex, and compact in the norm of any smaller rho, in which the map is
-/// continuous: by Schauder it has a fixed point, a solution p + e in |t| < rho. Where n .. (n-q_i+1) - sum_l w_il n ..
-/// (n-l+1) > 0 for all n > N, which is so where it is for n = N + 1 and |w|, the coefficients beyond N follow from those
-/// before: that solution is the one whose series p begins. `error` bounds ||e||.
+/// G_i(u) a bound of ||F_i(p + e) - F_i(p)|| for e = O(t^(N+1)) with ||t^q_j e_j^(q_j)|| <= u_j, hence ||e_j^(l)|| <=
+/// u_j (N+1) .. (N+2-l)/((N+1) .. (N+2-q_j)) rho^-l (that quotient falls with n), the map from t^q e^(q) to F(p + e)
+/// beyond N takes that set into itself. The set is convex, and compact in the norm of any smaller rho, in which the map
+/// is continuous: by Schauder it has a fixed point, a solution p + e in |t| < rho. Where n .. (n-q_i+1) - sum_l w_il n
+/// .. (n-l+1) > 0 for all n > N, which is so where it is for n = N + 1 and |w|, the coefficients beyond N follow from
+/// those before: that solution is the one whose series p begins. `error` bounds ||e||.
 std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_expansion<ball>& expansion, int degree,
                                                 const magnitude& radius);
 

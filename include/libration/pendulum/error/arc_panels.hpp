@@ -13,10 +13,10 @@ namespace libration::pendulum {
 
 /// theta of the canonical motion and its slope d theta/dx at x = t/T*, at the working precision in force.
 ///
-/// [0, 1] is cut into K >= 16 T*/K~' panels. Every singularity is at least R >= K~' away from a middle, so that with the
-/// half width d = T*/(2K) a power of theta falls by d/R <= 1/32, 5 bits: |a_n| d^n is about (8/n) (d/R)^n, and as many
-/// powers are kept as there are bits over 5, and 2 for the factor n of the slope. A panel is expanded where points are
-/// asked for that make it worth the while; elsewhere Jacobi's functions answer. Not for several threads at once.
+/// [0, 1] is cut into K >= 16 T*/K~' panels. Every singularity is at least R >= K~' away from a middle, so that with
+/// the half width d = T*/(2K) a power of theta falls by d/R <= 1/32, 5 bits: |a_n| d^n is about (8/n) (d/R)^n, and as
+/// many powers are kept as there are bits over 5, and 2 for the factor n of the slope. A panel is expanded where points
+/// are asked for that make it worth the while; elsewhere Jacobi's functions answer. Not for several threads at once.
 class arc_panels {
 public:
     /// Cost of a panel: a Jacobi function and O(bits^2) products, once.

@@ -85,8 +85,8 @@ private:
         W effective_period;
     };
 
-    // The last start of more bits: times of one size ask for the same one. Several threads may ask at once; none waits, and
-    // what they get depends on the bits alone.
+    // The last start of more bits: times of one size ask for the same one. Several threads may ask at once; none waits,
+    // and what they get depends on the bits alone.
     class later_start {
     public:
         later_start() = default;

@@ -44,8 +44,8 @@ const std::vector<std::string>& problems_with_far_behaviour();
 
 /// The far behaviour of one of these, with other parameters where these have been changed. A free start (s of
 /// falkner_skan, G of sakiadis, w0 of flierl_petviashvili; or `free` in its place, as b) is a first guess: the one that
-/// meets the condition at infinity is found from it by the secant method at growing distances, in mpfr of 2 digits + 20.
-/// Throws error for another problem and where that does not converge.
+/// meets the condition at infinity is found from it by the secant method at growing distances, in mpfr of 2 digits +
+/// 20. Throws error for another problem and where that does not converge.
 far_behaviour far_behaviour_of(const std::string& problem, const ode::equation_system& given, long digits,
                                const std::string& free = "");
 
