@@ -57,112 +57,115 @@ std::optional<std::vector<T>> solve_linear(std::vector<std::vector<T>> a, std::v
 
 /// A system that grows by one equation at a time: Gaussian elimination by rows, the pivot chosen among the columns.
 /// What several systems share of their equations is eliminated once: keep() goes back to it. Entries are reduced by
-/// inner products with a column of those before.
+/// inner products with a column of those before. What was allocated for forgotten equations serves the next ones.
 template <rounding_scalar T>
 class growing_system {
 public:
     /// For so many unknowns. An equation is dependent where none of what is left of it is above `negligible` times its
     /// largest coefficient.
     growing_system(std::size_t unknowns, T negligible)
-        : negligible_(std::move(negligible)), columns_(unknowns), reduced_(unknowns + 1) {
+        : negligible_(std::move(negligible)), columns_(unknowns), factors_(unknowns, T(0)) {
         std::iota(columns_.begin(), columns_.end(), std::size_t{0});
     }
 
     std::size_t unknowns() const { return columns_.size(); }
-    std::size_t equations() const { return reduced_.back().size(); }
+    std::size_t equations() const { return equations_; }
 
     /// Takes an equation, its coefficients and then its right side, unless there are as many as unknowns; false where
     /// it depends on those before. O(equations unknowns).
-    bool add(std::vector<T> row) {
-        using std::abs;
-        if (equations() == unknowns()) {
+    bool add(const std::vector<T>& equation) {
+        if (equations_ == unknowns()) {
             return false;
         }
-        T largest(0);
-        for (std::size_t j = 0; j < unknowns(); ++j) {
-            largest = std::max(largest, T(abs(row[j])));
-        }
-        subtract_equations(row);
-        const std::size_t pivot = largest_left(row);
-        if (abs(row[columns_[pivot]]) <= largest * negligible_) {
+        row_ = equation;
+        const T negligible = largest_among(0).size * negligible_;
+        subtract_equations();
+        const place_of_size pivot = largest_among(equations_);
+        if (pivot.size <= negligible) {
             return false;
         }
-        std::swap(columns_[equations()], columns_[pivot]);
-        append(row);
+        std::swap(columns_[equations_], columns_[pivot.place]);
+        append();
         return true;
     }
 
     /// Forgets all equations but the first ones.
-    void keep(std::size_t equations) {
-        const std::size_t kept = std::min(equations, this->equations());
-        for (std::vector<T>& column : reduced_) {
-            column.erase(column.begin() + static_cast<std::ptrdiff_t>(kept), column.end());
-        }
-    }
+    void keep(std::size_t equations) { equations_ = std::min(equations, equations_); }
 
     /// The solution where there are as many equations as unknowns. O(n^2).
     std::optional<std::vector<T>> solution() const {
-        if (equations() < unknowns()) {
+        if (equations_ < unknowns()) {
             return std::nullopt;
         }
         std::vector<T> x(unknowns(), T(0));
         for (std::size_t k = unknowns(); k-- > 0;) {
-            T known(0);
-            for (std::size_t j = k + 1; j < unknowns(); ++j) {
-                add_product(known, reduced_[columns_[j]][k], x[columns_[j]]);
-            }
-            x[columns_[k]] = reduced_.back()[k] - known;
+            // What is not known yet is 0 in x.
+            const T* const equation = reduced_.data() + k * width();
+            x[columns_[k]] =
+                equation[unknowns()] - inner_product(equation, 1, x.data(), 1, static_cast<int>(unknowns()));
         }
         return x;
     }
 
 private:
-    // Takes the multiples of all equations off a row that make the columns of their pivots 0.
-    void subtract_equations(std::vector<T>& row) const {
-        std::vector<T> factors;
-        factors.reserve(equations());
-        const auto reduce = [&](std::size_t column) {
-            row[column] -=
-                inner_product(factors.data(), 1, reduced_[column].data(), 1, static_cast<int>(factors.size()));
+    std::size_t width() const { return unknowns() + 1; }
+
+    // Takes the multiples of all equations off the row that make the columns of their pivots 0.
+    void subtract_equations() {
+        const auto reduce = [&](std::size_t column, std::size_t equations) {
+            row_[column] -= inner_product(factors_.data(), 1, reduced_.data() + column, static_cast<int>(width()),
+                                          static_cast<int>(equations));
         };
-        for (std::size_t k = 0; k < equations(); ++k) {
-            reduce(columns_[k]);
-            factors.push_back(row[columns_[k]]);
+        for (std::size_t k = 0; k < equations_; ++k) {
+            reduce(columns_[k], k);
+            factors_[k] = row_[columns_[k]];
         }
-        for (std::size_t j = equations(); j < unknowns(); ++j) {
-            reduce(columns_[j]);
+        for (std::size_t j = equations_; j < unknowns(); ++j) {
+            reduce(columns_[j], equations_);
         }
-        reduce(unknowns());
+        reduce(unknowns(), equations_);
     }
 
-    // The place among the columns without a pivot where a row is largest.
-    std::size_t largest_left(const std::vector<T>& row) const {
+    struct place_of_size {
+        std::size_t place;
+        T size;
+    };
+
+    // Where among the columns from a place on the row is largest.
+    place_of_size largest_among(std::size_t first) const {
         using std::abs;
-        std::size_t pivot = equations();
-        T largest = abs(row[columns_[pivot]]);
-        for (std::size_t j = pivot + 1; j < unknowns(); ++j) {
-            if (T size = abs(row[columns_[j]]); size > largest) {
-                largest = std::move(size);
-                pivot = j;
+        place_of_size largest{first, abs(row_[columns_[first]])};
+        for (std::size_t j = first + 1; j < unknowns(); ++j) {
+            if (T size = abs(row_[columns_[j]]); size > largest.size) {
+                largest = {j, std::move(size)};
             }
         }
-        return pivot;
+        return largest;
     }
 
-    // Takes a row divided by its pivot, that of the next equation.
-    void append(const std::vector<T>& row) {
-        const std::size_t before = equations();
-        const T& pivot = row[columns_[before]];
-        for (std::size_t j = 0; j < unknowns(); ++j) {
-            reduced_[columns_[j]].push_back(j > before ? row[columns_[j]] / pivot : T(0));
+    // Takes the row divided by its pivot, that of the next equation.
+    void append() {
+        if (reduced_.size() == equations_ * width()) {
+            reduced_.resize(reduced_.size() + width(), T(0));
         }
-        reduced_.back().push_back(row.back() / pivot);
+        T* const place = reduced_.data() + equations_ * width();
+        const T pivot = row_[columns_[equations_]];
+        for (std::size_t j = equations_ + 1; j < unknowns(); ++j) {
+            row_[columns_[j]] /= pivot;
+        }
+        row_.back() /= pivot;
+        std::swap_ranges(row_.begin(), row_.end(), place);
+        ++equations_;
     }
 
     T negligible_;
+    std::size_t equations_ = 0;
     std::vector<std::size_t> columns_;  ///< those of the pivots, then the others
-    /// By columns, the right side last; of a column with a pivot, which is 1, what is below counts for nothing.
-    std::vector<std::vector<T>> reduced_;
+    /// By equations, the right side last; what stands at their pivot, which is 1, and at those before counts for
+    /// nothing.
+    std::vector<T> reduced_;
+    std::vector<T> row_;      ///< the equation that is being added
+    std::vector<T> factors_;  ///< what it takes of those before
 };
 
 /// Square systems of successive equations, each of those that end with the one of `lasts`. What several have in common

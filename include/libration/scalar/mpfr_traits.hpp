@@ -8,7 +8,18 @@ namespace libration {
 
 template <>
 struct scalar_traits<mpfr> : default_scalar_traits<mpfr> {
-    static int digits() { return static_cast<int>(mpfr_get_prec(handle(mpfr()))); }
+    /// Those that Boost gives to a number of working_digits(), asked for where these change: a new number is memory.
+    static int digits() {
+        struct known_digits {
+            unsigned decimal = 0;
+            int binary = 0;
+        };
+        thread_local known_digits last;
+        if (const unsigned decimal = mpfr::thread_default_precision(); decimal != last.decimal) {
+            last = {decimal, static_cast<int>(mpfr_get_prec(handle(mpfr())))};
+        }
+        return last.binary;
+    }
 
     static mpfr pi() {
         mpfr value;

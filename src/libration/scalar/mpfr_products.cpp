@@ -88,8 +88,8 @@ public:
         accumulate(product + (size - taken), taken, reached, negative);
     }
 
-    // Rounded to the working precision.
-    mpfr value() {
+    // Rounded to the precision of the result.
+    void round_to(mpfr& result) {
         mp_limb_t* const limbs = sum_.data();
         const bool negative = (limbs[size_] >> (limb_bits - 1)) != 0;
         if (negative) {
@@ -97,9 +97,7 @@ public:
         }
         mpz_t whole;
         mpz_srcptr const view = mpz_roinit_n(whole, limbs, negative ? -(size_ + 1) : size_ + 1);
-        mpfr result;
         mpfr_set_z_2exp(handle(result), view, top_ - limb_bits * size_, MPFR_RNDN);
-        return result;
     }
 
 private:
@@ -167,7 +165,9 @@ mpfr scalar_traits<mpfr>::sum_of_products(const mpfr* x, int x_step, const mpfr*
     if (!size.top || !size.finite) {
         return sum_one_by_one(x, x_step, y, y_step, count);
     }
-    const int bits = digits() + guard_bits + static_cast<int>(std::bit_width(static_cast<unsigned>(count)));
+    mpfr result;
+    const auto bits = static_cast<int>(mpfr_get_prec(handle(result))) + guard_bits +
+                      static_cast<int>(std::bit_width(static_cast<unsigned>(count)));
     fixed_sum sum(*size.top, (bits - 1) / limb_bits + 1);
     for (int i = 0; i < count; ++i) {
         const mpfr& a = x[i * x_step];
@@ -176,7 +176,8 @@ mpfr scalar_traits<mpfr>::sum_of_products(const mpfr* x, int x_step, const mpfr*
             sum.add(a, b);
         }
     }
-    return sum.value();
+    sum.round_to(result);
+    return result;
 }
 
 }  // namespace libration

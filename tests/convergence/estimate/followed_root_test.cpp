@@ -82,7 +82,7 @@ TEST_CASE("starts are found where long double parts the roots, and beyond", "[co
     }
 }
 
-TEST_CASE("roots are polished to all digits in a precision that grows", "[convergence][followed_root]") {
+TEST_CASE("roots are polished to all digits", "[convergence][followed_root]") {
     // (x - 3)(x^2 - 2x + 5)(x^2 + x/3 + 7/9): 3, 1 +- 2i, -1/6 +- i sqrt(27)/6.
     for (const long digits : {37, 61, 160, 1000}) {
         const precision_scope scope(digits);
@@ -112,6 +112,13 @@ TEST_CASE("roots are polished to all digits in a precision that grows", "[conver
         }
     }
     const precision_scope scope(100);
+    // (x - 3)(x + 5): of the way alone twelve digits are asked for, and one of a step or two is known to all.
+    for (const int off : {3, 10, 40, 200}) {
+        const mpfr way = ldexp(mpfr(1), -off);
+        const auto found = fitting::polished(power_series<mpfr>({-15, 2, 1}), {mpfr(3 + way)}, true);
+        REQUIRE(found);
+        CHECK(abs(mpfr(found->re - 3)) * 1'000'000'000'000 <= way);
+    }
     // No slope, no step; and no real root for a real start.
     CHECK_FALSE(fitting::polished(power_series<mpfr>({1, 0, 1}), {mpfr(0)}));
     CHECK_FALSE(fitting::polished(power_series<mpfr>({1, 0, 1}), {mpfr(mpfr(7) / 5)}));
@@ -136,7 +143,8 @@ TEST_CASE("values and slopes beside the real axis are those of the definition", 
         CHECK(found.value == value);
         CHECK(found.slope == slope);
     }
-    const fitting::polynomial_values constant(power_series<mpfr>({4}));
+    const power_series<mpfr> four({4});
+    const fitting::polynomial_values constant(four);
     CHECK(constant.at({mpfr(2), mpfr(1)}).value == complex_number<mpfr>{mpfr(4)});
     CHECK(constant.at({mpfr(2), mpfr(1)}).slope == complex_number<mpfr>{mpfr(0)});
 }

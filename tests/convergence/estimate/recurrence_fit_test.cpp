@@ -44,7 +44,7 @@ TEST_CASE("lists of different lengths have the recurrences that each has alone",
     const recurrence_form form{0, 2};
     constexpr int degree = 3;
     const std::vector<int> lasts{60, 59, 58, 57, 53, 46};
-    const auto together = fitting::recurrence_fits(list, form, degree).up_to(lasts);
+    const auto together = fitting::recurrence_fits(list, form).up_to(lasts, degree);
     REQUIRE(together);
     REQUIRE(together->size() == lasts.size());
     for (std::size_t i = 0; i < lasts.size(); ++i) {

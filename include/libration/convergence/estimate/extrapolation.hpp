@@ -40,9 +40,14 @@ namespace fitting {
 /// Replaces column j - 1 of the table by column j; entries before j h are left as they were.
 template <rounding_scalar T>
 void next_column(std::vector<T>& column, const std::vector<sequence_entry<T>>& s, std::size_t j, std::size_t h) {
+    T step(0);
     for (std::size_t i = s.size(); i-- > j * h;) {
         const int before = s[i - j * h].n;
-        column[i] += (column[i] - column[i - h]) * before / (s[i].n - before);
+        step = column[i];
+        step -= column[i - h];
+        step *= before;
+        step /= s[i].n - before;
+        column[i] += step;
     }
 }
 
@@ -55,7 +60,7 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     const std::size_t window = std::min(last - first, std::max<std::size_t>(3, s.size() / 8));
     T moved(0);
     for (std::size_t i = last - window; i < last; ++i) {
-        moved = abs(column[i] - column[last]) > moved ? T(abs(column[i] - column[last])) : moved;
+        moved = std::max(moved, T(abs(column[i] - column[last])));
     }
     const int power = static_cast<int>(j) + 1;
     const T falls = T(s[last].n) / ((s[last].n - s[last - window].n) * power);

@@ -1,9 +1,9 @@
 // The nearest singularities as roots of fitted recurrences, each with an exponent and an estimate of its error.
 //
-// The systems are solved in twice the digits of the coefficients and 40 more, for they lose digits with every
-// degree; their roots are taken in half of that, 20 digits more than the coefficients have. What a recurrence leaves
-// out and what rounding in the coefficients themselves spoils shows in the uncertainty: every root is compared with
-// those from the list without its last one, its last two and so on up to its last quarter of coefficients.
+// The systems are solved in 20 digits more than the coefficients have, and so are their roots: what elimination rounds
+// is what coefficients that are 20 digits more certain would change, far less than their own rounding does. What a
+// recurrence leaves out and what that rounding spoils shows in the uncertainty: every root is compared with those from
+// the list without its last one, its last two and so on up to its last quarter of coefficients.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,8 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
     std::vector<complex_number<mpfr>> at;
     std::vector<complex_number<mpfr>> exponents;
     for (const auto& q : fits) {
-        const auto root = polished(q.top, start);
+        // Of all but the first one, how far it is away is asked.
+        const auto root = polished(q.top, start, !at.empty());
         if (!root) {
             return std::nullopt;
         }
@@ -84,7 +85,8 @@ inline std::vector<root_with_exponent> roots_beside(const leading_polynomials& q
 /// The singularities of one degree: the root nearest to 0 that the coefficients show and the others no further than a
 /// tenth more.
 inline std::optional<fitted_singularities> singularities_of_degree(const wide_series& series,
-                                                                   const recurrence_form& form, int degree) {
+                                                                   const recurrence_form& form,
+                                                                   const recurrence_fits& all_fits, int degree) {
     const auto count = static_cast<int>(series.c.size());
     const auto fewer = fewer_coefficients(count, coefficients_needed(form, degree) - 4);
     std::vector<int> lasts;
@@ -92,12 +94,10 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     for (const int without : fewer) {
         lasts.push_back(count - 1 - without);
     }
-    const auto determined = recurrence_fits(series, form, degree).up_to(lasts);
+    const auto determined = all_fits.up_to(lasts, degree);
     if (!determined) {
         return std::nullopt;
     }
-    // The systems took the other half of the digits; the rounding of the coefficients is above what is left.
-    const precision_scope scope(working_digits() / 2);
     const std::vector<leading_polynomials>& fits = *determined;
     fitted_singularities found{degree, {}, mpfr(0)};
     const auto starts = starting_roots(fits[0].top);
@@ -191,7 +191,7 @@ inline mpfr distance_of_nearer(const std::vector<fitted_singularities>& all, std
 /// The nearest singularities by the degree whose root is the most certain, among those whose system has at most 64
 /// unknowns, as far as the coefficients go; degrees grow more and more thinly, and growing ends where five in turn do
 /// not halve it. Nothing where no degree gives a root that can be followed. Works in the precision of the caller, which
-/// should have twice the digits of the coefficients; `fine` is the relative uncertainty that these allow at best.
+/// should have 20 digits more than the coefficients; `fine` is the relative uncertainty that these allow at best.
 inline std::optional<fitted_singularities> nearest_singularities(const fitting::wide_series& series,
                                                                  const recurrence_form& form, const mpfr& fine) {
     constexpr int most_unknowns = 64;
@@ -207,9 +207,10 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
         return degree <= most_degree && unknowns_of(form, degree) <= most_unknowns &&
                coefficients_needed(form, degree) <= static_cast<int>(series.c.size());
     };
+    const fitting::recurrence_fits all_fits(series, form);
     for (int degree = 1; fits(degree) && without_gain < patience; degree += 1 + degree / 6) {
         ++without_gain;
-        if (auto now = fitting::singularities_of_degree(series, form, degree)) {
+        if (auto now = fitting::singularities_of_degree(series, form, all_fits, degree)) {
             all.push_back(*std::move(now));
             if (relative(all.back()) <= fine) {
                 return all.back();
@@ -242,6 +243,7 @@ template <rounding_scalar T>
 radius_estimate<T> estimate_by_recurrence(const std::string& method, const strided_series<T>& c,
                                           const recurrence_form& form) {
     constexpr int safety = 4;
+    constexpr long guard_digits = 20;
     const int needed = coefficients_needed(form, 1);
     if (c.last() + 1 < needed) {
         return too_short<T>(method, needed, c.last() + 1);
@@ -249,7 +251,7 @@ radius_estimate<T> estimate_by_recurrence(const std::string& method, const strid
     const T rounding = epsilon<T>();
     std::optional<fitted_singularities> found;
     {
-        const precision_scope scope(2 * decimal_digits(digits<T>()) + 40);
+        const precision_scope scope(decimal_digits(digits<T>()) + guard_digits);
         found = nearest_singularities(fitting::widened(c), form, widen(rounding));
     }
     if (!found) {

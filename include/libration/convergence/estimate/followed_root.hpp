@@ -19,17 +19,14 @@ struct leftover {
     mpfr likely;  ///< the error that their decrease leaves
 };
 
-/// p and p' at many points, in the working precision of the construction, without the temporaries of evaluate() in
+/// p and p' at many points, in the working precision, which is that of p: without the temporaries of evaluate() in
 /// polynomial_roots.hpp. On the real axis by Horner's rule; elsewhere by division by the real quadratic that is 0 at z
 /// and at its conjugate [Knuth, 4.6.4], half the products, which loses the digits of |z|/|im z|.
 class polynomial_values {
 public:
-    explicit polynomial_values(const series::power_series<mpfr>& p) {
-        a_.reserve(p.coefficients().size());
-        for (const mpfr& a : p.coefficients()) {
-            a_.push_back(narrow<mpfr>(a));
-        }
-    }
+    /// p is kept by reference.
+    explicit polynomial_values(const series::power_series<mpfr>& p) : a_(p.coefficients()) {}
+    explicit polynomial_values(series::power_series<mpfr>&&) = delete;
 
     struct value_and_slope {
         complex_number<mpfr> value;
@@ -95,50 +92,40 @@ private:
         }
     };
 
-    std::vector<mpfr> a_;
+    const std::vector<mpfr>& a_;
 };
 
 /// |z|^2.
 inline mpfr square_of_modulus(const complex_number<mpfr>& z) { return z.re * z.re + z.im * z.im; }
 
-/// Newton's iteration in the working precision, until a step is so small that the next one, which squares it, is below
-/// rounding, or the value is. Nothing where neither comes.
-inline std::optional<complex_number<mpfr>> settled_root(const polynomial_values& values,
-                                                        const complex_number<mpfr>& start) {
+/// A simple root of p by Newton's iteration from a good start, in the working precision, which is that of p. It ends
+/// where a step is so small that the next one, which squares it, is below rounding, where the value is, or, for
+/// `way_alone`, where the way from the start is known to twelve digits: a step of 10^-4 of it leaves (10^-4)^3. Nothing
+/// where none of that comes. A real start stays real.
+inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p,
+                                                    const complex_number<mpfr>& start, bool way_alone = false) {
     constexpr int most_steps = 50;
+    constexpr int part_of_way = 100'000'000;
     // The square of eps^(11/20): what squares it leaves eps^(1/10) for the curvature of p.
     const mpfr fine = ldexp(mpfr(1), -digits<mpfr>() * 11 / 10);
+    const polynomial_values values(p);
     complex_number<mpfr> z{narrow<mpfr>(start.re), narrow<mpfr>(start.im)};
+    const mpfr size = square_of_modulus(z);
+    const mpfr rounding = values.rounding_at(mpfr(sqrt(size)));
     for (int step = 0; step < most_steps; ++step) {
         const auto at = values.at(z);
         if (at.slope.re == 0 && at.slope.im == 0) {
             return std::nullopt;
         }
         const auto by = at.value / at.slope;
-        const mpfr size = square_of_modulus(z);
         z = z - by;
-        if (square_of_modulus(by) <= size * fine || modulus_of(at.value) <= values.rounding_at(mpfr(sqrt(size)))) {
+        const mpfr square = square_of_modulus(by);
+        if (square <= size * fine || square_of_modulus(at.value) <= rounding * rounding ||
+            (way_alone && square * part_of_way <= square_of_modulus(z - start))) {
             return z;
         }
     }
     return std::nullopt;
-}
-
-/// A simple root of p from a good start, in the working precision, and first in little more than half of that where it
-/// is more than what starting_roots() has. Nothing where it does not settle. A real start stays real.
-inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p,
-                                                    const complex_number<mpfr>& start) {
-    constexpr long most_at_once = 60;
-    constexpr long guard_digits = 8;
-    if (working_digits() <= most_at_once) {
-        return settled_root(polynomial_values(p), start);
-    }
-    std::optional<complex_number<mpfr>> half;
-    {
-        const precision_scope scope(working_digits() / 2 + guard_digits);
-        half = polished(p, start);
-    }
-    return half ? settled_root(polynomial_values(p), *half) : std::nullopt;
 }
 
 /// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not

@@ -9,6 +9,7 @@
 // or of x f' (i = 1: logarithms), that is Prony's fit of a sum of exponentials to the last 2M coefficients.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -60,27 +61,28 @@ struct leading_polynomials {
     series::power_series<mpfr> below;
 };
 
-/// The recurrences of one form and degree from lists of different lengths, whose linear systems have equations in
-/// common.
+/// The recurrences of one form from lists of different lengths, whose linear systems have equations in common.
 class recurrence_fits {
 public:
-    recurrence_fits(const wide_series& series, const recurrence_form& form, int degree)
-        : form_(form),
-          degree_(degree),
-          unknowns_(unknowns_of(form, degree)),
-          size_(series.first + series.stride * (static_cast<int>(series.c.size()) - 1)) {
+    recurrence_fits(const wide_series& series, const recurrence_form& form)
+        : form_(form), size_(series.first + series.stride * (static_cast<int>(series.c.size()) - 1)) {
         add_terms(series);
     }
 
-    /// From the coefficients up to each of `lasts`. Nothing where one of the lists does not determine it, as an exact
-    /// recurrence of smaller degree does not.
-    std::optional<std::vector<leading_polynomials>> up_to(const std::vector<int>& lasts) const {
-        sliding_systems systems(static_cast<std::size_t>(unknowns_), mpfr(epsilon<mpfr>() * (8 * (unknowns_ + 1))),
-                                [this](int k) { return equation_at(k); });
+    /// Those of a degree from the coefficients up to each of `lasts`. Nothing where one of the lists does not determine
+    /// it, as an exact recurrence of smaller degree does not.
+    std::optional<std::vector<leading_polynomials>> up_to(const std::vector<int>& lasts, int degree) const {
+        const int unknowns = unknowns_of(form_, degree);
+        std::vector<mpfr> equation(static_cast<std::size_t>(unknowns) + 1);
+        sliding_systems systems(static_cast<std::size_t>(unknowns), mpfr(epsilon<mpfr>() * (8 * (unknowns + 1))),
+                                [&](int k) -> const std::vector<mpfr>& {
+                                    write_equation(k, degree, equation);
+                                    return equation;
+                                });
         std::vector<leading_polynomials> fits;
         fits.reserve(lasts.size());
         const bool all = systems.solve(lasts, [&](const std::vector<mpfr>& q) {
-            fits.push_back(leading(q));
+            fits.push_back(leading(q, degree));
             return true;
         });
         return all ? std::optional(std::move(fits)) : std::nullopt;
@@ -100,27 +102,23 @@ private:
     }
 
     // The equation at k: the terms of k, k - 1, .., k - degree, the one whose factor is 1 on the right side.
-    std::vector<mpfr> equation_at(int k) const {
-        std::vector<mpfr> row;
-        row.reserve(static_cast<std::size_t>(unknowns_) + 1);
+    void write_equation(int k, int degree, std::vector<mpfr>& equation) const {
         const auto powers = static_cast<std::size_t>(form_.powers());
-        for (int j = 0; j <= degree_; ++j) {
-            const std::size_t begin = static_cast<std::size_t>(k - j) * powers;
-            for (std::size_t i = 0; i + (j > 0 ? 0 : 1) < powers; ++i) {
-                row.push_back(terms_[begin + i]);
-            }
+        auto next = equation.begin();
+        for (int j = 0; j <= degree; ++j) {
+            const auto terms = terms_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k - j) * powers);
+            next = std::copy(terms, terms + static_cast<std::ptrdiff_t>(powers - (j > 0 ? 0 : 1)), next);
         }
-        row.push_back(-terms_[static_cast<std::size_t>(k) * powers + powers - 1]);
-        return row;
+        *next = -terms_[static_cast<std::size_t>(k + 1) * powers - 1];
     }
 
-    leading_polynomials leading(const std::vector<mpfr>& q) const {
-        leading_polynomials found{series::power_series<mpfr>::zero(degree_), series::power_series<mpfr>::zero(degree_)};
+    leading_polynomials leading(const std::vector<mpfr>& q, int degree) const {
+        leading_polynomials found{series::power_series<mpfr>::zero(degree), series::power_series<mpfr>::zero(degree)};
         found.top[0] = 1;
         const auto at = [&](int j, int i) {
             return static_cast<std::size_t>(j * form_.powers() + i - form_.lowest - (j > 0 ? 1 : 0));
         };
-        for (int j = 0; j <= degree_; ++j) {
+        for (int j = 0; j <= degree; ++j) {
             if (j > 0) {
                 found.top[j] = q[at(j, form_.highest)];
             }
@@ -132,8 +130,6 @@ private:
     }
 
     recurrence_form form_;
-    int degree_;
-    int unknowns_;
     mpfr size_;
     std::vector<mpfr> terms_;
 };
@@ -141,7 +137,7 @@ private:
 /// The recurrence from the coefficients up to `last` alone.
 inline std::optional<leading_polynomials> fit_recurrence(const wide_series& series, const recurrence_form& form,
                                                          int degree, int last) {
-    auto found = recurrence_fits(series, form, degree).up_to({last});
+    auto found = recurrence_fits(series, form).up_to({last}, degree);
     return found ? std::optional(std::move(found->front())) : std::nullopt;
 }
 

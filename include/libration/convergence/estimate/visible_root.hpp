@@ -128,7 +128,7 @@ inline bool amplitude_stays(const wide_series& series, const std::vector<root_wi
     }
     amplitude_equations equations(series, roots, terms);
     sliding_systems systems(static_cast<std::size_t>(unknowns), mpfr(epsilon<mpfr>() * 64),
-                            [&](int k) { return equations(k); });
+                            [&](int k) -> const std::vector<mpfr>& { return equations(k); });
     std::optional<mpfr> whole;
     return systems.solve(lasts, [&](const std::vector<mpfr>& x) {
         const mpfr amplitude =

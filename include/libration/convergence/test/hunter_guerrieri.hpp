@@ -8,6 +8,7 @@
 // Fails where the nearest singularities are not one pair: d <= 0, or the sequences do not settle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -121,16 +122,18 @@ hunter_guerrieri_sequences<T> hunter_guerrieri_sequences_of(const strided_series
     all.s.reserve(count);
     all.d.reserve(count);
     all.exponent.reserve(count);
-    for (int k = c.first() + 4; k < c.last(); ++k) {
+    for (int k = c.last() - 1; k >= c.first() + 4; --k) {
         const auto solution = solve_with_exponent(series, c, k);
         if (!solution || !(solution->pair.d > 0)) {
-            all = {};
-            continue;
+            break;
         }
         all.s.push_back({series.power(k), solution->pair.s});
         all.d.push_back({series.power(k), solution->pair.d});
         all.exponent.push_back({series.power(k), solution->exponent});
     }
+    std::ranges::reverse(all.s);
+    std::ranges::reverse(all.d);
+    std::ranges::reverse(all.exponent);
     return all;
 }
 
