@@ -118,9 +118,12 @@ public:
                 }
                 break;
             }
-            norm_above = norm;
-            std::swap(now, above);
-            tails.step_down();
+            if (found.size() < falling_digits.size()) {
+                const int next = next_order(method, tails, now, falling_digits[found.size()]);
+                norm_above = next + 1 == tails.order() ? norm : std::nullopt;
+                std::swap(now, above);
+                tails.step_down_to(next);
+            }
         }
         return found;
     }
@@ -173,11 +176,27 @@ private:
     }
 
     // Samples miss a peak by 2% at most at that spacing; 5% are granted.
+    static bool is_near(long double largest, long double goal) { return largest * 105 / 100 > goal; }
+
+    // The order below to look at next: that above the first one whose samples may be near, or the next one.
+    static int next_order(arc_method method, const arc_tails<long double>& tails,
+                          const std::vector<long double>& samples, int digits) {
+        const auto goal = narrow<long double>(level(digits));
+        long double most = *std::max_element(samples.begin(), samples.end());
+        int order = tails.order();
+        do {
+            --order;
+            most += tails.growth(method, order);
+        } while (order > 0 && !is_near(most + tails.growth(method, order - 1), goal));
+        return order;
+    }
+
     std::optional<mpfr> norm_if_near(arc_method method, int order, const std::vector<double>& points,
                                      const std::vector<long double>& samples, int digits) const {
         const long double largest = *std::max_element(samples.begin(), samples.end());
-        const auto goal = narrow<long double>(level(digits));
-        return largest * 105 / 100 > goal ? std::optional(true_norm(method, order, points, samples)) : std::nullopt;
+        return is_near(largest, narrow<long double>(level(digits)))
+                   ? std::optional(true_norm(method, order, points, samples))
+                   : std::nullopt;
     }
 
     // sigma_N by Horner's rule in x^2, as every second a_n is 0 (but a_0 = pi in rotation).
@@ -186,8 +205,8 @@ private:
         const mpfr square = x * x;
         series::jet<mpfr> sum{mpfr(0), mpfr(0)};
         for (int n = order - (order % 2 == parity ? 0 : 1); n >= parity; n -= 2) {
-            sum.slope = sum.slope * square + sum.value;
-            sum.value = sum.value * square + series_[n];
+            horner_step(sum.slope, square, sum.value);
+            horner_step(sum.value, square, series_[n]);
         }
         if (parity == 0) {
             return {sum.value, sum.slope * x * 2};
