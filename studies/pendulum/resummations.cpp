@@ -24,7 +24,8 @@ struct resummation_row {
     approximation by;
     int count;
     approximation_size size;
-    mpfr norm, time;
+    std::optional<mpfr> norm;  // nothing where there is a pole
+    mpfr time;
     bool two_method;
     std::optional<mpfr> bound, rate;
 };
@@ -41,17 +42,18 @@ const column_list<resummation_row>& columns() {
          [](const row& r) { return r.count; }},
         {"order", "N, last power of the series at the top", [](const row& r) { return r.size.order; }},
         {"conditions", "m, value and derivatives taken at the bottom", [](const row& r) { return r.size.conditions; }},
-        {"norm", "max of |approximation - theta| over [0, T*], radians",
-         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
-        {"time_of_maximum", "dimensionless time since the top",
+        {"norm", "max of |approximation - theta| over [0, T*], radians; inf where a Pade approximant has a pole there",
+         [](const row& r) { return r.norm ? decimal_cell(*r.norm, printed_digits) : number_cell("inf"); }},
+        {"time_of_maximum", "dimensionless time since the top, of the first pole where there is one",
          [](const row& r) { return decimal_cell(r.time, printed_digits); }},
-        {"rigour", "two-method: confirmed by the sum over separatrix solutions | heuristic",
+        {"rigour",
+         "two-method: confirmed by the sum over separatrix solutions | heuristic, as the signs are that show a pole",
          [](const row& r) { return r.two_method ? "two-method" : "heuristic"; }},
         {"bound", "theorem A, A2 or its generalisation, or U, radians; empty where none is proved",
          [](const row& r) { return decimal_cell(r.bound, printed_digits); }},
         {"rate", "exact factor of the error a coefficient in the long run; empty where it has no closed form",
          [](const row& r) { return decimal_cell(r.rate, printed_digits); }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_norm", "log10 of norm; empty where it is inf", [](const row& r) { return log10_cell(r.norm); }},
         {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
         {"log10_rate", "log10 of rate", [](const row& r) { return log10_cell(r.rate); }},
         log10_gap_column<row>(),
@@ -72,18 +74,28 @@ struct energy_rows {
     mpfr least;
 };
 
-resummation_row row_of(const sweep_energy& at, approximation a, int count, const norm_at<mpfr>& found, bool two_method,
-                       const top_bounds<mpfr>& bounds) {
+resummation_row row_of(const sweep_energy& at, approximation a, int count, const std::optional<mpfr>& norm,
+                       const mpfr& place, bool two_method, const top_bounds<mpfr>& bounds) {
     const approximation_size size = *size_for(a, count, bounds.parity);
     return {at,
             a,
             count,
             size,
-            found.norm,
-            mpfr(found.place * bounds.effective_period),
+            norm,
+            mpfr(place * bounds.effective_period),
             two_method,
             proved_norm(a, size, bounds),
             convergence_rate(a, bounds)};
+}
+
+// The first pole on the way, as a fraction of T*, of what may have one.
+template <class F>
+std::optional<mpfr> pole_of(const F& approximation) {
+    if constexpr (requires { approximation.first_pole(); }) {
+        return approximation.first_pole();
+    } else {
+        return std::nullopt;
+    }
 }
 
 energy_rows rows_in(const sweep_energy& at, const std::vector<asked_norm>& asked) {
@@ -96,11 +108,15 @@ energy_rows rows_in(const sweep_energy& at, const std::vector<asked_norm>& asked
             continue;
         }
         with_approximation(method, m, errors.arc(), count, [&, a = method, n = count](const auto& f) {
+            if (const auto pole = pole_of(f)) {
+                rows.push_back(row_of(at, a, n, std::nullopt, *pole, false, errors.bounds()));
+                return;
+            }
             const norm_at<mpfr> found = errors.norm_of(f, 2 * n);
             const mpfr other = errors.second_opinion_of(f, found.place);
             const bool agreed =
                 abs(found.norm - other) <= found.norm * pow(mpfr(10), -static_cast<int>(printed_digits));
-            rows.push_back(row_of(at, a, n, found, agreed, errors.bounds()));
+            rows.push_back(row_of(at, a, n, found.norm, found.place, agreed, errors.bounds()));
             result.least = std::min(result.least, found.norm);
         });
     }
@@ -181,7 +197,9 @@ const study& resummations() {
             "both ends. Dotted are the proved bounds of the series (A), of the paper's resummation (A2) and of the "
             "uniform one (U). Those with a fixed m have the rate (T*/R)^2 a coefficient of the series and gain a power "
             "of their number; all of them, and Pade, lose their rate towards E = 2, and the two-point expansion "
-            "diverges where |2-E| < 7.7e-5. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the "
+            "diverges where |2-E| < 7.7e-5. Pade approximants with a pole on [0, T*], as many have next to E = 2, have "
+            "no "
+            "norm and are not drawn. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the "
             "best everywhere: for E < 0.23 and E > 17 the two-point expansion has the better rate.",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},

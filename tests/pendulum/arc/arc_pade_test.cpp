@@ -33,6 +33,23 @@ TEST_CASE("a Pade approximant has the coefficients of theta that it was made of"
     }
 }
 
+TEST_CASE("a pole on the way to the bottom is seen", "[descent_pade]") {
+    const precision_scope precision(60);
+    // From a_2 and a_4 alone Q(s) = 1 - s a_4/a_2, and theta'' = -sin(theta) makes its root t = (12/(E-1))^(1/2).
+    for (const std::string energy : {"1.99", "1.999", "1.9999999999"}) {
+        const fundamental_arc<mpfr> arc = arc_of<mpfr>(with_energy(energy));
+        const auto pole = pade_from_top(arc, 2).first_pole();
+        INFO("E = " << energy);
+        REQUIRE(pole);
+        // The end of the way is a few units off, and a quotient of coefficients.
+        CHECK_THAT(*pole, near(mpfr(sqrt(mpfr(12 / (mpfr(energy) - 1))) / arc.effective_period()), 100));
+    }
+    // Here it lies behind the bottom, or the poles are complex.
+    CHECK_FALSE(pade_from_top(arc_of<mpfr>(with_energy("1.71")), 2).first_pole());
+    CHECK_FALSE(pade_from_top(arc_of<mpfr>(with_energy("0.5")), 2).first_pole());
+    CHECK_FALSE(pade_from_top(arc_of<mpfr>(with_energy("1.71")), 8).first_pole());
+}
+
 TEST_CASE("its slope is that of its value", "[descent_pade]") {
     const precision_scope precision(60);
     for (const std::string energy : {"0.5", "4"}) {

@@ -8,9 +8,12 @@
 // and nothing bounds the error.
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "libration/algebra/first_root.hpp"
 #include "libration/approximant/pade.hpp"
 #include "libration/pendulum/arc/resummation.hpp"
 #include "libration/scalar/error.hpp"
@@ -25,6 +28,13 @@ public:
         : constant_(std::move(constant)), parity_(parity), in_square_(std::move(in_square)) {}
 
     const pade_approximant<T>& in_square() const { return in_square_; }
+
+    /// The least x of [0, 1] where Q is 0: the approximant has no norm there. Nothing where it is not.
+    std::optional<T> first_pole() const {
+        using std::sqrt;
+        const auto square = first_root(in_square_.denominator);
+        return square ? std::optional<T>(sqrt(*square)) : std::nullopt;
+    }
 
     /// Value and derivative at x.
     series::jet<T> operator()(const T& x) const {
