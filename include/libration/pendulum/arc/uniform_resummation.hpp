@@ -68,25 +68,25 @@ public:
     T value(const T& x) const { return (*this)(x).value; }
 
 private:
-    // 2 gd(s) = pi pis + part, and its derivative.
+    // 2 gd(s) = pi pis + 4 atan(tangent), |tangent| < 1/2 for s > -1, and its derivative.
     struct column {
         int pis;
-        T part;
+        T tangent;
         T slope;
     };
     static column column_at(const T& s) {
-        using std::atan;
         using std::exp;
         using std::tanh;
         const T e = exp(-s);
         const T slope = e * 4 / (1 + e * e);
         if (certainly_less(T(1), s)) {
-            return {1, atan(e) * -4, slope};
+            return {1, -e, slope};
         }
-        return {0, atan(tanh(s / 2)) * 4, slope};
+        return {0, tanh(s / 2), slope};
     }
 
     series::jet<T> at(const T& x, const T& away) const {
+        using std::atan;
         series::jet<T> sum = rest_at(x);
         const bool rotates = bounds_.parity == 1;
         int pis = 0;
@@ -98,7 +98,10 @@ private:
             const column left = column_at(T(half_distance_ * (x + (2 * p + 1))));
             const column right = column_at(T(half_distance_ * (away + 2 * p)));
             pis += left.pis * sign + right.pis * mirrored;
-            part += left.part * sign + right.part * mirrored;
+            // Two arctangents as one, with the tangent of their sum: the angles are below pi/4.
+            const T first = left.tangent * sign;
+            const T second = right.tangent * mirrored;
+            part += atan((first + second) / (1 - first * second)) * 4;
             slope += left.slope * sign - right.slope * mirrored;
         }
         const int place = pis + 2 * bounds_.columns;

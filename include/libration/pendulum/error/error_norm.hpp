@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -43,7 +45,7 @@ public:
     /// The norm of order N as a true maximum and the fraction of T* where it is attained.
     norm_at<mpfr> norm(arc_method method, int order) {
         const auto kept = [&](const auto& approximation) {
-            return errors_.insert_or_assign({method, order}, error_of(approximation, points_for_polynomial(order)))
+            return errors_.insert_or_assign({method, order}, error_of(approximation, points_for(order)))
                 .first->second.largest;
         };
         return method == arc_method::series ? kept(series_from_top(arc_, order))
@@ -100,20 +102,27 @@ public:
     }
 
     /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for
-    /// a polynomial of degree `order`, and many.
+    /// a polynomial of degree `order`.
     template <class F>
     norm_at<mpfr> norm_of(const F& approximation, int order) {
         return error_of(approximation, points_for(order)).largest;
     }
 
-    /// Points that part the stationary points of a polynomial of degree `order`, with room for other functions.
-    static int points_for(int order) { return std::max(251, 2 * order + 11); }
+    /// Enough points to part the stationary points of a polynomial of degree `order`, more than twice that; in numbers
+    /// each of which has the points of the smaller ones.
+    static int points_for(int order) {
+        int intervals = 64;
+        while (intervals < 2 * order + 10) {
+            intervals *= 2;
+        }
+        return intervals + 1;
+    }
 
     /// The same with the samples it was found from, at so many Chebyshev points.
     template <class F>
     sampled_error error_of(const F& approximation, int count) {
         auto points = chebyshev_points(count);
-        const std::vector<series::jet<mpfr>>& truth = jets_at(points);
+        const std::vector<series::jet<mpfr>> truth = jets_at(points);
         std::vector<series::jet<mpfr>> differences;
         differences.reserve(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -149,32 +158,30 @@ public:
     }
 
 private:
-    // Enough points to part the stationary points, more than twice the order, in few different numbers.
-    static int points_for_polynomial(int order) {
-        int intervals = 64;
-        while (intervals < 2 * order + 10) {
-            intervals *= 2;
-        }
-        return intervals + 1;
-    }
-
     mpfr second_theta(const mpfr& x) const {
         return truth_.canonical(second_route_.at(phase_from_top<mpfr>(arc_.of(), x, arc_.effective_period())).value);
     }
 
-    // The truth at so many points, made once.
-    const std::vector<series::jet<mpfr>>& jets_at(const std::vector<double>& points) {
-        auto& there = jets_[points.size()];
-        if (there.empty()) {
-            there = truth_.jets(points);
+    // The truth at increasing points, at each of them made once.
+    std::vector<series::jet<mpfr>> jets_at(const std::vector<double>& points) {
+        std::vector<double> asked;
+        std::ranges::copy_if(points, std::back_inserter(asked), [&](double x) { return !jets_.contains(x); });
+        auto made = truth_.jets(asked);
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            jets_.emplace(asked[i], std::move(made[i]));
         }
-        return there;
+        std::vector<series::jet<mpfr>> all;
+        all.reserve(points.size());
+        for (const double x : points) {
+            all.push_back(jets_.at(x));
+        }
+        return all;
     }
 
     // The largest change that T's rounding makes to the error at the samples, and epsilon of T at least.
     template <class T, class F>
     mpfr rounding_seen(const F& value, const sampled_error& exact) {
-        const std::vector<series::jet<mpfr>>& truth = jets_at(exact.points);
+        const std::vector<series::jet<mpfr>> truth = jets_at(exact.points);
         mpfr seen = widen(epsilon<T>());
         for (std::size_t i = 0; i < exact.points.size(); ++i) {
             const mpfr error = widen(value(T(exact.points[i]))) - truth[i].value;
@@ -187,7 +194,7 @@ private:
     fundamental_arc<mpfr> arc_;
     arc_panels truth_;
     top_bounds<mpfr> bounds_;
-    std::map<std::size_t, std::vector<series::jet<mpfr>>> jets_;  ///< theta, by the number of points
+    std::map<double, series::jet<mpfr>> jets_;                    ///< theta at the points asked for
     std::map<std::pair<arc_method, int>, sampled_error> errors_;  ///< by method and order
     rounded_grid grid_;
 };

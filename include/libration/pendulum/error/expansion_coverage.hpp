@@ -75,7 +75,7 @@ public:
 
     /// As a true maximum, and the fraction of T* where it is attained.
     norm_at<mpfr> norm(const rational& x, int order) {
-        const auto points = chebyshev_points(std::max(251, 2 * order + 11));
+        const auto points = chebyshev_points(std::max(65, 2 * order + 11));
         const auto cover = coverage_from<mpfr>(truth_.of(), x);
         const auto sigma = series_about<mpfr>(truth_, cover, order);
         const mpfr middle = from_rational<mpfr>(x);
