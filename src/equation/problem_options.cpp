@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "equation/change_words.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "option/near_word.hpp"
+#include "run/stream_content.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -23,7 +23,7 @@ std::string text_of_file(const std::string& path) {
         throw input_error("--problem", path, "cannot be read",
                           "give a file, a name of `libration problems` or a text with =");
     }
-    return {std::istreambuf_iterator<char>(file), {}};
+    return content_of(file, path);
 }
 
 std::string text_of_catalogue(const std::string& name) {

@@ -12,6 +12,7 @@
 
 #include "libration/convergence/list/coefficient_list.hpp"
 #include "list/json_lines.hpp"
+#include "run/stream_content.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 std::string content_of_list(const std::string& path) {
     input_stream stream("--coefficients", path);
-    return {std::istreambuf_iterator<char>(stream.in()), std::istreambuf_iterator<char>()};
+    return content_of(stream.in(), path);
 }
 
 // The list in a text; a wrong line is named.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "run/stream_content.hpp"
 #include "sweep/equation_study.hpp"
 
 namespace libration {
@@ -82,11 +83,10 @@ std::vector<published_reference> read_references(const std::string& path) {
 
 std::string text_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file) {
         throw std::runtime_error(path + " cannot be read");
     }
-    return text;
+    return content_of(file, path);
 }
 
 published read_published(const std::string& folder) {

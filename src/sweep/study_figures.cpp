@@ -12,6 +12,7 @@
 
 #include "run/child_program.hpp"
 #include "run/program_files.hpp"
+#include "run/stream_content.hpp"
 #include "sweep/image.hpp"
 #include "text/input_error.hpp"
 #include "text/table.hpp"
@@ -75,9 +76,9 @@ void run_gnuplot(const study& what, const std::string& folder) {
 
 void finish(const fs::path& figure) {
     std::ifstream file(figure, std::ios::binary);
-    const std::string content{std::istreambuf_iterator<char>(file), {}};
+    const std::string content = content_of(file, figure.filename().string());
     const std::string extension = figure.extension().string();
-    if (!file || !is_whole_image(extension, content)) {
+    if (!is_whole_image(extension, content)) {
         throw std::runtime_error(figure.filename().string() + " was cut short while it was drawn: is the disk full?");
     }
     try {

@@ -18,6 +18,7 @@
 #include "option/options.hpp"
 #include "run/provenance.hpp"
 #include "run/sha256.hpp"
+#include "run/stream_content.hpp"
 #include "run/working_folder.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"
@@ -74,9 +75,9 @@ nlohmann::ordered_json description_of(const study_order& order, const gathered_t
     return description;
 }
 
-std::string content_of(const fs::path& path) {
+std::string content_of_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return content_of(file, path.string());
 }
 
 // Names and fingerprints of the files in a folder, without JSON and what is hidden.
@@ -85,7 +86,7 @@ std::map<std::string, std::string> fingerprints(const std::string& folder) {
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
         if (entry.is_regular_file() && !name.starts_with(".") && entry.path().extension() != ".json") {
-            files[name] = sha256(content_of(entry.path()));
+            files[name] = sha256(content_of_file(entry.path()));
         }
     }
     return files;
@@ -180,7 +181,7 @@ nlohmann::ordered_json described(const study& what, const std::string& folder) {
     if (!fs::exists(json)) {
         throw input_error("--out", folder, "holds no " + what.name + "/" + what.name + ".json", again);
     }
-    auto description = nlohmann::ordered_json::parse(content_of(json), nullptr, false);
+    auto description = nlohmann::ordered_json::parse(content_of_file(json), nullptr, false);
     if (!description.is_object() || !description.contains("tables") || !description.contains("files")) {
         throw input_error("--out", folder,
                           "has in " + what.name + ".json no files with their SHA-256: an older version made it", again);
@@ -194,7 +195,7 @@ void show_tables(const study& what, const nlohmann::ordered_json& description, c
     for (const auto& part : description.at("tables")) {
         const std::string file = part.at("file");
         const bool same =
-            fs::exists(own / file) && description.at("files").value(file, "") == sha256(content_of(own / file));
+            fs::exists(own / file) && description.at("files").value(file, "") == sha256(content_of_file(own / file));
         if (!same) {
             throw input_error("--out", (own / file).string(),
                               fs::exists(own / file) ? "is not the table that " + what.name + ".json describes"

@@ -32,7 +32,9 @@ std::string rounded(const cell& content, long digits) {
         return text;
     }
     const precision_scope scope(static_cast<long>(text.size()) + 20);
-    return to_decimal(from_exact<mpfr>(read_exact(text)), digits);
+    mpfr value;
+    const bool plain = mpfr_set_str(handle(value), text.c_str(), 10, MPFR_RNDN) == 0;
+    return to_decimal(plain ? value : from_exact<mpfr>(read_exact(text)), digits);
 }
 
 bool is_decimal(const cell& content) {
