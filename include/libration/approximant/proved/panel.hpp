@@ -39,10 +39,11 @@ public:
     enclosed_two_jet at(const ball& s) const {
         enclosed_two_jet sum{kept_[kept_.order()], ball(), ball()};
         for (int n = kept_.order() - 1; n >= 0; --n) {
-            horner_step(sum.curvature, s, ball(sum.slope * 2));
+            horner_step(sum.curvature, s, sum.slope);
             horner_step(sum.slope, s, sum.value);
             horner_step(sum.value, s, kept_[n]);
         }
+        sum.curvature *= 2;
         return {with_tail(sum.value), slope_with_tail(sum.slope), enclose(sum.curvature, tail_.curvature)};
     }
 

@@ -68,25 +68,53 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
     return fitted_singularity{at[0], exponents[0].re, left_after(at, s), left_after(exponents, s).likely};
 }
 
-/// The roots from `first` on that may matter beside it: up to two and a half times as far from 0, six at most.
-inline std::vector<root_with_exponent> roots_beside(const leading_polynomials& q,
-                                                    const std::vector<complex_number<mpfr>>& roots, std::size_t first,
-                                                    const recurrence_form& form, int stride) {
+/// A list and what the fits of all degrees share.
+struct list_to_fit {
+    list_to_fit(const wide_series& of_series, const recurrence_form& of_form)
+        : series(of_series),
+          form(of_form),
+          fits(of_series, of_form),
+          logarithms(static_cast<int>(of_series.c.size()) - 1) {}
+
+    const wide_series& series;
+    recurrence_form form;
+    recurrence_fits fits;
+    falling_logarithms logarithms;
+};
+
+/// The first of the roots, by growing modulus, that the coefficients show, judged beside those up to two and a half
+/// times as far from 0, six at most; their number where they show none.
+inline std::size_t first_visible(list_to_fit& list, const leading_polynomials& q,
+                                 const std::vector<complex_number<mpfr>>& roots) {
     constexpr std::size_t most = 6;
-    std::vector<root_with_exponent> beside;
-    for (std::size_t i = first; i < roots.size() && beside.size() < most; ++i) {
-        if (modulus_of(roots[i]) * 2 <= modulus_of(roots[first]) * 5) {
-            beside.push_back({roots[i], exponent_at(q, roots[i], form, stride)});
+    std::vector<root_with_exponent> known;
+    const auto with_exponent = [&](std::size_t i) -> const root_with_exponent& {
+        while (known.size() <= i) {
+            const auto& root = roots[known.size()];
+            known.push_back({root, exponent_at(q, root, list.form, list.series.stride)});
+        }
+        return known[i];
+    };
+    std::size_t first = 0;
+    for (; first < roots.size() && is_doubtful(list.series, with_exponent(first)); ++first) {
+        std::vector<root_with_exponent> beside;
+        for (std::size_t i = first; i < roots.size() && beside.size() < most; ++i) {
+            if (modulus_of(roots[i]) * 2 <= modulus_of(roots[first]) * 5) {
+                beside.push_back(with_exponent(i));
+            }
+        }
+        if (amplitude_stays(list.series, list.logarithms, beside)) {
+            break;
         }
     }
-    return beside;
+    return first;
 }
 
 /// The singularities of one degree: the root nearest to 0 that the coefficients show and the others no further than a
 /// tenth more.
-inline std::optional<fitted_singularities> singularities_of_degree(const wide_series& series,
-                                                                   const recurrence_form& form,
-                                                                   const recurrence_fits& all_fits, int degree) {
+inline std::optional<fitted_singularities> singularities_of_degree(list_to_fit& list, int degree) {
+    const recurrence_form& form = list.form;
+    const wide_series& series = list.series;
     const auto count = static_cast<int>(series.c.size());
     const auto fewer = fewer_coefficients(count, coefficients_needed(form, degree) - 4);
     std::vector<int> lasts;
@@ -94,18 +122,14 @@ inline std::optional<fitted_singularities> singularities_of_degree(const wide_se
     for (const int without : fewer) {
         lasts.push_back(count - 1 - without);
     }
-    const auto determined = all_fits.up_to(lasts, degree);
+    const auto determined = list.fits.up_to(lasts, degree);
     if (!determined) {
         return std::nullopt;
     }
     const std::vector<leading_polynomials>& fits = *determined;
     fitted_singularities found{degree, {}, mpfr(0)};
     const auto starts = starting_roots(fits[0].top);
-    std::size_t first = 0;
-    while (form.highest > form.lowest && first < starts.size() &&
-           !is_visible(series, roots_beside(fits[0], starts, first, form, series.stride))) {
-        ++first;
-    }
+    const std::size_t first = form.highest > form.lowest ? first_visible(list, fits[0], starts) : 0;
     for (std::size_t i = first; i < starts.size() && modulus_of(starts[i]) * 10 <= modulus_of(starts[first]) * 11;
          ++i) {
         auto singularity = followed(fits, starts[i], form, series.stride, fewer[4]);
@@ -207,10 +231,10 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
         return degree <= most_degree && unknowns_of(form, degree) <= most_unknowns &&
                coefficients_needed(form, degree) <= static_cast<int>(series.c.size());
     };
-    const fitting::recurrence_fits all_fits(series, form);
+    fitting::list_to_fit list(series, form);
     for (int degree = 1; fits(degree) && without_gain < patience; degree += 1 + degree / 6) {
         ++without_gain;
-        if (auto now = fitting::singularities_of_degree(series, form, all_fits, degree)) {
+        if (auto now = fitting::singularities_of_degree(list, degree)) {
             all.push_back(*std::move(now));
             if (relative(all.back()) <= fine) {
                 return all.back();

@@ -64,12 +64,32 @@ inline bool is_doubtful(const wide_series& series, const root_with_exponent& roo
     return analytic || !as_large_as_coefficients(series, root);
 }
 
+/// log(last/k), 0 < k <= last, each computed once, in the working precision, which is to stay the same.
+class falling_logarithms {
+public:
+    explicit falling_logarithms(int last) : known_(static_cast<std::size_t>(last) + 1), last_(last) {}
+
+    const mpfr& at(int k) {
+        auto& known = known_[static_cast<std::size_t>(k)];
+        if (!known) {
+            known = log(mpfr(mpfr(last_) / k));
+        }
+        return *known;
+    }
+
+private:
+    std::vector<std::optional<mpfr>> known_;
+    int last_;
+};
+
 /// c_k as a sum of A_s w^-(k - last) (k/last)^-(nu + 1 + s) over roots and s < terms: for each root and s the
 /// coefficient of the real and, off the axis, of the imaginary part of A_s; then c_k. Equations k = last, last - 1, ..
 class amplitude_equations {
 public:
-    amplitude_equations(const wide_series& series, std::vector<root_with_exponent> roots, int terms)
+    amplitude_equations(const wide_series& series, falling_logarithms& logarithms,
+                        std::vector<root_with_exponent> roots, int terms)
         : series_(series),
+          logarithms_(logarithms),
           roots_(std::move(roots)),
           terms_(terms),
           last_(static_cast<int>(series.c.size()) - 1),
@@ -86,7 +106,7 @@ private:
     void add_next() {
         const int k = last_ - static_cast<int>(rows_.size());
         const mpfr falling = mpfr(last_) / k;
-        const mpfr logarithm = log(falling);
+        const mpfr& logarithm = logarithms_.at(k);
         std::vector<mpfr> row;
         for (std::size_t r = 0; r < roots_.size(); ++r) {
             const root_with_exponent& root = roots_[r];
@@ -104,6 +124,7 @@ private:
     }
 
     const wide_series& series_;
+    falling_logarithms& logarithms_;
     std::vector<root_with_exponent> roots_;
     int terms_;
     int last_;
@@ -114,7 +135,8 @@ private:
 /// Whether the amplitude |A_0| of the first root, the others taken from the coefficients at once, stays within a
 /// quarter from all coefficients to three quarters of the list. Precision: 20 digits more than the coefficients have,
 /// for the equations magnify these 20 digits less than the rounding of the coefficients themselves.
-inline bool amplitude_stays(const wide_series& series, const std::vector<root_with_exponent>& roots) {
+inline bool amplitude_stays(const wide_series& series, falling_logarithms& logarithms,
+                            const std::vector<root_with_exponent>& roots) {
     const int last = static_cast<int>(series.c.size()) - 1;
     int columns = 0;
     for (const auto& root : roots) {
@@ -126,7 +148,7 @@ inline bool amplitude_stays(const wide_series& series, const std::vector<root_wi
     if (lasts.back() < unknowns) {
         return false;
     }
-    amplitude_equations equations(series, roots, terms);
+    amplitude_equations equations(series, logarithms, roots, terms);
     sliding_systems systems(static_cast<std::size_t>(unknowns), mpfr(epsilon<mpfr>() * 64),
                             [&](int k) -> const std::vector<mpfr>& { return equations(k); });
     std::optional<mpfr> whole;
@@ -139,12 +161,6 @@ inline bool amplitude_stays(const wide_series& series, const std::vector<root_wi
         }
         return abs(amplitude - *whole) * 4 < *whole;
     });
-}
-
-/// Whether the first root is a singularity that the coefficients show, the others being those near it: nothing speaks
-/// against it, or its amplitude stays.
-inline bool is_visible(const wide_series& series, const std::vector<root_with_exponent>& roots) {
-    return !is_doubtful(series, roots.front()) || amplitude_stays(series, roots);
 }
 
 }  // namespace libration::convergence::fitting
