@@ -1,7 +1,7 @@
 # The one style of all figures, and what their scripts ask of tables. A script is called with `data` (folder of the
-# CSV), `target` (folder for the drawings) and `scripts` (this folder), loads this file, and draws once for each name in
-# `terminals`. Axes, panels and keys follow from the tables: nothing in a script is right for the usual parameters
-# alone.
+# CSV), `target` (folder for the drawings), `scratch` (folder for files between) and `scripts` (this folder), loads this
+# file, and draws once for each name in `terminals`. Axes, panels and keys follow from the tables: nothing in a script
+# is right for the usual parameters alone.
 #
 # The same everywhere: energies, times and orders grow to the right; log10 |2 - E| falls to the right, towards the
 # separatrix; errors are log10 of radians and grow upwards. The series is dashed, its resummation solid, what is proved
@@ -45,23 +45,58 @@ in_key(i, n) = n <= 8 || i == 1 || i == n || int((i - 1) * 7.0 / (n - 1)) != int
 line_of(j) = shown <= 6 ? j : 1
 dash_of(method) = method eq 'series' ? 2 : 1
 
+# --- what the shell says of the tables. It is asked each question once, because a process costs more than a curve and
+# every kind of drawing asks the same: question and answer k of `shell_knows`, the last one at `shell_at`, which the
+# next in the same order follows.
+array shell_asked[20000]
+array shell_said[20000]
+shell_knows = 0
+shell_at = 0
+is_known(q) = shell_at < shell_knows && shell_asked[shell_at + 1] eq q ? (shell_at = shell_at + 1) \
+    : (shell_at = 0, shell_knows > 0 ? sum [k=1:shell_knows] (shell_asked[k] eq q ? (shell_at = k) : 0) : 0, shell_at)
+learnt(q, answer) = (shell_knows = shell_knows + 1, shell_at = shell_knows, shell_asked[shell_at] = q, shell_said[shell_at] = answer)
+# The shell stays behind for nothing where it starts awk alone.
+at_once(command) = (command[1:4] eq 'awk ' ? 'exec ' : '').command
+ask(command) = is_known(command) ? shell_said[shell_at] : learnt(command, system(at_once(command)))
+# The file in `scratch` of the rows that a command prints.
+points_by(command) = is_known('> '.command) ? shell_said[shell_at] : points_in(sprintf('%s/%d.csv', scratch, shell_knows + 1), command)
+points_in(file, command) = (system(at_once(command)." > '".file."'"), learnt('> '.command, file))
+
 # --- what a table holds. `where` is a condition of awk on the cells $1, $2, ...; v() reads a number or a fraction.
 awk_v = 'BEGIN { CONVFMT = OFMT = "%.15g" } function v(s, f) { return split(s, f, "/") == 2 ? f[1] / f[2] : s + 0 } '
 # gnuplot reads 1e-6 as the whole number 1 with something behind it.
 number(s) = (strstrt(s, 'e') > 0 && strstrt(s, '.') == 0 ? s[1:strstrt(s, 'e') - 1].'.0'.s[strstrt(s, 'e'):*] : s) + 0.0
-exists_file(file) = system("test -f '".file."' && echo 1 || echo 0") + 0
+exists_file(file) = ask("test -f '".file."' && echo 1 || echo 0") + 0
 # The values of a column as written, in the order of the table; or by size.
-seen(file, c, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print $".c." }' '".file."'")
-sorted(file, c, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print v($".c."), $".c." }' '".file."' | sort -g | cut -d' ' -f2")
-count_of(file, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") { ++n } END { print n + 0 }' '".file."'") + 0
-first_of(file, c, where) = system("awk -F, '".awk_v."NR > 1 && (".where.") { print $".c."; exit }' '".file."'")
+seen(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print $".c." }' '".file."'")
+sorted(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print v($".c."), $".c." }' '".file."' | sort -g | cut -d' ' -f2")
+count_of(file, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { ++n } END { print n + 0 }' '".file."'") + 0
+first_of(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { print $".c."; exit }' '".file."'")
+# The last cell of a column in the rows that `where` picks and whose columns 'c c ...' of `keys` have the values
+# "v,v,..."; '' where there is none. One question for all values.
+cells(file, c, keys, where) = ask("awk -F, '".awk_v."BEGIN { c = split(\"".keys."\", key, \" \") } NR > 1 && (".where.") && $".c." != \"\" { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; cell[k] = $".c." } END { for (k in cell) print k, cell[k] }' '".file."'")
+second_of_pair(list, first) = (shell_pair = 0, sum [i=1:words(list)] (i % 2 == 1 && word(list, i) eq first ? (shell_pair = i) : 0), shell_pair ? word(list, shell_pair + 1) : '')
+cell_at(file, c, keys, values, where) = second_of_pair(cells(file, c, keys, where), values)
+or_0(cell) = cell eq '' ? 0 : cell + 0
 # The least and the greatest finite number of the columns 'c c ...'; `otherwise` where there is none.
-extreme(file, cs, where, sign, otherwise) = number(system("awk -F, '".awk_v."BEGIN { k = split(\"".cs."\", c, \" \") } NR > 1 && (".where.") { for (i = 1; i <= k; ++i) if ($c[i] != \"\" && $c[i] !~ /inf|nan/) { y = ".sign." * v($c[i]); if (!n++ || y < m) m = y } } END { print n ? ".sign." * m : ".sprintf('%.9g', otherwise)." }' '".file."'"))
-least(file, cs, where, otherwise) = extreme(file, cs, where, 1, otherwise)
-greatest(file, cs, where, otherwise) = extreme(file, cs, where, -1, otherwise)
+extremes(file, cs, where) = ask("awk -F, '".awk_v."BEGIN { k = split(\"".cs."\", c, \" \") } NR > 1 && (".where.") { for (i = 1; i <= k; ++i) if ($c[i] != \"\" && $c[i] !~ /inf|nan/) { y = v($c[i]); if (!n++) m = M = y; if (y < m) m = y; if (y > M) M = y } } END { if (n) print m, M }' '".file."'")
+extreme(both, i, otherwise) = both eq '' ? otherwise + 0.0 : number(word(both, i))
+least(file, cs, where, otherwise) = extreme(extremes(file, cs, where), 1, otherwise)
+greatest(file, cs, where, otherwise) = extreme(extremes(file, cs, where), 2, otherwise)
 # Columns x and y of the rows that a condition picks, behind a blank line a point out of sight: gnuplot warns of a file
 # without points, and for [i=1:0] runs once.
-rows(file, x, y, where) = "< awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && (".where.") && $".y." != \"\" && $".y." !~ /inf|nan/ { print v($".x.") \",\" $".y." } END { print \"\\n1e99,1e99\" }' '".file."'"
+rows(file, x, y, where) = points_by("awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && (".where.") && $".y." != \"\" && $".y." !~ /inf|nan/ { print v($".x.") \",\" $".y." } END { print \"\\n1e99,1e99\" }' '".file."'")
+# The same for many curves by one reading of the table: of the rows that `where` picks those whose columns 'c c ...' of
+# `keys` have the values "v,v,...". x and y are expressions of awk in parts_at, columns in rows_at. awk answers the
+# beginning of its files' names and what stands in which of them, from 1 on; file 0 holds nothing.
+parts(file, x, y, keys, where) = is_known('parts '.file.' '.x.' '.y.' '.keys.' '.where) ? shell_said[shell_at] \
+    : learnt('parts '.file.' '.x.' '.y.' '.keys.' '.where, parts_in(sprintf('%s/%d', scratch, shell_knows + 1), file, x, y, keys, where))
+parts_in(stem, file, x, y, keys, where) = system("exec awk -F, '".awk_v."function head(i) { name[i] = \"".stem."-\" i \".csv\"; print \"x,y\" > name[i] } BEGIN { c = split(\"".keys."\", key, \" \"); head(0) } NR > 1 && (".where.") { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; if (!(k in at)) { at[k] = ++n; words = words \" \" k; head(n) } print (".x.") \",\" (".y.") > name[at[k]] } END { for (i = 0; i <= n; ++i) print \"\\n1e99,1e99\" > name[i]; print \"".stem."\" words }' '".file."'")
+part_of(answer, values) = sprintf('%s-%d.csv', word(answer, 1), sum [i=1:words(answer)] (i > 1 && word(answer, i) eq values ? i - 1 : 0))
+parts_at(file, x, y, keys, values, where) = part_of(parts(file, x, y, keys, where), values)
+rows_at(file, x, y, keys, values, where) = parts_at(file, sprintf('v($%d)', x), sprintf('$%d', y), keys, values, sprintf('(%s) && $%d != "" && $%d !~ /inf|nan/', where, y, y))
+# The same with a gap in the line where y is not finite.
+broken_at(file, x, y, keys, values) = parts_at(file, sprintf('v($%d)', x), sprintf('$%d', y), keys, values, sprintf('$%d != ""', y))
 pick(list, most, j) = words(list) <= most ? word(list, j) : word(list, 1 + int((j - 1) * (words(list) - 1) / (most - 1.0) + 0.5))
 smaller(a, b) = a < b ? a : b
 larger(a, b) = a > b ? a : b
@@ -69,7 +104,7 @@ larger(a, b) = a > b ? a : b
 # --- numbers as a reader writes them: 2e-7 is 2·10^{-7}; 1.99999999999999999999 is 2 - 10^{-20} by its gap.
 tens(m, e) = (m eq '1' ? '' : m.'·').'10^{'.(e[1:1] eq '-' ? '−'.e[2:*] : e).'}'
 number_name(s) = strstrt(s, 'e') ? tens(s[1:strstrt(s, 'e') - 1], s[strstrt(s, 'e') + 1:*]) : strlen(s) > 9 ? s[1:8].'…' : s
-tidy(s) = system("printf '%.6g' '".s."' | sed 's/e\\([+-]\\)0*/e\\1/; s/e+/e/'")
+tidy(s) = ask("printf '%.6g' '".s."' | sed 's/e\\([+-]\\)0*/e\\1/; s/e+/e/'")
 from_two(g) = g[1:1] eq '-' ? '2 + '.number_name(tidy(g[2:*])) : '2 − '.number_name(tidy(g))
 energy_name(e, g) = strlen(e) <= 9 && !strstrt(e, 'e') ? e : strlen(g) > 0 && abs(number(g)) < 0.1 ? from_two(g) : number_name(e)
 

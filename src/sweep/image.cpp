@@ -157,12 +157,28 @@ std::string joined_groups(const std::string& svg) {
     return out;
 }
 
+// Without the titles of curves, which a browser shows where the mouse rests: those that no key names have the words
+// of the script for one.
+std::string without_titles(const std::string& svg) {
+    constexpr std::string_view begin = "<title>";
+    constexpr std::string_view end = "</title>";
+    std::string out;
+    out.reserve(svg.size());
+    std::size_t from = 0;
+    for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, from)) {
+        out.append(svg, from, at - from);
+        const std::size_t last = svg.find(end, at);
+        from = last == std::string::npos ? svg.size() : last + end.size();
+    }
+    return out.append(svg, from);
+}
+
 std::string compact(const std::string& svg) {
     const std::size_t body = svg.find("</defs>");  // the marks before it are measured in units of their own
     if (body == std::string::npos) {
         return svg;
     }
-    return svg.substr(0, body) + joined_groups(without_empty_groups(shorter_words(svg.substr(body))));
+    return svg.substr(0, body) + joined_groups(without_empty_groups(without_titles(shorter_words(svg.substr(body)))));
 }
 
 }  // namespace

@@ -62,10 +62,13 @@ std::vector<fs::path> figures_in(const std::string& folder) {
 // In the folder itself, so that no character of its path means anything to the shell that asks the tables.
 void run_gnuplot(const study& what, const std::string& folder) {
     const fs::path script = script_of(what);
-    const std::string setting =
-        fmt::format("cd {}; data = '.'; target = '.'; scripts = {}; stem = {}; equation = {}", quoted(folder),
-                    quoted(studies_folder()), quoted(what.name), quoted(what.equation ? what.equation->name : ""));
+    const fs::path scratch = fs::path(folder) / ".points";
+    const std::string setting = fmt::format(
+        "cd {}; data = '.'; target = '.'; scratch = '.points'; scripts = {}; stem = {}; equation = {}", quoted(folder),
+        quoted(studies_folder()), quoted(what.name), quoted(what.equation ? what.equation->name : ""));
+    fs::create_directory(scratch);
     const int code = run_program({"gnuplot", "-e", setting, script.string()});
+    fs::remove_all(scratch);
     if (code == 127) {
         throw input_error("gnuplot is not installed: install the Debian package gnuplot-nox");
     }

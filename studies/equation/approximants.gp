@@ -18,7 +18,7 @@ name_of(m) = m eq 'pade' ? 'Padé' : m eq 'asymptotic' ? 'asymptotic approximant
 number_of(m) = m eq 'series' ? 1 : m eq 'pade' ? 2 : 3
 tone_of(m) = '#444444'
 curve(c, m) = both(in_case(word(all, c)), with_word(main, 'method', m))
-best(m) = sprintf("< awk -F, 'BEGIN { print \"x,y\" } NR > 1 && %s && $%d != \"\" && $%d !~ /inf|nan/ { v = $%d + 0; if (!($%d in s) || v < s[$%d]) s[$%d] = v; if (!n[$%d]++) o[++c] = $%d } END { for (i = 1; i <= c; ++i) print o[i] \",\" s[o[i]] }' '%s' | sort -t, -g", with_word(main, 'method', m), y, y, y, along, along, along, along, along, main)
+best(m) = points_by(sprintf("awk -F, 'BEGIN { print \"x,y\" } NR > 1 && %s && $%d != \"\" && $%d !~ /inf|nan/ { v = $%d + 0; if (!($%d in s) || v < s[$%d]) s[$%d] = v; if (!n[$%d]++) o[++c] = $%d } END { for (i = 1; i <= c; ++i) print o[i] \",\" s[o[i]] }' '%s' | sort -t, -g", with_word(main, 'method', m), y, y, y, along, along, along, along, along, main))
 
 eval grid(2, 2)
 panel_w = 520

@@ -23,7 +23,7 @@ do for [kind in terminals] {
     eval panel(1)
     set title 'multiplications' offset 0, -0.5
     set ylabel 'multiplications / N^2'
-    set yrange [0:1.2 * number(system(sprintf("awk -F, 'NR > 1 { q = $%d / $%d ^ 2; if (q > m) m = q } END { print m + 1e-9 }' '%s'", k + 4, k + 1, main)))]
+    set yrange [0:1.2 * number(ask(sprintf("awk -F, 'NR > 1 { q = $%d / $%d ^ 2; if (q > m) m = q } END { print m + 1e-9 }' '%s'", k + 4, k + 1, main)))]
     plot for [i=1:words(routes)] rows(main, k + 1, k + 4, curve(main, word(routes, i))) using ($1 > 1e9 ? NaN : $1):($1 > 1e9 ? NaN : $2 / $1**2) with linespoints lw 1.8 dt i pt mark[i] ps 0.8 lc rgb '#000000'
     eval no_heading
     eval panel(2)

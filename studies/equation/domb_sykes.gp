@@ -11,7 +11,7 @@ tone(c) = n == 1 ? shade[5] : colour(c, n)
 late = sprintf('$%d >= 4', k + 2)
 curve(c, u) = both(late, both(in_case(word(all, c)), of_unknown(main, u)))
 power(c, u) = number('0'.first_of(main, k + 1, both(in_case(word(all, c)), of_unknown(main, u))))
-verdict(c, u) = system(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { r = $%d } END { print r }' '%s'", both(with_word(intercepts, 'method', 'verdict'), both(in_case(word(all, c)), of_unknown(intercepts, u))), place(intercepts, 'radius'), place(intercepts, 'radius'), intercepts))
+verdict(c, u) = ask(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { r = $%d } END { print r }' '%s'", both(with_word(intercepts, 'method', 'verdict'), both(in_case(word(all, c)), of_unknown(intercepts, u))), place(intercepts, 'radius'), place(intercepts, 'radius'), intercepts))
 eval grid(drawn, 3)
 foot = foot_for(shown_in_key(n) + 2, 20)
 do for [kind in terminals] {

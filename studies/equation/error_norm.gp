@@ -15,8 +15,8 @@ name_of(m) = m eq 'pade' ? 'Padé [N/2, N/2]' : m eq 'endpoint' ? 'endpoint' : '
 number_of(m) = m eq 'series' ? 1 : m eq 'pade' ? 2 : 3
 tone(c, m) = n == 1 ? shade[m eq 'series' ? 4 : m eq 'pade' ? 5 : 3] : colour(c, n)
 curve(c, u, m) = both(both(in_case(word(all, c)), of_unknown(main, u)), with_word(main, 'method', m))
-rate_of(c, u) = system(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { print $%d; exit }' '%s'", both(in_case(word(all, c)), of_unknown(radii, u)), place(radii, 'rate'), place(radii, 'rate'), radii))
-height_of(c, u, rate) = number(system(sprintf("awk -F, 'NR > 1 && %s && $%d !~ /inf/ && $%d != \"\" { h = $%d - $%d * %.12g; if (!s++ || h > m) m = h } END { print s ? m : 0 }' '%s'", curve(c, u, 'series'), y, y, y, N, log10(rate), main)))
+rate_of(c, u) = ask(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { print $%d; exit }' '%s'", both(in_case(word(all, c)), of_unknown(radii, u)), place(radii, 'rate'), place(radii, 'rate'), radii))
+height_of(c, u, rate) = number(ask(sprintf("awk -F, 'NR > 1 && %s && $%d !~ /inf/ && $%d != \"\" { h = $%d - $%d * %.12g; if (!s++ || h > m) m = h } END { print s ? m : 0 }' '%s'", curve(c, u, 'series'), y, y, y, N, log10(rate), main)))
 
 eval grid(drawn, 3)
 foot = foot_for(shown_in_key(n) + 4, n == 1 ? 14 : 20)

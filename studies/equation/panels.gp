@@ -3,15 +3,15 @@
 # study's files, and `equation`, that of the problem, besides what style.gp needs.
 load scripts.'/style.gp'
 
-called = system(sprintf("printf '%%s' '%s' | tr _ ' '", equation))
+called = ask(sprintf("printf '%%s' '%s' | tr _ ' '", equation))
 table_of(suffix) = data.'/'.stem.suffix.'.csv'
 main = table_of('')
-place(f, c) = system(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | cut -d: -f1", f, c)) + 0
-header(f, i) = system(sprintf("head -n 1 '%s' | cut -d, -f%d", f, i))
+place(f, c) = ask(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | cut -d: -f1", f, c)) + 0
+header(f, i) = ask(sprintf("head -n 1 '%s' | cut -d, -f%d", f, i))
 # The values of the first k columns, one word "a,b," each; '-' where there is no axis.
-cases(f, k) = k == 0 ? '-' : system(sprintf("awk -F, 'NR > 1 { s = \"\"; for (i = 1; i <= %d; ++i) s = s $i \",\"; if (!n[s]++) print s }' '%s'", k, f))
+cases(f, k) = k == 0 ? '-' : ask(sprintf("awk -F, 'NR > 1 { s = \"\"; for (i = 1; i <= %d; ++i) s = s $i \",\"; if (!n[s]++) print s }' '%s'", k, f))
 in_case(c) = c eq '-' ? '1' : sprintf('index($0, "%s") == 1', c)
-case_name(f, k, c) = c eq '-' ? '' : system(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i <= NF; ++i) s = s (i > 1 ? \", \" : \"\") $i \" = \" sprintf(\"%%.6g\", v[i]); print s }'", f, k, c))
+case_name(f, k, c) = c eq '-' ? '' : ask(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i <= NF; ++i) s = s (i > 1 ? \", \" : \"\") $i \" = \" sprintf(\"%%.6g\", v[i]); print s }'", f, k, c))
 of_unknown(f, u) = sprintf('$%d == "%s"', place(f, 'unknown'), u)
 with_word(f, c, w) = sprintf('$%d == "%s"', place(f, c), w)
 both(a, b) = '('.a.') && ('.b.')'

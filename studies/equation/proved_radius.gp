@@ -14,10 +14,10 @@ at_most = sprintf('$%d == %d', k + 1, int(most))
 others(j) = j == along ? '"-"' : sprintf('$%d', j)
 cells = ''
 do for [j=1:k] { cells = cells.(j > 1 ? ' "," ' : '').others(j) }
-curves = k > 1 ? system(sprintf("awk -F, 'NR > 1 { s = %s; if (!n[s]++) print s }' '%s'", cells, main)) : 'all'
+curves = k > 1 ? ask(sprintf("awk -F, 'NR > 1 { s = %s; if (!n[s]++) print s }' '%s'", cells, main)) : 'all'
 m = words(curves)
 is_curve(c) = k > 1 ? sprintf('(%s) == "%s"', cells, word(curves, c)) : '1'
-curve_name(c) = k > 1 ? system(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i <= NF; ++i) if (v[i] != \"-\") s = s $i \" = \" sprintf(\"%%.6g\", v[i]) \" \"; print s }'", main, k, word(curves, c))) : 'radius'
+curve_name(c) = k > 1 ? ask(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i <= NF; ++i) if (v[i] != \"-\") s = s $i \" = \" sprintf(\"%%.6g\", v[i]) \" \"; print s }'", main, k, word(curves, c))) : 'radius'
 abscissa = k > 0 ? along : k + 1
 tone(c) = m == 1 ? shade[5] : colour(c, m)
 every_digit = words(seen(costs, k + 1, '1')) > 1

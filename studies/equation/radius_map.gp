@@ -18,10 +18,10 @@ others(j) = j == along ? '"-"' : sprintf('$%d', j)
 key_cells = ''
 do for [j=1:k] { key_cells = key_cells.(j > 1 ? ' "," ' : '').others(j) }
 curve_cells = (k > 0 ? key_cells.' "," ' : '').sprintf('$%d', k + 1)
-curves = system(sprintf("awk -F, 'NR > 1 { s = %s; if (!n[s]++) print s }' '%s'", curve_cells, main))
+curves = ask(sprintf("awk -F, 'NR > 1 { s = %s; if (!n[s]++) print s }' '%s'", curve_cells, main))
 m = words(curves)
 is_curve(c) = sprintf('(%s) == "%s"', curve_cells, word(curves, c))
-curve_name(c) = system(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i < NF; ++i) if (v[i] != \"-\") s = s $i \" = \" sprintf(\"%%.6g\", v[i]) \", \"; print s \"N = \" v[NF] }'", main, k + 1, word(curves, c)))
+curve_name(c) = ask(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i < NF; ++i) if (v[i] != \"-\") s = s $i \" = \" sprintf(\"%%.6g\", v[i]) \", \"; print s \"N = \" v[NF] }'", main, k + 1, word(curves, c)))
 abscissa = k > 0 ? along : k + 1
 xname = k > 0 ? header(main, along) : 'order N'
 
@@ -48,7 +48,7 @@ if (planar) {
             eval quarters('y', a2, b2)
             set style fill solid noborder
             set palette defined (0 '#440154', 0.25 '#31688e', 0.5 '#218f8d', 0.75 '#35b779', 1 '#fde725')
-            plot sprintf("< awk -F, 'BEGIN { print \"x,y,z\" } NR > 1 && %s && $%d == %s && $%d != \"\" { print $1 \",\" $2 \",\" $%d } END { print \"\\n1e99,1e99,1\" }' '%s'", of_unknown(main, u), k + 1, last, y, y, main) using 1:2:(0.5 * (b1 - a1) / (values(1) - 1)):(0.5 * (b2 - a2) / (values(2) - 1)):3 with boxxyerror lc palette
+            plot points_by(sprintf("awk -F, 'BEGIN { print \"x,y,z\" } NR > 1 && %s && $%d == %s && $%d != \"\" { print $1 \",\" $2 \",\" $%d } END { print \"\\n1e99,1e99,1\" }' '%s'", of_unknown(main, u), k + 1, last, y, y, main)) using 1:2:(0.5 * (b1 - a1) / (values(1) - 1)):(0.5 * (b2 - a2) / (values(2) - 1)):3 with boxxyerror lc palette
             eval no_heading
         }
         unset multiplot

@@ -11,7 +11,7 @@ place_x = place(main, 'inverse_n')
 tone(c) = n == 1 ? shade[5] : colour(c, n)
 late = sprintf('$%d >= 4', k + 1)
 curve(c, u) = both(late, both(in_case(word(all, c)), of_unknown(main, u)))
-verdict(c, u) = system(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { r = $%d } END { print r }' '%s'", both(with_word(estimates, 'method', 'verdict'), both(in_case(word(all, c)), of_unknown(estimates, u))), place(estimates, 'radius'), place(estimates, 'radius'), estimates))
+verdict(c, u) = ask(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { r = $%d } END { print r }' '%s'", both(with_word(estimates, 'method', 'verdict'), both(in_case(word(all, c)), of_unknown(estimates, u))), place(estimates, 'radius'), place(estimates, 'radius'), estimates))
 eval grid(drawn, 3)
 foot = foot_for(shown_in_key(n) + 3, 20)
 do for [kind in terminals] {

@@ -5,11 +5,11 @@ load scripts.'/style.gp'
 errors = data.'/errors.csv'
 poles = data.'/poles.csv'
 ratios = data.'/ratios.csv'
-rows_in(file) = system(sprintf("tail -n +2 '%s' | wc -l", file)) + 0
+rows_in(file) = ask(sprintf("tail -n +2 '%s' | wc -l", file)) + 0
 # "x,y" of the rows where a condition of awk holds; behind them a point out of sight, for gnuplot warns of none.
-points(file, condition, x, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} NR > 1 && %s && $%d != \"\" && $%d !~ /inf/ {print $%d \",\" $%d} END {print \"\\n1e300,1e300\"}' '%s'", condition, y, y, x, y, file)
-values_in(file, column) = system(sprintf("tail -n +2 '%s' | cut -d, -f%d | awk '!seen[$0]++'", file, column))
-extent(file, column) = system(sprintf("awk -F, 'NR > 1 && $%d != \"\" { x = $%d < 0 ? -$%d : $%d; if (x + 0 > m) m = x + 0 } END { print (m > 0 ? m : 1) }' '%s'", column, column, column, column, file)) + 0.0
+points(file, condition, x, y) = points_by(sprintf("awk -F, 'BEGIN {print \"x,y\"} NR > 1 && %s && $%d != \"\" && $%d !~ /inf/ {print $%d \",\" $%d} END {print \"\\n1e300,1e300\"}' '%s'", condition, y, y, x, y, file))
+values_in(file, column) = ask(sprintf("tail -n +2 '%s' | cut -d, -f%d | awk '!seen[$0]++'", file, column))
+extent(file, column) = ask(sprintf("awk -F, 'NR > 1 && $%d != \"\" { x = $%d < 0 ? -$%d : $%d; if (x + 0 > m) m = x + 0 } END { print (m > 0 ? m : 1) }' '%s'", column, column, column, column, file)) + 0.0
 shorter(s) = strlen(s) > 10 ? s[1:10].'...' : s
 tint(j) = shade[(j - 1) % 6 + 1]
 
@@ -25,7 +25,7 @@ do for [kind in terminals] {
         set autoscale y
         set offsets graph 0, graph 0, graph 0.05, graph 0.05
         unset key
-        plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $7 != "" {print $2 "," $7}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] notitle
+        plot points_by('tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $7 != "" {print $2 "," $7}''') using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] notitle
         unset output
     }
 
@@ -37,8 +37,8 @@ do for [kind in terminals] {
     set offsets graph 0, graph 0, graph 0.05, graph 0.05
     set ylabel 'n-th root'
     set key top left
-    plot '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $4 != "" {print $2 "," $4}''' using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] title '|a_n|^{1/n}', \
-         '< tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $5 != "" {print $2 "," $5}''' using 1:2 with points pt 4 ps 0.7 lc rgb shade[4] title '|n a_n|^{1/n}'
+    plot points_by('tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $4 != "" {print $2 "," $4}''') using 1:2 with points pt 6 ps 0.7 lc rgb shade[5] title '|a_n|^{1/n}', \
+         points_by('tail -n +2 '.ratios.' | awk -F, ''BEGIN {print "x,y"} $5 != "" {print $2 "," $5}''') using 1:2 with points pt 4 ps 0.7 lc rgb shade[4] title '|n a_n|^{1/n}'
     unset output
 
     if (rows_in(poles) > 0) {
@@ -70,8 +70,8 @@ do for [kind in terminals] {
         set multiplot layout 1, words(methods)
         set xrange [0:extent(errors, 3) * 1.05]
         set yrange [*:*]
-        low = system(sprintf("awk -F, 'BEGIN { m = 0 } NR > 1 && $5 !~ /inf/ && $5 + 0 < m { m = $5 + 0 } END { print m - 1 }' '%s'", errors)) + 0.0
-        high = system(sprintf("awk -F, 'BEGIN { m = 0 } NR > 1 && $5 !~ /inf/ && $5 + 0 > m { m = $5 + 0 } END { print m + 1 }' '%s'", errors)) + 0.0
+        low = ask(sprintf("awk -F, 'BEGIN { m = 0 } NR > 1 && $5 !~ /inf/ && $5 + 0 < m { m = $5 + 0 } END { print m - 1 }' '%s'", errors)) + 0.0
+        high = ask(sprintf("awk -F, 'BEGIN { m = 0 } NR > 1 && $5 !~ /inf/ && $5 + 0 > m { m = $5 + 0 } END { print m + 1 }' '%s'", errors)) + 0.0
         set yrange [low:high]
         set xlabel 'order N'
         set key bottom left

@@ -11,8 +11,6 @@ n = words(energies)
 panels = smaller(words(rules), 9)
 first = least(file, '7', '1', 0)
 last = greatest(file, '7', '1', 1)
-of(e, way) = sprintf('$1 == "%s" && $2 == "%s"', e, way)
-by(e, way, how) = of(e, way).sprintf(' && $3 == "%s"', how)
 named(i) = 'E = '.number_name(word(energies, i))
 periods_axis = 'log_{10} p, periods'
 
@@ -33,8 +31,8 @@ do for [kind in terminals] {
         set title 'T* by '.pick(rules, panels, c) noenhanced offset 0, -0.5
         if ((c - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
         unset key
-        plot for [i=1:n] rows(file, 7, 9, of(word(energies, i), pick(rules, panels, c))) using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
-             for [i=1:n] rows(file, 7, 8, of(word(energies, i), pick(rules, panels, c))) using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n)
+        plot for [i=1:n] rows_at(file, 7, 9, '1 2', word(energies, i).','.pick(rules, panels, c), '1') using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
+             for [i=1:n] rows_at(file, 7, 8, '1 2', word(energies, i).','.pick(rules, panels, c), '1') using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n)
         eval no_heading
     }
     eval key_strip
@@ -64,9 +62,9 @@ do for [kind in terminals] {
         set title s offset 0, -0.5
         if ((c - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
         unset key
-        plot for [i=1:n] rows(reduction, 7, 9, by(word(energies, i), s, 'fmod')) using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
-             for [i=1:n] rows(reduction, 7, 8, by(word(energies, i), s, 'exact')) using 1:2 with linespoints lw 1.8 dt 2 pt mark_of(i) ps 0.6 lc rgb colour(i, n), \
-             for [i=1:n] rows(reduction, 7, 8, by(word(energies, i), s, 'fmod')) using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n)
+        plot for [i=1:n] rows_at(reduction, 7, 9, '1 2 3', word(energies, i).','.s.',fmod', '1') using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
+             for [i=1:n] rows_at(reduction, 7, 8, '1 2 3', word(energies, i).','.s.',exact', '1') using 1:2 with linespoints lw 1.8 dt 2 pt mark_of(i) ps 0.6 lc rgb colour(i, n), \
+             for [i=1:n] rows_at(reduction, 7, 8, '1 2 3', word(energies, i).','.s.',fmod', '1') using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n)
         eval no_heading
     }
     eval key_strip

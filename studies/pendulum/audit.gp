@@ -6,16 +6,16 @@
 load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
-typed = system("head -n 1 '".file."' | tr , '\\n' | grep -nx time_typed | cut -d: -f1")
+typed = ask("head -n 1 '".file."' | tr , '\\n' | grep -nx time_typed | cut -d: -f1")
 place = strlen(typed) > 0 ? int(typed + 0) : 2
 times = seen(file, place, '1')
 panels = smaller(words(times), 9)
 # log10 of the gap and y of the rows of a library at a time, with a point out of sight behind them.
-digits(who, t, y) = "< awk -F, 'BEGIN { print \"x,y\" } NR > 1 && $".place." == \"".t."\" && $3 == \"".who."\" { y = ".y."; print log($1) / log(10) \",\" (y > 20 ? 20 : y) } END { print \"\\n1e99,1e99\" }' '".file."'"
+digits(who, t, y) = points_by("awk -F, 'BEGIN { print \"x,y\" } NR > 1 && $".place." == \"".t."\" && $3 == \"".who."\" { y = ".y."; print log($1) / log(10) \",\" (y > 20 ? 20 : y) } END { print \"\\n1e99,1e99\" }' '".file."'")
 # The digits that the rounded k has lost before the library begins.
 told = '($10 > 0 ? -log($10*2^-52)/log(10) : 20)'
-nearest = number(system("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x < m) m = x } END { print m }' '".file."'"))
-farthest = number(system("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x > m) m = x } END { print m }' '".file."'"))
+nearest = number(ask("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x < m) m = x } END { print m }' '".file."'"))
+farthest = number(ask("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x > m) m = x } END { print m }' '".file."'"))
 
 eval grid(panels, 3)
 panel_w = panels == 1 ? 860 : panels == 2 ? 590 : 400

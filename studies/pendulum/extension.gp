@@ -14,8 +14,6 @@ resummed = first_of(file, 3, '1') eq 'resummed'
 array dashes[6] = ['_', '-', '.', '_.', '-.', '_..']
 dash(i) = resummed || n > 6 ? 1 : dashes[i]
 
-at(e, y) = strcol(1) eq e ? y : NaN
-of(e, o, y) = strcol(1) eq e && strcol(2) eq o ? y : NaN
 # T* in a period: 4 below E = 2, where the gap 2 - E has no minus sign
 marks(e) = first_of(file, 10, sprintf('$1 == "%s"', e))[1:1] eq '-' ? 2 : 4
 # Vertical grey lines at the multiples of T*.
@@ -46,9 +44,9 @@ do for [kind in terminals] {
         low = least(exact, '5', which, 0) / pi; high = greatest(exact, '5', which, 1) / pi
         set yrange [low - 0.12 * (high - low) - 0.02:high + 0.12 * (high - low) + 0.02]
         unset key
-        plot exact using 9:(at(e, column(5)/pi)) with lines lw 1 lc rgb '#888888', \
-             for [i=1:n] file using 9:(of(e, word(orders, i), column(5)/pi)) with lines lw 2.3 dt dash(i) lc rgb colour(i, n), \
-             numerical using 9:(at(e, column(5)/pi)) with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000'
+        plot broken_at(exact, 9, 5, '1', e) using 1:($2/pi) with lines lw 1 lc rgb '#888888', \
+             for [i=1:n] broken_at(file, 9, 5, '1 2', e.','.word(orders, i)) using 1:($2/pi) with lines lw 2.3 dt dash(i) lc rgb colour(i, n), \
+             broken_at(numerical, 9, 5, '1', e) using 1:($2/pi) with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000'
         eval no_heading
         eval panel(c + columns)
         unset title
@@ -57,8 +55,8 @@ do for [kind in terminals] {
         set xlabel 'time t / T'
         if (c == 1) { set ylabel error_axis } else { unset ylabel }
         set yrange [larger(least(file, '8', which, -16) - 0.5, -20):larger(greatest(file, '8', which, 0), -12) + 0.5]
-        plot for [i=1:n] file using 9:(of(e, word(orders, i), column(8))) with lines lw 2.3 dt dash(i) lc rgb colour(i, n), \
-             numerical using 9:(at(e, column(8))) with points pt 6 ps 0.6 lc rgb '#000000'
+        plot for [i=1:n] broken_at(file, 9, 8, '1 2', e.','.word(orders, i)) using 1:2 with lines lw 2.3 dt dash(i) lc rgb colour(i, n), \
+             broken_at(numerical, 9, 8, '1', e) using 1:2 with points pt 6 ps 0.6 lc rgb '#000000'
         unset arrow
     }
     eval key_strip

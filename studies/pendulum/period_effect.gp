@@ -18,8 +18,7 @@ array dashes[4] = ['-', '.', '-.', '-..']
 dash(i) = word(rules, i)[1:1] eq 's' ? '_' : (word(rules, i)[1:1] eq 'a' || i == last_resummed) ? 1 : dashes[(i-1)%4+1]
 hue(i) = word(rules, i) eq 'agm' ? '#888888' : n > 6 ? colour(i, n) : shade[(7-i)%6+1]
 weight(i) = word(rules, i) eq 'agm' ? 1.2 : 2.3
-of(e, rule, y) = strcol(1) eq e && strcol(2) eq rule && strcol(3) eq order ? y : NaN
-at(e, y) = strcol(1) eq e ? y : NaN
+of(e, i) = e.','.word(rules, i).','.order
 name_of(i) = word(rules, i) eq 'agm' ? 'exact T*' : word(rules, i)
 
 across = columns
@@ -45,8 +44,8 @@ do for [kind in terminals] {
         low = least(file, '7', which, 0) / pi; high = greatest(file, '7', which, 1) / pi
         set yrange [low - room(low, high):high + room(low, high)]
         unset key
-        plot for [i=1:n] file using 10:(of(e, word(rules, i), column(7)/pi)) with lines lw weight(i) dt dash(i) lc rgb hue(i), \
-             numerical using 10:(at(e, column(7)/pi)) with points pt 7 ps 0.6 lc rgb '#000000'
+        plot for [i=1:n] broken_at(file, 10, 7, '1 2 3', of(e, i)) using 1:($2/pi) with lines lw weight(i) dt dash(i) lc rgb hue(i), \
+             broken_at(numerical, 10, 7, '1', e) using 1:($2/pi) with points pt 7 ps 0.6 lc rgb '#000000'
         eval no_heading
         eval panel(c + columns)
         unset title
@@ -56,8 +55,8 @@ do for [kind in terminals] {
         if (c == 1) { set ylabel error_axis } else { unset ylabel }
         low = larger(least(file, '9', which, -12), -14); high = greatest(file, '9', which, 0)
         set yrange [low - 0.5:larger(high, low + 1) + 0.5]
-        plot for [i=1:n] file using 10:(of(e, word(rules, i), column(9))) with lines lw weight(i) dt dash(i) lc rgb hue(i), \
-             numerical using 10:(at(e, column(9))) with points pt 7 ps 0.5 lc rgb '#000000'
+        plot for [i=1:n] broken_at(file, 10, 9, '1 2 3', of(e, i)) using 1:2 with lines lw weight(i) dt dash(i) lc rgb hue(i), \
+             broken_at(numerical, 10, 9, '1', e) using 1:2 with points pt 7 ps 0.5 lc rgb '#000000'
     }
     eval key_strip
     plot for [i=1:n] NaN with lines lw weight(i) dt dash(i) lc rgb hue(i) title in_key(i, n) ? name_of(i) : '', \

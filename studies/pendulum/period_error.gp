@@ -8,7 +8,6 @@ file = data.'/period_error.csv'
 orders = sorted(file, 2, '1')
 energies = seen(file, 1, '1')
 n = words(orders)
-of(order, method) = sprintf('$2 == %s && $3 == "%s"', order, method)
 at(e, method) = sprintf('$1 == "%s" && $3 == "%s"', e, method)
 period_axis = 'log_{10} (|error of T*| / (ℓ/g)^{1/2})'
 
@@ -42,8 +41,8 @@ if (words(energies) <= 2) {
             if ((p - 1) % across == 0) { set ylabel period_axis } else { unset ylabel }
             unset key
             plot start + x * rate with lines lw 1.2 dt 5 lc rgb '#444444', \
-                 for [m in 'series resummed'] rows(file, 2, 10, at(e, m)) using 1:2 with linespoints lw 2.2 dt dash_of(m) pt 7 ps 0.6 lc rgb tone(m), \
-                 for [m in 'series resummed'] rows(file, 2, 11, at(e, m)) using 1:2 with points pt 2 ps 0.7 lc rgb tone(m)
+                 for [m in 'series resummed'] rows_at(file, 2, 10, '1 3', e.','.m, '1') using 1:2 with linespoints lw 2.2 dt dash_of(m) pt 7 ps 0.6 lc rgb tone(m), \
+                 for [m in 'series resummed'] rows_at(file, 2, 11, '1 3', e.','.m, '1') using 1:2 with points pt 2 ps 0.7 lc rgb tone(m)
             eval no_heading
         }
         eval key_strip
@@ -57,7 +56,7 @@ if (words(energies) <= 2) {
     }
 } else {
     apart = words(energies) > 20 ? 4 : 1                            # energies between two crosses
-    crossed(order, method) = of(order, method).sprintf(' && int((NR - 2)/%d) %% %d == 0', 2*n, apart)
+    crossed = sprintf('int((NR - 2)/%d) %% %d == 0', 2*n, apart)
     near(side) = sprintf('$12 < -0.9 && $6 %s /^-/', side)
     librations = words(seen(file, 12, near('!~'))) > 1
     rotations = words(seen(file, 12, near('~'))) > 1
@@ -82,8 +81,8 @@ if (words(energies) <= 2) {
             set xlabel e_axis
             set ylabel period_axis
             unset key
-            plot for [i=1:n] for [m in 'series resummed'] rows(file, 1, 10, of(word(orders, i), m)) using 1:2 with @style lw 2 dt dash_of(m) lc rgb colour(i, n), \
-                 for [i=1:n] for [m in 'series resummed'] rows(file, 1, 11, crossed(word(orders, i), m)) using 1:2 with points pt 2 ps 0.6 lc rgb colour(i, n)
+            plot for [i=1:n] for [m in 'series resummed'] rows_at(file, 1, 10, '2 3', word(orders, i).','.m, '1') using 1:2 with @style lw 2 dt dash_of(m) lc rgb colour(i, n), \
+                 for [i=1:n] for [m in 'series resummed'] rows_at(file, 1, 11, '2 3', word(orders, i).','.m, crossed) using 1:2 with points pt 2 ps 0.6 lc rgb colour(i, n)
             eval energies_done
             eval no_heading
         }
@@ -102,8 +101,8 @@ if (words(energies) <= 2) {
                     set arrow 10+i from graph 0.965, first limit(word(orders, i) + 0) to graph 1, first limit(word(orders, i) + 0) nohead lw 3.5 lc rgb colour(i, n)
                 }
                 unset key
-                plot for [i=1:n] for [m in 'series resummed'] rows(file, 12, 10, of(word(orders, i), m).which) using 1:2 with @style lw 2 dt dash_of(m) lc rgb colour(i, n), \
-                     for [i=1:n] for [m in 'series resummed'] rows(file, 12, 11, crossed(word(orders, i), m).which) using 1:2 with points pt 2 ps 0.6 lc rgb colour(i, n)
+                plot for [i=1:n] for [m in 'series resummed'] rows_at(file, 12, 10, '2 3', word(orders, i).','.m, '1'.which) using 1:2 with @style lw 2 dt dash_of(m) lc rgb colour(i, n), \
+                     for [i=1:n] for [m in 'series resummed'] rows_at(file, 12, 11, '2 3', word(orders, i).','.m, crossed.which) using 1:2 with points pt 2 ps 0.6 lc rgb colour(i, n)
                 do for [i=1:n] { unset arrow 10+i }
                 eval no_heading
             }

@@ -32,10 +32,10 @@ do for [k=1:2] { if (words(energies) > 2 && words(listed(side(k))) > 1) { sides 
 panels = words(chosen) + words(sides)
 key_entries = 8
 
-# Rows that an awk condition picks, sorted by their x, with a blank line and a point out of sight behind them.
-in_order(from, to, where) = "< awk -F, '".awk_v."NR > 1 && (".where.") && $".to." != \"\" && $".to." !~ /inf|nan/ { print v($".from.") \",\" $".to." }' '".file."' | sort -t, -k1,1g | awk 'BEGIN { print \"x,y\" } { print } END { print \"\\n1e99,1e99\" }'"
-of_energy(e, i) = sprintf('$1 == "%s" && $3 == "%s"', e, word(methods, i))
-of_side(k, i) = sprintf('$4 == %s && $3 == "%s" && %s', drawn, word(methods, i), side(k))
+# Columns of the rows of a method, sorted by the first of them.
+by(c) = points_by(sprintf("sort -t, -s -k%d,%dg '%s'", c, c, file))
+of_energy(from, to, e, i) = rows_at(by(from), from, to, '1 3', e.','.word(methods, i), '1')
+of_side(from, to, k, i) = rows_at(by(from), from, to, '4 3', drawn.','.word(methods, i), side(k))
 
 eval grid(panels, 2)
 panel_w = panels == 1 ? 900 : 590
@@ -57,8 +57,8 @@ do for [kind in terminals] {
             set xrange [0:last * 1.06]
             low = least(file, '12', which, -1); high = greatest(file, '12', which, 0)
             set yrange [low - room(low, high):smaller(high + room(low, high), 4)]
-            plot for [b=1:3] in_order(4, 13, of_energy(e, bounded(b))) using 1:2 with lines lw 1.6 dt 3 lc rgb word(tones, bounded(b)), \
-                 for [i=1:7] in_order(4, 12, of_energy(e, i)) using 1:2 with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i)
+            plot for [b=1:3] of_energy(4, 13, e, bounded(b)) using 1:2 with lines lw 1.6 dt 3 lc rgb word(tones, bounded(b)), \
+                 for [i=1:7] of_energy(4, 12, e, i) using 1:2 with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i)
         } else {
             k = word(sides, p - words(chosen)) + 0
             which = '$4 == '.drawn.' && '.side(k)
@@ -67,8 +67,8 @@ do for [kind in terminals] {
             eval falling('x', least(file, '15', which, 0), greatest(file, '15', which, 0))
             low = least(file, '12', which, -1); high = greatest(file, '12', which, 0)
             set yrange [low - room(low, high):smaller(high + room(low, high), 4)]
-            plot for [b=1:3] in_order(15, 13, of_side(k, bounded(b))) using 1:2 with lines lw 1.6 dt 3 lc rgb word(tones, bounded(b)), \
-                 for [i=1:7] in_order(15, 12, of_side(k, i)) using 1:2 with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i)
+            plot for [b=1:3] of_side(15, 13, k, bounded(b)) using 1:2 with lines lw 1.6 dt 3 lc rgb word(tones, bounded(b)), \
+                 for [i=1:7] of_side(15, 12, k, i) using 1:2 with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i)
         }
         eval no_heading
     }

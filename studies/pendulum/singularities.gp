@@ -4,8 +4,8 @@
 load scripts.'/style.gp'
 
 file = data.'/singularities.csv'
-energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
-orders = system(sprintf("awk -F, '$2 == \"pade_pole\" { print $3 }' '%s' | sort -nu", file))
+energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+orders = ask(sprintf("awk -F, '$2 == \"pade_pole\" { print $3 }' '%s' | sort -nu", file))
 no_poles = words(orders) == 0
 if (no_poles) { orders = '0' }  # gnuplot also reads the body of a loop over nothing
 # Of many energies six planes, from the first to the last; the poles of every one below.
@@ -13,9 +13,9 @@ all_energies = words(energies)
 count = smaller(all_energies, 6)
 across = count > 4 ? 3 : count > 1 ? 2 : 1
 down = (count + across - 1) / across
-of(e, k) = real(system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"expansion_top\" { print $%d; exit }' '%s'", e, k, file)))
+of(e, k) = real(ask(sprintf("awk -F, '$1 == \"%s\" && $2 == \"expansion_top\" { print $%d; exit }' '%s'", e, k, file)))
 named(e) = energy_name(e, first_of(data.'/singularities.csv', 16, sprintf('$1 == "%s"', e)))
-regime(e) = system(sprintf("awk -F, '$1 == \"%s\" { print $16 ~ /^-/ ? \"rotation\" : \"libration\"; exit }' '%s'", e, file))
+regime(e) = ask(sprintf("awk -F, '$1 == \"%s\" { print $16 ~ /^-/ ? \"rotation\" : \"libration\"; exit }' '%s'", e, file))
 in_panel(e, kind, y) = (strcol(1) eq e && strcol(2) eq kind) ? y : NaN
 far = 1e9                 # out of every panel: an order may have no pole at all
 pole(e, n, y) = (strcol(1) eq e && strcol(2) eq 'pade_pole' && column(3) == n) ? y : far
@@ -75,10 +75,10 @@ file = data.'/singularities_convergence.csv'
 at(e, y) = strcol(1) eq e ? y : NaN
 place(e) = sum [i=1:all_energies] (word(energies, i) eq e ? i : 0)
 hue(p) = all_energies <= 6 ? shade[(p+2)%6+1] : colour(p, all_energies)
-with_poles = system(sprintf("awk -F, 'NR > 1 && $3 != \"\" { print $1 }' '%s' | uniq", file))
-last = real(system(sprintf("tail -n 1 '%s' | cut -d, -f2", file)))
-lowest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c != \"\" && $c + 0 < l) l = $c + 0 } END { print l - 2 }' '%s'", file)))
-highest = real(system(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c + 0 > l) l = $c + 0 } END { print l + 1 }' '%s'", file)))
+with_poles = ask(sprintf("awk -F, 'NR > 1 && $3 != \"\" { print $1 }' '%s' | uniq", file))
+last = real(ask(sprintf("tail -n 1 '%s' | cut -d, -f2", file)))
+lowest = real(ask(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c != \"\" && $c + 0 < l) l = $c + 0 } END { print l - 2 }' '%s'", file)))
+highest = real(ask(sprintf("awk -F, 'NR > 1 { for (c = 3; c <= 4; ++c) if ($c + 0 > l) l = $c + 0 } END { print l + 1 }' '%s'", file)))
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/singularities_convergence', 900, 560)
     set title (all_energies > 2 ? 'The Padé pole nearest to T* + i K̃′, from N coefficients' : 'The first singularity, T* + i K̃′, from N coefficients') font ',16'

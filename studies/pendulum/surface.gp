@@ -7,11 +7,11 @@ file = data.'/surface.csv'
 number = "function number(s,f){return split(s,f,\"/\")==2?f[1]/f[2]:s+0} "
 angles = "awk -F, '".number."NR>1{if($1!=e){if(NR>2)print \"\";e=$1;w=$5 FS $6 FS $7}if($5 FS $6 FS $7==w)print number($1) FS $2 FS $3 FS $4}' '".file."'"
 worst(way) = "awk -F, '".number."NR>1&&$6\" \"$7==\"".way."\"&&$10!=\"-inf\"{if(!($1 in m)){o[++n]=$1;m[$1]=$10}if($10>m[$1])m[$1]=$10}END{for(i=1;i<=n;i++)print number(o[i]) FS m[o[i]]}' '".file."'"
-ways = system(sprintf("awk -F, 'NR>1&&$6!=\"\"{w=\"\\\"\" $6\" \"$7 \"\\\"\";if(!s[w]++)printf \"%%s \",w}' '%s'", file))
-times = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -u | wc -l", file)) + 0
-energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | sort -u | wc -l", file)) + 0
-highest = system(angles." | awk -F, 'NF&&$3>h{h=$3}END{print h/3.14159265358979}'") + 0
-edge(column, side) = system(angles.sprintf(" | awk -F, 'NF{if(!n++||$%d>h)h=$%d;if(n==1||$%d<l)l=$%d}END{if(h==l){h+=0.5;l-=0.5}print %s}'", column, column, column, column, side)) + 0
+ways = ask(sprintf("awk -F, 'NR>1&&$6!=\"\"{w=\"\\\"\" $6\" \"$7 \"\\\"\";if(!s[w]++)printf \"%%s \",w}' '%s'", file))
+times = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -u | wc -l", file)) + 0
+energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | sort -u | wc -l", file)) + 0
+highest = ask(angles." | awk -F, 'NF&&$3>h{h=$3}END{print h/3.14159265358979}'") + 0
+edge(column, side) = ask(angles.sprintf(" | awk -F, 'NF{if(!n++||$%d>h)h=$%d;if(n==1||$%d<l)l=$%d}END{if(h==l){h+=0.5;l-=0.5}print %s}'", column, column, column, column, side)) + 0
 first = edge(2, 'l'); last = edge(2, 'h')
 low = edge(1, 'l'); high = edge(1, 'h')
 top = highest > 12 ? 12 : (highest > 1.2 ? highest : 1.2)
@@ -38,10 +38,10 @@ do for [kind in terminals] {
     set key at screen 0.655, 0.91 right top noreverse Right
     mesh = times > 1 && energies > 1
     if (mesh) { set hidden3d offset 1 } else { unset hidden3d }
-    splot '<'.angles using 2:1:($3/pi) with lines lw 0.7 lc rgb '#9ab8cc' notitle, \
-          '<'.angles using 2:1:(is('libration', $3/pi)) with lines lw 1.8 lc rgb shade[5] title 'libration, E < 2', \
-          '<'.angles using 2:1:(is('rotation', $3/pi)) with lines lw 1.8 lc rgb shade[1] title 'rotation, E > 2', \
-          '<'.angles using 2:1:(is('separatrix', $3/pi)) with lines lw 4.5 lc rgb shade[6] title 'separatrix, E = 2'
+    splot points_by(angles) using 2:1:($3/pi) with lines lw 0.7 lc rgb '#9ab8cc' notitle, \
+          points_by(angles) using 2:1:(is('libration', $3/pi)) with lines lw 1.8 lc rgb shade[5] title 'libration, E < 2', \
+          points_by(angles) using 2:1:(is('rotation', $3/pi)) with lines lw 1.8 lc rgb shade[1] title 'rotation, E > 2', \
+          points_by(angles) using 2:1:(is('separatrix', $3/pi)) with lines lw 4.5 lc rgb shade[6] title 'separatrix, E = 2'
     unset hidden3d
     unset label 1
     set border 3 lc rgb '#444444'
@@ -57,7 +57,7 @@ do for [kind in terminals] {
     set title 'Error of the resummation' offset 0,-0.5
     set key at graph 0.98, 0.03 right bottom noreverse Right title 'N, T* by'
     if (low < 2 && high > 2) { set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3 }
-    plot for [i=1:words(ways)] '<'.worst(word(ways, i)) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title in_key(i, words(ways)) ? word(ways, i) : ''
+    plot for [i=1:words(ways)] points_by(worst(word(ways, i))) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title in_key(i, words(ways)) ? word(ways, i) : ''
     unset arrow
     }
     unset multiplot

@@ -12,7 +12,6 @@ counts = sorted(exact, 3, '1')
 n = words(counts)
 energies = seen(exact, 1, '1')
 drawn = count_of(exact, '$3 == 16') > 0 ? '16' : word(counts, 1)
-of(c, which) = sprintf('$3 == %s && ', c).which
 low = smaller(least(exact, '11', '1', -1), least(rounded, '11', '1', 0))
 high = larger(greatest(exact, '11 12', '1', 0), 0)
 
@@ -78,9 +77,9 @@ if (words(energies) <= 2) {
             if (p == 1) { set ylabel norm_axis } else { unset ylabel }
             set yrange [low - room(low, high):smaller(high, 2) + 0.5]
             unset key
-            plot for [i=1:n] rows(exact, c, 12, of(word(counts, i), where[k])) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i, n), \
-                 for [i=1:n] rows(exact, c, 11, of(word(counts, i), where[k])) using 1:2 with linespoints pt 7 ps 0.35 lw 2.2 lc rgb tone(i, n), \
-                 rows(rounded, c, 11, of(drawn, where[k])) using 1:2 with points pt 6 ps 0.6 lc rgb '#333333'
+            plot for [i=1:n] rows_at(exact, c, 12, '3', word(counts, i), where[k]) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i, n), \
+                 for [i=1:n] rows_at(exact, c, 11, '3', word(counts, i), where[k]) using 1:2 with linespoints pt 7 ps 0.35 lw 2.2 lc rgb tone(i, n), \
+                 rows_at(rounded, c, 11, '3', drawn, where[k]) using 1:2 with points pt 6 ps 0.6 lc rgb '#333333'
             eval no_heading
         }
         eval key_strip

@@ -12,7 +12,7 @@ n = words(problems)
 has_losses = words(with_losses) > 0
 highest = greatest(main, '2', '1', 10)
 of(p, m) = sprintf('$1 == "%s" && $3 == "%s"', p, m)
-name_of(p) = system("echo '".p."' | tr '_' ' '")
+name_of(p) = ask("echo '".p."' | tr '_' ' '")
 
 eval grid(n + has_losses, 3)
 panel_w = across == 1 ? 860 : across == 2 ? 590 : 393

@@ -5,13 +5,13 @@ load scripts.'/style.gp'
 
 file = data.'/cost.csv'
 timed = data.'/cost_time.csv'
-routes = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | awk '!seen[$0]++'", file))
+routes = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | awk '!seen[$0]++'", file))
 # The energy with the most routes, and the first of those.
-energy = system(sprintf("awk -F, 'NR > 1 && $4 != \"\" { if (!($3 in n)) e[++k] = $3; ++n[$3] } END { b = e[1]; for (i = 2; i <= k; ++i) if (n[e[i]] > n[b]) b = e[i]; print b }' '%s'", file))
-first = real(system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | head -n 1", file)))
-last = real(system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | tail -n 1", file)))
-present = system(sprintf("awk -F, '$3 == \"%s\" && $4 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
-orders = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -nu", file))
+energy = ask(sprintf("awk -F, 'NR > 1 && $4 != \"\" { if (!($3 in n)) e[++k] = $3; ++n[$3] } END { b = e[1]; for (i = 2; i <= k; ++i) if (n[e[i]] > n[b]) b = e[i]; print b }' '%s'", file))
+first = real(ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | head -n 1", file)))
+last = real(ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | tail -n 1", file)))
+present = ask(sprintf("awk -F, '$3 == \"%s\" && $4 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+orders = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -nu", file))
 # At most eight numbers at the axis.
 at_axis = ''
 stride = (words(orders) + 7) / 8
@@ -20,7 +20,7 @@ left = first > 1 ? first / 1.3 : 1
 right = last > 1 ? last * 1.3 : 2
 of(r, y) = (strcol(1) eq r && strcol(3) eq energy) ? y : NaN
 positive(y) = y > 0 ? y : NaN
-with_products = system(sprintf("awk -F, '$3 == \"%s\" && $4 > 0 { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+with_products = ask(sprintf("awk -F, '$3 == \"%s\" && $4 > 0 { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
 # Products of each route in units of N^2.
 constant(r) = r eq 'direct' ? 1 : r eq 'direct_parity' ? 0.5 : r eq 'arcsine' ? 1.5 : r eq 'arcsine_parity' ? 0.375 : r eq 'convolution' ? 0.5 : (r eq 'speed' || r eq 'symmetric_squares') ? 0.1875 : NaN
 hue(r) = r[1:6] eq 'direct' ? shade[4] : r[1:7] eq 'arcsine' ? shade[2] : r eq 'speed' ? shade[3] : r eq 'symmetric_squares' ? shade[5] : r eq 'convolution' ? shade[1] : shade[6]
@@ -62,7 +62,7 @@ do for [kind in terminals] {
 
 # Do the routes agree?
 eval restart
-unstable = system(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+unstable = ask(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/cost_difference', 900, 560)
     set title 'Rounding errors of the routes (E = '.named.')' font ',16'
@@ -72,7 +72,7 @@ do for [kind in terminals] {
     set offsets 0, 0, 8, 8
     set key top left samplen 3
     set lmargin 9
-    start = real(system(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { found = 1; print $10 - $11; exit } END { if (!found) print 0 }' '%s'", energy, file)))
+    start = real(ask(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { found = 1; print $10 - $11; exit } END { if (!found) print 0 }' '%s'", energy, file)))
     lines = "for [r in present] file using 2:(of(r, column(10))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r)"
     growth = "for [r in word(unstable, 1)] file using 2:(of(r, column(11) + start)) with lines lw 1.5 dt 3 lc rgb '#000000' title \"(R/K~')^N\""
     set key noenhanced

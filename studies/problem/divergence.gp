@@ -14,10 +14,8 @@ known(e, c) = number(first_of(of_radius, c, sprintf('$1 == "%s"', e)))
 rows_of(e) = count_of(main, sprintf('$1 == "%s" && $2 == %s', e, word(orders, 1)))
 
 # Energies are compared as they are written: 2 - 1e-20 is not 2.
-of(e, n, y) = (strcol(1) eq e && column(2) == n) ? y : NaN
-tame(y) = (strcol(9) eq '-inf' || column(9) < 2) ? y : (strcol(5)[1:1] eq '-' ? -100 : 100)
-finite(y) = strcol(8) eq '-inf' ? NaN : y
-few(y) = int(column(0)) % apart == 0 ? y : NaN
+of(e, i) = e.','.word(orders, i)
+tame = '($9 == "-inf" || $9 + 0 < 2 ? $5 : $5 ~ /^-/ ? "-100" : "100")'
 dash(i) = n <= 6 ? i + 1 : 1
 
 across = columns
@@ -50,8 +48,8 @@ do for [kind in terminals] {
         if (c == 1) { set ylabel 'angle θ / rad' } else { unset ylabel }
         set yrange [below - 0.35*height:above + 0.35*height]
         unset key
-        plot for [i=1:n] main using (column(3)):(of(e, word(orders, i) + 0, tame(column(5)))) with lines lw 2.2 dt dash(i) lc rgb tone(i), \
-             main using (column(3)):(few(of(e, word(orders, 1) + 0, column(6)))) with points pt 6 ps 0.8 lc rgb '#222222'
+        plot for [i=1:n] parts_at(main, '$3', tame, '1 2', of(e, i), '1') using 1:2 with lines lw 2.2 dt dash(i) lc rgb tone(i), \
+             parts_at(main, '$3', '$6', '1 2', of(e, 1), sprintf('(NR - 2) %% %d == 0', apart)) using 1:2 with points pt 6 ps 0.8 lc rgb '#222222'
         eval no_heading
         eval panel(c + columns)
         unset title
@@ -62,7 +60,7 @@ do for [kind in terminals] {
         set yrange [low:high]
         if (reach <= last) { set label 1 'R' at reach, graph 0.03 left offset 0.5, 0 }
         if (tstar <= last) { set label 2 'T*' at tstar, graph 0.03 left offset 0.5, 0 }
-        plot for [i=1:n] main using (column(3)):(of(e, word(orders, i) + 0, finite(column(8)))) with lines lw 2.2 dt dash(i) lc rgb tone(i)
+        plot for [i=1:n] parts_at(main, '$3', '$8', '1 2', of(e, i), '$8 != "-inf"') using 1:2 with lines lw 2.2 dt dash(i) lc rgb tone(i)
         unset label; unset arrow
     }
     eval key_strip

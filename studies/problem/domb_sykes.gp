@@ -7,26 +7,29 @@ load scripts.'/style.gp'
 
 file = data.'/domb_sykes.csv'
 lists = data.'/domb_sykes_lists.csv'
-energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", lists))
-points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", lists))
+energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", lists))
+points = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", lists))
 shown = words(energies)
 energy(j) = word(energies, j)
-named(j) = energy_name(energy(j), first_of(file, 10, sprintf('$1 == "%s"', energy(j))))
+named(j) = energy_name(energy(j), cell_at(file, 10, '1', energy(j), '1'))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
 down = smaller(words(points), 6)
 edge = 2.85               # ratios beyond it are drawn there
-widest = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", file)) >= 12 ? 0.21 : 0.55
+widest = ask(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", file)) >= 12 ? 0.21 : 0.55
+plot_of(e, p, k) = e.','.p.','.sprintf('%d', k)
 # The power that symmetry leaves at (e, p), and where theory has its intercept in t^power.
-power(e, p) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { last = $3 } END { print last }' '%s'", e, p, lists)) + 0
-limit(e, p, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $10 + 0 }' '%s'", e, p, k, lists)) + 0
-# "1/n,ratio" of a plot, clipped to the edge; behind them a point out of sight, for gnuplot warns of a file without
-# points. Of more than 60 ratios every second pair: they are close together at 1/n = 0.
-thinned = "function thin(n) { return n <= 60 || int(n / 4) * 2 == int(n / 2) } "
-ratios(e, p, k) = sprintf("< awk -F, '".thinned."BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 != \"\" && thin($4) {y = $7 + 0; if ($8 !~ /inf/ && $8 + 0 > %g) y = $7 ~ /^-/ ? -%g : %g; print $5 \",\" y} END {print \"9,9\"}' '%s'", e, p, k, log10(edge), edge, edge, file)
-undefined(e, p, k) = sprintf("< awk -F, '".thinned."BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $3 == %d && $7 == \"\" && thin($4) {print $5 \",-2.55\"} END {print \"9,9\"}' '%s'", e, p, k, file)
+power(e, p) = or_0(cell_at(lists, 3, '1 2', e.','.p, '1'))
+limit(e, p, k) = or_0(cell_at(lists, 10, '1 2 3', plot_of(e, p, k), '1'))
+not_defined(e, p, k) = or_0(cell_at(lists, 6, '1 2 3', plot_of(e, p, k), '1'))
+# "1/n,ratio" of a plot, clipped to the edge. Of more than 60 ratios every second pair: they are close together at
+# 1/n = 0.
+thinned = '($4 <= 60 || int($4 / 4) * 2 == int($4 / 2))'
+clipped = sprintf('($8 !~ /inf/ && $8 + 0 > %g ? ($7 ~ /^-/ ? -%g : %g) : $7 + 0)', log10(edge), edge, edge)
+ratios(e, p, k) = parts_at(file, '$5', clipped, '1 2 3', plot_of(e, p, k), '$7 != "" && '.thinned)
+undefined(e, p, k) = parts_at(file, '$5', '-2.55', '1 2 3', plot_of(e, p, k), '$7 == "" && '.thinned)
 # "in t^2 (E = 1: in t^4)"
 in_power(k) = k == 1 ? 'in t' : sprintf('in t^%d', k)
-apart(p) = system(sprintf("awk -F, 'NR > 1 && $2 == \"%s\" { of[$1] = $3 } END { for (e in of) ++seen[of[e]]; for (k in seen) if (seen[k] > most) { most = seen[k]; usual = k }; printf \"%%d\", usual; for (e in of) if (of[e] != usual) printf \" %%s %%d\", e, of[e] }' '%s'", p, lists))
+apart(p) = ask(sprintf("awk -F, 'NR > 1 && $2 == \"%s\" { of[$1] = $3 } END { for (e in of) ++seen[of[e]]; for (k in seen) if (seen[k] > most) { most = seen[k]; usual = k }; printf \"%%d\", usual; for (e in of) if (of[e] != usual) printf \" %%s %%d\", e, of[e] }' '%s'", p, lists))
 title_of(s) = in_power(word(s, 1) + 0).(words(s) > 2 ? '; E = '.number_name(word(s, 2)).': '.in_power(word(s, 3) + 0) : '')
 high = 400
 head = 40
@@ -61,7 +64,7 @@ do for [kind in terminals] {
                 k = side == 1 ? 1 : power(energy(j), p)
                 s = limit(energy(j), p, k)
                 straight = straight + (s != 0)
-                bad = bad + system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $3 == %d { print $6 }' '%s'", energy(j), p, k, lists))
+                bad = bad + not_defined(energy(j), p, k)
                 lines = lines.(s ? sprintf("[0:%g] %d * (1 - %d * x) with lines lw 5 lc rgb '#dddddd' notitle, ", widest, s, k) : '')
                 if (s) { set label 10 + j '' at 0, s point pt 13 ps 1.8 lc rgb '#D55E00' front }
             }
@@ -81,15 +84,15 @@ do for [kind in terminals] {
 # What the tests make of the same lists: a row for each point, a column for each method.
 eval restart
 answers = data.'/domb_sykes_intercepts.csv'
-present = system(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
+present = ask(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
 methods = ''
 do for [m in 'ratio-in-power domb-sykes mercer-roberts verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
-last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
-# "order,log10 error" of a method, 0 drawn at the floor; behind them a point out of sight.
-lowest = system(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", answers)) + 0
-errors(m, p, e) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $9 != \"\" {print $3 \",\" ($9 ~ /inf/ ? %g : $9)} END {print \"\\n-9,9\"}' '%s'", e, p, m, lowest, answers)
-given(m, p) = system(sprintf("awk -F, '$2 == \"%s\" && $4 == \"%s\" && $9 != \"\" { ++n } END { print n + 0 }' '%s'", p, m, answers)) + 0
+last = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
+# "order,log10 error" of a method, 0 drawn at the floor.
+lowest = ask(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", answers)) + 0
+errors(m, p, e) = parts_at(answers, '$3', sprintf('($9 ~ /inf/ ? %g : $9)', lowest), '1 2 4', e.','.p.','.m, '$9 != ""')
+given(m, p) = cell_at(answers, 9, '2 4', p.','.m, '1') ne ''
 across = words(methods)
 # A step of 1, 2 or 5 times a power of ten for about four tics.
 tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))

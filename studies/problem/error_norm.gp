@@ -11,15 +11,13 @@ orders = sorted(main, 2, '1')
 energies = seen(main, 1, '1')
 n = words(orders)
 scalar = first_of(main, 6, '1')
-of(order, method) = sprintf('$2 == %s && $3 == "%s"', order, method)
-at(e, method) = sprintf('$1 == "%s" && $3 == "%s"', e, method)
 bounded = count_of(main, '$11 != ""') > 0
 arithmetics = ''
 do for [s in 'double long-double quad'] { if (exists_file(file('_'.s))) { arithmetics = arithmetics.' '.s } }
 # log10 of the unit of an arithmetic, mpfr:D and ball:D by their digits.
 unit_of(s) = s eq 'double' ? -15.65 : s eq 'long-double' ? -18.96 : s eq 'quad' ? -33.72 : -real(s[strstrt(s, ':') + 1:*])
 # T*/R from the complete integrals, K/sqrt(K^2 + K'^2) on either side of E = 2, by arithmetic-geometric means.
-rate_of(e, g) = number(system("awk '".awk_v."function agm(a, b, c) { while (a - b > 1e-15 * a) { c = (a + b) / 2; b = sqrt(a * b); a = c } return a } BEGIN { e = v(\"".e."\"); g = v(\"".g."\"); m = g > 0 ? e / 2 : 2 / e; n = g > 0 ? g / 2 : -g / e; k = 1 / agm(1, sqrt(n > 0 ? n : 1e-300)); c = 1 / agm(1, sqrt(m)); print k / sqrt(k * k + c * c) }'"))
+rate_of(e, g) = number(ask("awk '".awk_v."function agm(a, b, c) { while (a - b > 1e-15 * a) { c = (a + b) / 2; b = sqrt(a * b); a = c } return a } BEGIN { e = v(\"".e."\"); g = v(\"".g."\"); m = g > 0 ? e / 2 : 2 / e; n = g > 0 ? g / 2 : -g / e; k = 1 / agm(1, sqrt(n > 0 ? n : 1e-300)); c = 1 / agm(1, sqrt(m)); print k / sqrt(k * k + c * c) }'"))
 
 panel_h = 540
 if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
@@ -43,7 +41,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
             g = first_of(main, 8, sprintf('$1 == "%s"', e))
             rate = rate_of(e, g)
             clear = smaller(0, unit_of(scalar) + 2)
-            height = number(system(sprintf("awk -F, '$1 == \"%s\" && $3 == \"series\" && $10 !~ /inf/ && $10 > %g { h = $10 - $2 * %.12g; if (!n++ || h > m) m = h } END { print n ? m : 0 }' '%s'", e, clear < 0 ? clear : -1e9, log10(rate), main)))
+            height = number(ask(sprintf("awk -F, '$1 == \"%s\" && $3 == \"series\" && $10 !~ /inf/ && $10 > %g { h = $10 - $2 * %.12g; if (!n++ || h > m) m = h } END { print n ? m : 0 }' '%s'", e, clear < 0 ? clear : -1e9, log10(rate), main)))
             eval panel(p)
             set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
             set title 'E = '.energy_name(e, g).sprintf(', rate T*/R = %.4g', rate) offset 0, -0.5
@@ -63,9 +61,9 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
                 }
             }
             plot [0:word(orders, n) * 1.06 + 1] height + x * log10(rate) with lines lw 1.2 dt 5 lc rgb '#444444', \
-                 for [m in 'series resummed'] rows(main, 2, 11, at(e, m)) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(m), \
-                 for [m in 'series resummed'] rows(main, 2, 10, at(e, m)) using 1:2 with linespoints lw 2.2 dt dash_of(m) pt 7 ps 0.6 lc rgb tone(m), \
-                 for [i=1:words(rounded)] for [m in 'series resummed'] rows(file(word(rounded, i)), 2, 10, words(arithmetics) > 0 ? at(e, m) : '0') using 1:2 with points pt mark[i] ps 0.9 lw 1.2 lc rgb tone(m)
+                 for [m in 'series resummed'] rows_at(main, 2, 11, '1 3', e.','.m, '1') using 1:2 with lines lw 1.5 dt 3 lc rgb tone(m), \
+                 for [m in 'series resummed'] rows_at(main, 2, 10, '1 3', e.','.m, '1') using 1:2 with linespoints lw 2.2 dt dash_of(m) pt 7 ps 0.6 lc rgb tone(m), \
+                 for [i=1:words(rounded)] for [m in 'series resummed'] rows_at(file(word(rounded, i)), 2, 10, '1 3', e.','.m, words(arithmetics) > 0 ? '1' : '0') using 1:2 with points pt mark[i] ps 0.9 lw 1.2 lc rgb tone(m)
             eval no_heading
             do for [i=1:k] { unset arrow 10 + i; unset label 10 + i }
         }
@@ -83,7 +81,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
 } else {
     # The Runge-Kutta march in double with the smallest step, where the table is there: "step log10_norm".
     march = file('_baseline')
-    baseline = exists_file(march) ? system(sprintf("grep ',double,' '%s' | tail -n 1 | cut -d, -f2,9 --output-delimiter=' '", march)) : ''
+    baseline = exists_file(march) ? ask(sprintf("grep ',double,' '%s' | tail -n 1 | cut -d, -f2,9 --output-delimiter=' '", march)) : ''
     near(side) = sprintf('$8 %s /^-/ && $12 < -0.9', side)
     librations = words(seen(main, 12, near('!~'))) > 1
     rotations = words(seen(main, 12, near('~'))) > 1
@@ -108,8 +106,8 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
             set ylabel norm_axis
             if (words(baseline) == 2) { set arrow 3 from graph 0, first (word(baseline, 2) + 0) to graph 1, first (word(baseline, 2) + 0) nohead lc rgb '#666666' lw 1.5 dt 4 }
             unset key
-            plot for [i=1:n] for [m in 'series resummed'] rows(main, 1, 11, of(word(orders, i), m)) using 1:2 with lines lw 1.1 dt 3 lc rgb colour(i, n), \
-                 for [i=1:n] for [m in 'series resummed'] rows(main, 1, 10, of(word(orders, i), m)) using 1:2 with lines lw 2 dt dash_of(m) lc rgb colour(i, n)
+            plot for [i=1:n] for [m in 'series resummed'] rows_at(main, 1, 11, '2 3', word(orders, i).','.m, '1') using 1:2 with lines lw 1.1 dt 3 lc rgb colour(i, n), \
+                 for [i=1:n] for [m in 'series resummed'] rows_at(main, 1, 10, '2 3', word(orders, i).','.m, '1') using 1:2 with lines lw 2 dt dash_of(m) lc rgb colour(i, n)
             unset arrow
             eval energies_done
             eval no_heading
@@ -128,8 +126,8 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
                     set arrow 3 from graph 0, first (word(baseline, 2) + 0) to graph 1, first (word(baseline, 2) + 0) nohead lc rgb '#666666' lw 1.5 dt 4
                 }
                 unset key
-                plot for [i=1:n] for [m in 'series resummed'] rows(main, 12, 11, of(word(orders, i), m).which) using 1:2 with lines lw 1.1 dt 3 lc rgb colour(i, n), \
-                     for [i=1:n] for [m in 'series resummed'] rows(main, 12, 10, of(word(orders, i), m).which) using 1:2 with lines lw 2 dt dash_of(m) lc rgb colour(i, n)
+                plot for [i=1:n] for [m in 'series resummed'] rows_at(main, 12, 11, '2 3', word(orders, i).','.m, '1'.which) using 1:2 with lines lw 1.1 dt 3 lc rgb colour(i, n), \
+                     for [i=1:n] for [m in 'series resummed'] rows_at(main, 12, 10, '2 3', word(orders, i).','.m, '1'.which) using 1:2 with lines lw 2 dt dash_of(m) lc rgb colour(i, n)
                 unset arrow
                 eval no_heading
             }
@@ -168,7 +166,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
                 if (s == 1) { set ylabel norm_axis } else { unset ylabel }
                 unset key
                 set arrow 2 from graph 0, first unit_of(a) to graph 1, first unit_of(a) nohead lc rgb '#666666' lw 1.2 dt 4
-                plot for [i=1:n] for [m in 'series resummed'] rows(file('_'.a), 1, 10, of(word(orders, i), m)) using 1:2 with lines lw 1.6 dt dash_of(m) lc rgb colour(i, n)
+                plot for [i=1:n] for [m in 'series resummed'] rows_at(file('_'.a), 1, 10, '2 3', word(orders, i).','.m, '1') using 1:2 with lines lw 1.6 dt dash_of(m) lc rgb colour(i, n)
                 unset arrow
                 eval energies_done
                 eval no_heading

@@ -12,7 +12,7 @@ measured = count_of(file, '$7 != ""')
 # Over the distance from E = 2 where all energies are near it, else over the energy; a lone energy over the point.
 near = greatest(file, '10', '1', 1) < 0.2 && least(file, '10', '1', 1) > 0
 x_of = near ? 'log(v($10)) / log(10)' : 'v($1)'
-curve(p, y) = "< awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && $2 == \"".p."\" && (".y.") != \"\" { print ".x_of." \",\" ".y." } END { print \"\\n1e99,1e99\" }' '".file."'"
+curve(p, y) = parts_at(file, x_of, y, '2', p, '('.y.') != ""')
 rate_of(m) = m ? '$7' : '$6'
 
 across = 2; down = 1
@@ -21,7 +21,7 @@ if (words(energies) > 1) {
     foot = foot_for(shown_in_key(n) + 2, 16)
     left = least(file, '1', '1', 0); right = greatest(file, '1', '1', 4)
     widest = greatest(file, '3', '1', 1)
-    highest = number(system("awk -F, '".awk_v."NR > 1 { r = v($3) / v($4); if (r > m) m = r } END { print m }' '".file."'"))
+    highest = number(ask("awk -F, '".awk_v."NR > 1 { r = v($3) / v($4); if (r > m) m = r } END { print m }' '".file."'"))
     fastest = greatest(file, '6 7', '1', 1)
     do for [kind in terminals] {
         eval figure_of(kind, 'expansion_point')
@@ -60,7 +60,7 @@ if (words(energies) > 1) {
 shown = smaller(words(energies), 6)
 energy(j) = pick(energies, shown, j)
 named(j) = energy_name(energy(j), first_of(file, 10, sprintf('$1 == "%s"', energy(j))))
-aspect(e) = number(system("awk -F, '$1 == \"".e."\" { printf \"%.9g\", $8 / $4; exit }' '".file."'"))
+aspect(e) = number(ask("awk -F, '$1 == \"".e."\" { printf \"%.9g\", $8 / $4; exit }' '".file."'"))
 rate(x, k) = (x > 0.5 ? x : 1 - x) / sqrt((1 - x)**2 + k**2)
 array k[6]
 do for [j=1:shown] { k[j] = aspect(energy(j)) }
@@ -84,7 +84,7 @@ do for [kind in terminals] {
     set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888'
     set arrow 2 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb '#888888' dt 3
     plot for [j=1:shown] rate(x, k[j]) with lines lw 2 dt j lc rgb shade[j], \
-         for [j=1:shown] rows(file, 2, measured ? 7 : 6, sprintf('$1 == "%s"', energy(j))) using 1:2 with points pt mark[j] ps 1.2 lw 1.5 lc rgb shade[j]
+         for [j=1:shown] rows_at(file, 2, measured ? 7 : 6, '1', energy(j), '1') using 1:2 with points pt mark[j] ps 1.2 lw 1.5 lc rgb shade[j]
     eval no_heading
     eval key_strip
     plot for [j=1:shown] NaN with linespoints lw 2 dt j pt mark[j] lc rgb shade[j] title 'E = '.named(j), \

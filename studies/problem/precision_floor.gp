@@ -6,12 +6,12 @@ load scripts.'/style.gp'
 file = data.'/precision_floor.csv'
 energies = seen(file, 1, '1')
 scalars = seen(file, 4, '1')
-epsilons = system(sprintf("cut -d, -f4,12 '%s' | tail -n +2 | awk -F, '!seen[$1]++ {print $2}'", file))
+epsilons = ask(sprintf("cut -d, -f4,12 '%s' | tail -n +2 | awk -F, '!seen[$1]++ {print $2}'", file))
 n = words(scalars)
 last = greatest(file, '2', '1', 1)
 single = words(seen(file, 2, '1')) == 1
 panels = smaller(words(energies), 9)
-of(e, s, method) = sprintf('$1 == "%s" && $4 == "%s" && $3 == "%s"', e, s, method)
+of(e, s, method) = e.','.word(scalars, s).','.method
 style = single ? 'points pt 7' : 'lines'
 tone(s) = colour(n <= 4 ? s + 2 : s, n <= 4 ? 6 : n)
 
@@ -36,9 +36,9 @@ do for [kind in terminals] {
         do for [s=1:n] {
             set arrow s from graph 0.95, first (word(epsilons, s) + 0) to graph 1, first (word(epsilons, s) + 0) nohead lw 4 lc rgb tone(s)
         }
-        plot for [m in 'series resummed'] rows(file, 2, 11, of(e, word(scalars, 1), m)) using 1:2 with @style lw 1.3 dt 3 lc rgb '#666666', \
-             for [s=1:n] rows(file, 2, 10, of(e, word(scalars, s), 'series')) using 1:2 with @style lw 2 dt 2 lc rgb tone(s), \
-             for [s=1:n] rows(file, 2, 10, of(e, word(scalars, s), 'resummed')) using 1:2 with @style lw 2 lc rgb tone(s)
+        plot for [m in 'series resummed'] rows_at(file, 2, 11, '1 4 3', of(e, 1, m), '1') using 1:2 with @style lw 1.3 dt 3 lc rgb '#666666', \
+             for [s=1:n] rows_at(file, 2, 10, '1 4 3', of(e, s, 'series'), '1') using 1:2 with @style lw 2 dt 2 lc rgb tone(s), \
+             for [s=1:n] rows_at(file, 2, 10, '1 4 3', of(e, s, 'resummed'), '1') using 1:2 with @style lw 2 lc rgb tone(s)
         do for [s=1:n] { unset arrow s }
         eval no_heading
     }

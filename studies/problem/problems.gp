@@ -9,7 +9,7 @@ sizes = data.'/problems_coefficients.csv'
 nearest = data.'/problems_singularities.csv'
 names = seen(main, 1, '1')
 count = words(names)
-plain(name) = system(sprintf("printf '%%s' '%s' | tr _ ' '", name))
+plain(name) = ask(sprintf("printf '%%s' '%s' | tr _ ' '", name))
 unknowns_of(name) = seen(nearest, 11, sprintf('$1 == "%s"', name))
 of(name, c, u) = sprintf('$1 == "%s" && $%d == "%s"', name, c, u)
 across = count < 6 ? count : 6

@@ -4,21 +4,21 @@
 load scripts.'/style.gp'
 
 file = data.'/radius_map.csv'
-energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
-orders = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -nu", file))
+energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+orders = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -nu", file))
 shown = words(energies)
 panels = smaller(words(orders), 3)
 energy(j) = word(energies, j)
 order(i) = pick(orders, 3, i)
 named(j) = energy_name(energy(j), first_of(file, 19, sprintf('$1 == "%s"', energy(j))))
-# "x,$k" of an energy and an order with the awk expression y; points may be fractions; a point out of sight behind them.
-rows(e, n, k, y) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $3 == %s && $%d != \"\" {split($2, f, \"/\"); print (f[2] == \"\" ? f[1] : f[1] / f[2]) \",\" (%s)} END {print \"\\n-9,9e9\"}' '%s'", e, n, k, y, file)
-height(e) = system(sprintf("awk -F, '$1 == \"%s\" { printf \"%%.9g\", $18 / $17; exit }' '%s'", e, file)) + 0
+# "x,y" of an energy and an order where there is $k, y being an expression of awk.
+at(e, n, k, y) = parts_at(file, 'v($2)', y, '1 3', e.','.n, sprintf('$%d != ""', k))
+height(e) = ask(sprintf("awk -F, '$1 == \"%s\" { printf \"%%.9g\", $18 / $17; exit }' '%s'", e, file)) + 0
 array k[shown]
 do for [j=1:shown] { k[j] = height(energy(j)) }
 highest = 0
 do for [j=1:shown] { highest = sqrt(1 + k[j]**2) > highest ? sqrt(1 + k[j]**2) : highest }
-lowest = system(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $8 != \"\" && $8 !~ /inf/ && $8 + 0 < l { l = $8 + 0 } END { print int(l) - 2 }' '%s'", file)) + 0
+lowest = ask(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $8 != \"\" && $8 !~ /inf/ && $8 + 0 < l { l = $8 + 0 } END { print int(l) - 2 }' '%s'", file)) + 0
 radius(x, h) = sqrt((1 - x)**2 + h**2)
 rate(x, h) = (x > 0.5 ? x : 1 - x) / radius(x, h)
 fastest = 1.2
@@ -46,7 +46,7 @@ do for [kind in terminals] {
         set yrange [0:highest * 1.15]
         if (i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width (shown > 6 ? -1 : 2) } else { unset key }
         plot for [j=1:shown] [0:1] radius(x, k[j]) with lines lw 1.8 dt line_of(j) lc rgb colour(j, shown) notitle, \
-             for [j=1:shown] rows(energy(j), n, 4, '$4 / $17') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
+             for [j=1:shown] at(energy(j), n, 4, '$4 / $17') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
         unset label 1
         unset key
         set origin 1 / 3.0, (foot + high * (panels - i)) / all
@@ -57,14 +57,14 @@ do for [kind in terminals] {
         set label 2 'diverges at an end' at graph 0.03, first 1 offset 0, 0.6 textcolor rgb soft
         set arrow 2 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888' lw 1
         plot for [j=1:shown] [0:1] rate(x, k[j]) with lines lw 1.8 dt line_of(j) lc rgb colour(j, shown), \
-             for [j=1:shown] rows(energy(j), n, 16, '$16') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown)
+             for [j=1:shown] at(energy(j), n, 16, '$16') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown)
         unset arrow 1; unset arrow 2
         unset label 2
         set origin 2 / 3.0, (foot + high * (panels - i)) / all
         set title 'N = '.n.': relative error of R'
         set ylabel 'log_{10} |R estimated/R - 1|' offset 0
         set yrange [lowest:1]
-        plot for [j=1:shown] rows(energy(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown)
+        plot for [j=1:shown] at(energy(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown)
     }
     unset multiplot
     unset output

@@ -6,12 +6,12 @@ load scripts.'/style.gp'
 
 ranking = data.'/radius_tournament_ranking.csv'
 coverage = data.'/radius_tournament_coverage.csv'
-scalars = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", ranking))
-orders = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | sort -n | uniq", ranking))
+scalars = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", ranking))
+orders = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | sort -n | uniq", ranking))
 last_scalar = word(scalars, words(scalars))
 last_order = word(orders, words(orders))
 # The methods from the best to the worst, by the last scalar and the largest order.
-methods = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { print $3, $4 }' '%s' | sort -n | cut -d' ' -f2", last_order, last_scalar, ranking))
+methods = ask(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" { print $3, $4 }' '%s' | sort -n | cut -d' ' -f2", last_order, last_scalar, ranking))
 count = words(methods)
 place(m) = sum [i=1:count] (word(methods, i) eq m ? count + 1 - i : 0)
 of(s, n, y) = strcol(2) eq s && strcol(1) eq n ? y : NaN
@@ -39,7 +39,7 @@ do for [kind in terminals] {
         unset ytics
         if (p == 1) { do for [i=1:count] { set ytics add (word(methods, i) count + 1 - i) scale 0 } }
         if (p > 1) { do for [i=1:count] { set ytics add ('' count + 1 - i) scale 0 } }
-        most = real(system(sprintf("awk -F, '$2 == \"%s\" { print $7 }' '%s' | sort -g | tail -n 1", s, ranking)))
+        most = real(ask(sprintf("awk -F, '$2 == \"%s\" { print $7 }' '%s' | sort -g | tail -n 1", s, ranking)))
         set xrange [0:most * 1.06 + 0.5]
         set xlabel 'correct digits, mean ('.s.')'
         if (p == 1) { set key at screen left + 0.02, 0.915 left horizontal samplen 1 width 1 title 'order N:' left }

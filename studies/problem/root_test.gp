@@ -5,21 +5,21 @@
 load scripts.'/style.gp'
 
 file = data.'/root_test.csv'
-energies = system(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
-points = system(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
+energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+points = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
 shown = words(energies)
 across = smaller(words(points), 4)
 energy(j) = word(energies, j)
 place(i) = pick(points, 4, i)
-named(j) = energy_name(energy(j), first_of(file, 12, sprintf('$1 == "%s"', energy(j))))
+named(j) = energy_name(energy(j), cell_at(file, 12, '1', energy(j), '1'))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
-last = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
-amplitude(p) = system(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
-# "n,log10 error"; behind them a point out of sight, for gnuplot warns of a file without points.
-# Of n close together on the axis of log n the first is drawn.
-errors(e, p, k) = "< awk -F, 'BEGIN { print \"x,y\" } $1 == \"".e."\" && $2 == \"".p."\" && $".k." !~ /inf/ { b = int(60 * log($3)); if (b != last) print $3 \",\" $".k."; last = b } END { print \"1e-9,9\" }' '".file."'"
+last = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
+amplitude(p) = ask(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
+# "n,log10 error"; of n close together on the axis of log n the first is drawn.
+sparse = '(b = int(60 * log($3))) != last[$1, $2] && ((last[$1, $2] = b) || 1)'
+errors(e, p, k) = parts_at(file, '$3', sprintf('$%d', k), '1 2', e.','.p, sprintf('$%d !~ /inf/ && ', k).sparse)
 log10_of(x) = x == 0 ? NaN : log10(abs(x))
-highest = system(sprintf("awk -F, 'BEGIN { l = 0.2 } NR > 1 { for (c = 9; c <= 10; ++c) if ($c !~ /inf/ && $c + 0 > l) l = $c + 0 } END { print l + 0.3 }' '%s'", file)) + 0
+highest = ask(sprintf("awk -F, 'BEGIN { l = 0.2 } NR > 1 { for (c = 9; c <= 10; ++c) if ($c !~ /inf/ && $c + 0 > l) l = $c + 0 } END { print l + 0.3 }' '%s'", file)) + 0
 high = 350
 head = 40
 foot = 46
@@ -64,13 +64,13 @@ answers = data.'/root_test_estimates.csv'
 methods = ''
 do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
-newest = system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
+newest = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
 # Column k over the order, 0 drawn at the floor.
-floor_of(which) = system(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
+floor_of(which) = ask(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
 of_verdict = floor_of('$4 == "verdict"')
 of_sizes = floor_of('$4 != "verdict"')
-answer(m, p, e, k, low) = sprintf("< awk -F, 'BEGIN {print \"x,y\"} $1 == \"%s\" && $2 == \"%s\" && $4 == \"%s\" && $%d != \"\" {print $3 \",\" ($%d ~ /inf/ ? %g : $%d)} END {print \"\\n-9,9\"}' '%s'", e, p, m, k, k, low, k, answers)
-given(m, p) = system(sprintf("awk -F, '$2 == \"%s\" && $4 == \"%s\" && $9 != \"\" { ++n } END { print n + 0 }' '%s'", p, m, answers)) + 0
+answer(m, p, e, k, low) = parts_at(answers, '$3', sprintf('($%d ~ /inf/ ? %g : $%d)', k, low, k), '1 2 4', e.','.p.','.m, sprintf('$%d != ""', k))
+given(m, p) = cell_at(answers, 9, '2 4', p.','.m, '1') ne ''
 columns = words(methods)
 # A step of 1, 2 or 5 times a power of ten for about four tics.
 tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))

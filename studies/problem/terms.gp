@@ -7,7 +7,6 @@ file = data.'/terms.csv'
 digits = sorted(file, 3, '1')
 energies = seen(file, 1, '1')
 n = words(digits)
-of(d, method) = sprintf('$3 == %s && $4 == "%s"', d, method)
 side(k) = k == 1 ? '$2 !~ /^-/' : '$2 ~ /^-/'
 panels = ''
 do for [k=1:2] { if (count_of(file, side(k)) > 0) { panels = panels.' '.k } }
@@ -44,10 +43,10 @@ do for [kind in terminals] {
             set title k == 1 ? 'libration, E < 2' : 'rotation, E > 2' offset 0, -0.5
             set xlabel gap_axis
             eval falling('x', least(file, '12', side(k), 0), greatest(file, '12', side(k), 0))
-            plot for [i=1:n] rows(file, 12, 7, of(word(digits, i), 'series').which) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i, n), \
-                 for [i=1:n] for [m in 'series resummed'] rows(file, 12, 5, of(word(digits, i), m).which.' && $5 > 0') using 1:2 with linespoints pt 7 ps 0.5 lw 2 dt dash_of(m) lc rgb tone(i, n), \
-                 for [i=1:n] rows(file, 12, 8, of(word(digits, i), 'series').which) using 1:2 with points pt 1 ps 0.8 lc rgb tone(i, n), \
-                 for [i=1:n] rows(file, 12, 8, of(word(digits, i), 'resummed').which) using 1:2 with points pt 2 ps 0.7 lc rgb tone(i, n)
+            plot for [i=1:n] rows_at(file, 12, 7, '3 4', word(digits, i).',series', '1'.which) using 1:2 with lines lw 1.5 dt 3 lc rgb tone(i, n), \
+                 for [i=1:n] for [m in 'series resummed'] rows_at(file, 12, 5, '3 4', word(digits, i).','.m, '$5 > 0'.which) using 1:2 with linespoints pt 7 ps 0.5 lw 2 dt dash_of(m) lc rgb tone(i, n), \
+                 for [i=1:n] rows_at(file, 12, 8, '3 4', word(digits, i).',series', '1'.which) using 1:2 with points pt 1 ps 0.8 lc rgb tone(i, n), \
+                 for [i=1:n] rows_at(file, 12, 8, '3 4', word(digits, i).',resummed', '1'.which) using 1:2 with points pt 2 ps 0.7 lc rgb tone(i, n)
         }
         eval no_heading
     }

@@ -9,11 +9,11 @@ places = data.'/complex_plane_singularities.csv'
 proofs = data.'/complex_plane_proofs.csv'
 names = seen(main, 1, '1')
 count = words(names)
-plain(name) = system(sprintf("printf '%%s' '%s' | tr _ ' '", name))
+plain(name) = ask(sprintf("printf '%%s' '%s' | tr _ ' '", name))
 of(name) = sprintf('$1 == "%s"', name)
 part_of(name, part) = sprintf('$1 == "%s" && $2 == "%s"', name, part)
-grid_of(name) = "< awk -F, 'NR > 1 && $1 == \"".name."\" { print $2 \",\" $3 \",\" ($4 == \"\" ? 0 : $4) \",\" ($5 == \"\" ? 9 : $5) }' '".main."'"
-three(name, part) = "< awk -F, 'BEGIN { print \"x,y,r\" } NR > 1 && $1 == \"".name."\" && $2 == \"".part."\" { print $3 \",\" $4 \",\" $5 } END { print \"1e99,1e99,0\" }' '".proofs."'"
+grid_of(name) = points_by("awk -F, 'NR > 1 && $1 == \"".name."\" { print $2 \",\" $3 \",\" ($4 == \"\" ? 0 : $4) \",\" ($5 == \"\" ? 9 : $5) }' '".main."'")
+three(name, part) = points_by("awk -F, 'BEGIN { print \"x,y,r\" } NR > 1 && $1 == \"".name."\" && $2 == \"".part."\" { print $3 \",\" $4 \",\" $5 } END { print \"1e99,1e99,0\" }' '".proofs."'")
 shade_of(m) = 0.62 + 0.38 * (m - floor(m))
 colour_of(m, a) = a > 8 ? 0xffffff : hsv2rgb((a + pi) / (2 * pi), 0.45, shade_of(m))
 red(m, a) = int(colour_of(m, a)) >> 16

@@ -5,7 +5,7 @@ load scripts.'/style.gp'
 main = data.'/reference_problems.csv'
 problems = seen(main, 1, '1')
 n = words(problems)
-name_of(p) = system("echo '".p."' | tr '_' ' '")
+name_of(p) = ask("echo '".p."' | tr '_' ' '")
 log_of(p, column) = larger(log10(larger(greatest(main, column, sprintf('$1 == "%s" && $%s !~ /inf/', p, column), 1e-3), 1e-3)), -3)
 
 eval grid(1, 1)

@@ -7,8 +7,8 @@ count = count_of(main, '1')
 verdicts = 'larger equal within'
 letters = 'larger than the domain|equal to it|within it'
 # The argument of the nearest singularity in degrees, 0 ahead and 180 behind; of those without one the middle.
-angles(v) = "< awk -F, 'BEGIN { print \"x,y\" } NR > 1 { ++n; if ($5 == \"".v."\") print ($6 == \"\" ? -20 : (atan2($7 < 0 ? -$7 : $7, $6) * 180 / 3.14159265358979)) \",\" n } END { print \"1e99,1e99\" }' '".main."'"
-labels = "< awk -F, 'BEGIN { print \"y,name\" } NR > 1 { ++n; print n \",\" $1 (($5 == \"\") ? \" (no verdict)\" : \"\") }' '".main."'"
+angles(v) = points_by("awk -F, 'BEGIN { print \"x,y\" } NR > 1 { ++n; if ($5 == \"".v."\") print ($6 == \"\" ? -20 : (atan2($7 < 0 ? -$7 : $7, $6) * 180 / 3.14159265358979)) \",\" n } END { print \"1e99,1e99\" }' '".main."'")
+labels = points_by("awk -F, 'BEGIN { print \"y,name\" } NR > 1 { ++n; print n \",\" $1 (($5 == \"\") ? \" (no verdict)\" : \"\") }' '".main."'")
 
 eval grid(1, 1)
 panel_w = 900
@@ -29,7 +29,7 @@ do for [kind in terminals] {
          for [i=1:3] angles(word(verdicts, i)) using 1:2 with points pt mark[i] ps 1 lw 1.6 lc rgb shade[2 * i - 1]
     eval no_heading
     eval key_strip
-    plot for [i=1:3] NaN with points pt mark[i] ps 1 lw 1.6 lc rgb shade[2 * i - 1] title 'radius '.system(sprintf("printf '%%s' '%s' | cut -d'|' -f%d", letters, i))
+    plot for [i=1:3] NaN with points pt mark[i] ps 1 lw 1.6 lc rgb shade[2 * i - 1] title 'radius '.ask(sprintf("printf '%%s' '%s' | cut -d'|' -f%d", letters, i))
     unset multiplot
     unset output
     eval restart

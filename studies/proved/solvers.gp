@@ -7,7 +7,7 @@ problems = seen(main, 1, '1')
 n = words(problems)
 libraries = seen(main, 2, '$9 != ""')
 methods_of(s) = seen(main, 4, sprintf('$9 != "" && $2 == "%s"', s))
-nice(name) = system("echo '".name."' | tr '_' ' '")
+nice(name) = ask("echo '".name."' | tr '_' ' '")
 of(p, s, m) = sprintf('$1 == "%s" && $2 == "%s" && $4 == "%s" && $7 > 0', p, s, m)
 # All methods, as library:method, with the place of their library.
 curves = ''
