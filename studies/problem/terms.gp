@@ -13,6 +13,9 @@ do for [k=1:2] { if (count_of(file, side(k)) > 0) { panels = panels.' '.k } }
 by_digits = words(energies) <= 2
 if (by_digits) { panels = words(energies) == 1 ? '1' : '1 2' }
 
+one_two_five = '1'
+do for [k=0:6] { do for [m in '2 5 10'] { one_two_five = one_two_five.sprintf(', %d', m * 10**k) } }
+
 eval grid(words(panels), 2)
 panel_w = across == 1 ? 860 : 590
 panel_h = 500
@@ -22,7 +25,9 @@ do for [kind in terminals] {
     eval heading('Powers for D digits on [0, T*]', 'the error norm is at most 10^{−D} rad')
     set lmargin 11; set rmargin 2; set tmargin 2; set bmargin 3.6
     set logscale y
-    set yrange [least(file, '5', '$5 > 0', 3) / 1.6:greatest(file, '5 8', '1', 10) * 1.6]
+    low = least(file, '5', '$5 > 0', 3) / 1.6; high = greatest(file, '5 8', '1', 10) * 1.6
+    set yrange [low:high]
+    if (high < 30 * low) { eval 'set ytics ('.one_two_five.')' } # where powers of ten would be one or two tics
     set format y '%g'
     do for [p=1:words(panels)] {
         eval panel(p)
