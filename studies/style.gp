@@ -60,7 +60,9 @@ at_once(command) = (command[1:4] eq 'awk ' ? 'exec ' : '').command
 ask(command) = is_known(command) ? shell_said[shell_at] : learnt(command, system(at_once(command)))
 # The file in `scratch` of the rows that a command prints.
 points_by(command) = is_known('> '.command) ? shell_said[shell_at] : points_in(sprintf('%s/%d.csv', scratch, shell_knows + 1), command)
-points_in(file, command) = (system(at_once(command)." > '".file."'"), learnt('> '.command, file))
+points_in(file, command) = (system(at_once(command)." > '".file."'"), learnt('> '.command, written(file)))
+# Points that are not all there end the script, for this function is defined nowhere.
+written(file) = GPVAL_SYSTEM_ERRNO == 0 ? file : points_could_not_be_written_to(file)
 
 # --- what a table holds. `where` is a condition of awk on the cells $1, $2, ...; v() reads a number or a fraction.
 awk_v = 'BEGIN { CONVFMT = OFMT = "%.15g" } function v(s, f) { return split(s, f, "/") == 2 ? f[1] / f[2] : s + 0 } '
@@ -75,7 +77,7 @@ first_of(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { print 
 # The last cell of a column in the rows that `where` picks and whose columns 'c c ...' of `keys` have the values
 # "v,v,..."; '' where there is none. One question for all values.
 cells(file, c, keys, where) = ask("awk -F, '".awk_v."BEGIN { c = split(\"".keys."\", key, \" \") } NR > 1 && (".where.") && $".c." != \"\" { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; cell[k] = $".c." } END { for (k in cell) print k, cell[k] }' '".file."'")
-second_of_pair(list, first) = (shell_pair = 0, sum [i=1:words(list)] (i % 2 == 1 && word(list, i) eq first ? (shell_pair = i) : 0), shell_pair ? word(list, shell_pair + 1) : '')
+second_of_pair(lines, first) = (shell_found = strstrt("\n".lines, "\n".first.' '), shell_found ? word(lines[shell_found:*], 2) : '')
 cell_at(file, c, keys, values, where) = second_of_pair(cells(file, c, keys, where), values)
 or_0(cell) = cell eq '' ? 0 : cell + 0
 # The least and the greatest finite number of the columns 'c c ...'; `otherwise` where there is none.
@@ -88,11 +90,12 @@ greatest(file, cs, where, otherwise) = extreme(extremes(file, cs, where), 2, oth
 rows(file, x, y, where) = points_by("awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && (".where.") && $".y." != \"\" && $".y." !~ /inf|nan/ { print v($".x.") \",\" $".y." } END { print \"\\n1e99,1e99\" }' '".file."'")
 # The same for many curves by one reading of the table: of the rows that `where` picks those whose columns 'c c ...' of
 # `keys` have the values "v,v,...". x and y are expressions of awk in parts_at, columns in rows_at. awk answers the
-# beginning of its files' names and what stands in which of them, from 1 on; file 0 holds nothing.
+# beginning of its files' names and what stands in which of them, from 1 on; file 0 holds nothing. Of many files some
+# are closed between two rows: a process may have about a thousand of them open.
 parts(file, x, y, keys, where) = is_known('parts '.file.' '.x.' '.y.' '.keys.' '.where) ? shell_said[shell_at] \
     : learnt('parts '.file.' '.x.' '.y.' '.keys.' '.where, parts_in(sprintf('%s/%d', scratch, shell_knows + 1), file, x, y, keys, where))
-parts_in(stem, file, x, y, keys, where) = system("exec awk -F, '".awk_v."function head(i) { name[i] = \"".stem."-\" i \".csv\"; print \"x,y\" > name[i] } BEGIN { c = split(\"".keys."\", key, \" \"); head(0) } NR > 1 && (".where.") { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; if (!(k in at)) { at[k] = ++n; words = words \" \" k; head(n) } print (".x.") \",\" (".y.") > name[at[k]] } END { for (i = 0; i <= n; ++i) print \"\\n1e99,1e99\" > name[i]; print \"".stem."\" words }' '".file."'")
-part_of(answer, values) = sprintf('%s-%d.csv', word(answer, 1), sum [i=1:words(answer)] (i > 1 && word(answer, i) eq values ? i - 1 : 0))
+parts_in(stem, file, x, y, keys, where) = (shell_words = system("exec awk -F, '".awk_v."function put(i, s) { if (i < 400) print s > name[i]; else { print s >> name[i]; close(name[i]) } } function head(i) { name[i] = \"".stem."-\" i \".csv\"; put(i, \"x,y\") } BEGIN { c = split(\"".keys."\", key, \" \"); head(0) } NR > 1 && (".where.") { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; if (!(k in at)) { at[k] = ++n; words = words \" \" k; head(n) } put(at[k], (".x.") \",\" (".y.")) } END { for (i = 0; i <= n; ++i) put(i, \"\\n1e99,1e99\"); print words }' '".file."'"), written(stem).shell_words)
+part_of(answer, values) = (shell_found = strstrt(answer.' ', ' '.values.' '), sprintf('%s-%d.csv', word(answer, 1), shell_found ? words(answer[1:shell_found]) : 0))
 parts_at(file, x, y, keys, values, where) = part_of(parts(file, x, y, keys, where), values)
 rows_at(file, x, y, keys, values, where) = parts_at(file, sprintf('v($%d)', x), sprintf('$%d', y), keys, values, sprintf('(%s) && $%d != "" && $%d !~ /inf|nan/', where, y, y))
 # The same with a gap in the line where y is not finite.

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "run/child_program.hpp"
 #include "run/program_files.hpp"
@@ -59,16 +61,30 @@ std::vector<fs::path> figures_in(const std::string& folder) {
     return found;
 }
 
+// A folder for what stands between the tables and a drawing, gone when the drawing is there or not.
+class scratch_folder {
+public:
+    explicit scratch_folder(fs::path path) : path_(std::move(path)) { fs::create_directory(path_); }
+    scratch_folder(const scratch_folder&) = delete;
+    scratch_folder& operator=(const scratch_folder&) = delete;
+    ~scratch_folder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+
+private:
+    fs::path path_;
+};
+
 // In the folder itself, so that no character of its path means anything to the shell that asks the tables.
 void run_gnuplot(const study& what, const std::string& folder) {
     const fs::path script = script_of(what);
-    const fs::path scratch = fs::path(folder) / ".points";
+    const std::string scratch = ".points";
     const std::string setting = fmt::format(
-        "cd {}; data = '.'; target = '.'; scratch = '.points'; scripts = {}; stem = {}; equation = {}", quoted(folder),
-        quoted(studies_folder()), quoted(what.name), quoted(what.equation ? what.equation->name : ""));
-    fs::create_directory(scratch);
+        "cd {}; data = '.'; target = '.'; scratch = {}; scripts = {}; stem = {}; equation = {}", quoted(folder),
+        quoted(scratch), quoted(studies_folder()), quoted(what.name), quoted(what.equation ? what.equation->name : ""));
+    const scratch_folder between(fs::path(folder) / scratch);
     const int code = run_program({"gnuplot", "-e", setting, script.string()});
-    fs::remove_all(scratch);
     if (code == 127) {
         throw input_error("gnuplot is not installed: install the Debian package gnuplot-nox");
     }

@@ -173,6 +173,7 @@ FAULTS = [
         ("the tail of the curvature dropped", "enclose(sum.curvature, tail_.curvature)", "sum.curvature"),
         ("the tail of a coefficient more", "pow(ratio, kept_.order() + 1) / gap", "pow(ratio, kept_.order() + 2) / gap"),
         ("the slope without its power", "tail_.value * n / gap", "tail_.value / gap"),
+        ("the curvature halved", "sum.curvature *= 2;", ""),
         ("the curvature without its power", "tail_.slope * (n - 1) / gap", "tail_.slope * (n - 1)"),
     ),
     *in_file(
@@ -187,6 +188,7 @@ FAULTS = [
         ("only the largest end below taken", "all.value = hull(all.value, upper_bound(c.magnitude));",
          "all.value = hull(all.value, lower_bound(c.magnitude));"),
         ("the width of a piece forgotten", "+ abs(over.slope) * half;", ";"),
+        ("a piece judged by its middle", "abs(f.value_at(all)), lower_", "abs(f.value_at(p.centre)), lower_"),
         ("a piece with a stationary point skipped", "at_left * at_right > 0 ||", "at_left * at_right <= 0 ||"),
         ("pieces below an upper bound forgotten", "const ball lower = lower_bound(magnitude);",
          "const ball lower = upper_bound(magnitude);"),

@@ -63,10 +63,11 @@ TEST_CASE("an SVG loses what draws nothing", "[sweep][image]") {
 }
 
 TEST_CASE("an SVG names the figure, and no curve by the words of its script", "[sweep][image]") {
-    CHECK(finished_image(".svg", "<svg>\n<title>Gnuplot</title>\n<defs>\n</defs>\n"
-                                 "<g id=\"a\" ><title>rows(file, 1, 2, '$3 &lt; 1') using 1:2</title>\n"
-                                 "<path stroke='rgb(1, 2, 3)'  d='M1.00,2.99 L3,4  '/></g>\n"
-                                 "<g id=\"b\" ><title>E = 1</title></g>\n</svg>\n") ==
+    CHECK(finished_image(".svg",
+                         "<svg>\n<title>Gnuplot</title>\n<defs>\n</defs>\n"
+                         "<g id=\"a\" ><title>rows(file, 1, 2, '$3 &lt; 1') using 1:2</title>\n"
+                         "<path stroke='rgb(1, 2, 3)'  d='M1.00,2.99 L3,4  '/></g>\n"
+                         "<g id=\"b\" ><title>E = 1</title></g>\n</svg>\n") ==
           "<svg>\n<title>Gnuplot</title>\n<defs>\n</defs>\n"
           "<g id=\"a\" >\n<path stroke='#010203' d='M1.0,2.9 3,4 '/></g>\n\n</svg>\n");
 }

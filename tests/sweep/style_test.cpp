@@ -23,7 +23,7 @@ const std::string out_of_sight = "\n1e99,1e99\n";
 // What a script prints after style.gp, the table "t.csv" standing in the folder.
 class asked_by_gnuplot {
 public:
-    explicit asked_by_gnuplot(const std::string& script) {
+    explicit asked_by_gnuplot(const std::string& script, const std::string& scratch = "points") {
         fs::create_directory(folder_.path() / "points");
         std::ofstream(folder_.path() / "t.csv") << "group,order,x,y\n"
                                                    "a,1,1/4,-2\n"
@@ -32,17 +32,18 @@ public:
                                                    "b,3,4,1e-7\n"
                                                    "a,1,0.75,\n";
         std::ofstream(folder_.path() / "script.gp") << "load scripts.'/style.gp'\nt = 't.csv'\n" << script;
-        const std::string setting = "cd '" + folder_.path().string() +
-                                    "'; data = '.'; target = '.'; scratch = 'points'; scripts = '" + studies_folder() +
-                                    "'; set print 'said'";
-        REQUIRE(run_program({"gnuplot", "-e", setting, (folder_.path() / "script.gp").string()}) == 0);
+        const std::string setting = "cd '" + folder_.path().string() + "'; data = '.'; target = '.'; scratch = '" +
+                                    scratch + "'; scripts = '" + studies_folder() + "'; set print 'said'";
+        code_ = run_program({"gnuplot", "-e", setting, (folder_.path() / "script.gp").string()});
     }
 
+    int code() const { return code_; }
     std::string said() const { return text_of_file(folder_.path() / "said"); }
     std::string file(const std::string& name) const { return text_of_file(folder_.path() / name); }
 
 private:
     temporary_folder folder_;
+    int code_ = -1;
 };
 
 }  // namespace
@@ -52,6 +53,7 @@ TEST_CASE("a script of figures asks the shell each question once", "[sweep][figu
         "first = 'echo first >> runs; echo 5'\nsecond = 'echo second >> runs; echo \"two words\"'\n"
         "do for [kind in terminals] { print ask(first); print ask(second); print ask(first) }\n"
         "print points_by('echo points >> runs; echo 1,2') eq points_by('echo points >> runs; echo 1,2')\n");
+    CHECK(script.code() == 0);
     CHECK(script.said() == "5\ntwo words\n5\n5\ntwo words\n5\n5\ntwo words\n5\n1\n");
     CHECK(script.file("runs") == "first\nsecond\npoints\n");
 }
@@ -62,6 +64,7 @@ TEST_CASE("a script of figures is told the ends of columns and single cells", "[
         "print least(t, '4', '$1 == \"c\"', 9)\n"
         "print cell_at(t, 4, '1 2', 'b,3', '1')\nprint cell_at(t, 2, '1', 'a', '$2 > 1')\n"
         "print '<'.cell_at(t, 4, '1', 'c', '1').'>'\nprint or_0(cell_at(t, 4, '1', 'c', '1'))\n");
+    CHECK(script.code() == 0);
     CHECK(script.said() == "-2.0\n4.0\n0.75\n9.0\n1e-7\n2\n<>\n0\n");
 }
 
@@ -72,6 +75,7 @@ TEST_CASE("the rows of many curves are told apart by their cells in one reading"
         "print broken_at(t, 3, 4, '1', 'b')\nprint parts_at(t, '$2', '-$2', '1', 'b', '$1 == \"b\" && $2 < 3')\n"
         "print rows(t, 3, 4, '$1 == \"a\"')\n");
     const std::string rows_of_a = "x,y\n0.25,-2\n0.5,3\n";
+    CHECK(script.code() == 0);
     CHECK(script.said() ==
           "points/1-1.csv\npoints/1-2.csv\npoints/1-0.csv\npoints/2-1.csv\npoints/3-2.csv\npoints/4-1.csv\n"
           "points/5.csv\n");
@@ -82,6 +86,24 @@ TEST_CASE("the rows of many curves are told apart by their cells in one reading"
     CHECK(script.file("points/3-2.csv") == "x,y\n2,-inf\n4,1e-7\n" + out_of_sight);
     CHECK(script.file("points/4-1.csv") == "x,y\n1,-1\n" + out_of_sight);
     CHECK(script.file("points/5.csv") == rows_of_a + out_of_sight);
+}
+
+TEST_CASE("a table of more curves than a process may have files open is read as well", "[sweep][figures]") {
+    const asked_by_gnuplot script(
+        "system(\"awk 'BEGIN { print \\\"c,x,y\\\"; for (x = 0; x < 2; ++x) for (c = 0; c < 3000; ++c) print c "
+        "\\\",\\\" x \\\",\\\" c + x }' > many.csv\")\n"
+        "print rows_at('many.csv', 2, 3, '1', '7', '1')\nprint rows_at('many.csv', 2, 3, '1', '2999', '1')\n");
+    CHECK(script.code() == 0);
+    CHECK(script.said() == "points/1-8.csv\npoints/1-3000.csv\n");
+    CHECK(script.file("points/1-8.csv") == "x,y\n0,7\n1,8\n" + out_of_sight);
+    CHECK(script.file("points/1-3000.csv") == "x,y\n0,2999\n1,3000\n" + out_of_sight);
+}
+
+TEST_CASE("points that cannot be written end a script of figures", "[sweep][figures]") {
+    const std::string nowhere = "no such folder";
+    CHECK(asked_by_gnuplot("print points_by('echo 1,2')\n").code() == 0);
+    CHECK(asked_by_gnuplot("print points_by('echo 1,2')\n", nowhere).code() != 0);
+    CHECK(asked_by_gnuplot("print rows_at(t, 3, 4, '1', 'a', '1')\n", nowhere).code() != 0);
 }
 
 }  // namespace sweep_style_test
