@@ -2,7 +2,7 @@
 // Made by: libration table K --m1 1e-30,1e-20,1e-10,1e-6,1e-3,0.01,0.1,0.19,0.36,0.5,0.64,0.75,0.9,0.99,0.999999 --digits 50 --format ipp --name libration_complete_integral
 // 50 significant digits, proved to one unit in the last place.
 // Typed numbers that no decimal holds, such as T/8 or pi/3, stand with 60 digits.
-// Made with: libration 1.0.0, commit 97c8638753, compiler GNU 12.2.0, Boost 1.81.0, MPFR 4.2.0, MPFR thread-safe yes, GMP 6.2.1, quad __float128 (libquadmath), ball arithmetic FLINT 2.9.0, Arb 2.23.0, vectors AVX3
+// Made with: libration 1.0.0, commit 702817ab41, compiler GNU 12.2.0, Boost 1.81.0, MPFR 4.2.0, MPFR thread-safe yes, GMP 6.2.1, quad __float128 (libquadmath), ball arithmetic FLINT 2.9.0, Arb 2.23.0, vectors AVX3
 // Columns:
 //     m1
 //     K
