@@ -66,6 +66,8 @@ written(file) = GPVAL_SYSTEM_ERRNO == 0 ? file : points_could_not_be_written_to(
 
 # --- what a table holds. `where` is a condition of awk on the cells $1, $2, ...; v() reads a number or a fraction.
 awk_v = 'BEGIN { CONVFMT = OFMT = "%.15g" } function v(s, f) { return split(s, f, "/") == 2 ? f[1] / f[2] : s + 0 } '
+# key() joins the cells of a row in the columns 'c c ...' to "v,v,...".
+awk_key(columns) = awk_v."function key(i, k) { k = $of[1]; for (i = 2; i <= parts; ++i) k = k \",\" $of[i]; return k } BEGIN { parts = split(\"".columns."\", of, \" \") } "
 # gnuplot reads 1e-6 as the whole number 1 with something behind it.
 number(s) = (strstrt(s, 'e') > 0 && strstrt(s, '.') == 0 ? s[1:strstrt(s, 'e') - 1].'.0'.s[strstrt(s, 'e'):*] : s) + 0.0
 exists_file(file) = ask("test -f '".file."' && echo 1 || echo 0") + 0
@@ -76,7 +78,7 @@ count_of(file, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { ++n } END
 first_of(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { print $".c."; exit }' '".file."'")
 # The last cell of a column in the rows that `where` picks and whose columns 'c c ...' of `keys` have the values
 # "v,v,..."; '' where there is none. One question for all values.
-cells(file, c, keys, where) = ask("awk -F, '".awk_v."BEGIN { c = split(\"".keys."\", key, \" \") } NR > 1 && (".where.") && $".c." != \"\" { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; cell[k] = $".c." } END { for (k in cell) print k, cell[k] }' '".file."'")
+cells(file, c, keys, where) = ask("awk -F, '".awk_key(keys)."NR > 1 && (".where.") && $".c." != \"\" { cell[key()] = $".c." } END { for (k in cell) print k, cell[k] }' '".file."'")
 second_of_pair(lines, first) = (shell_found = strstrt("\n".lines, "\n".first.' '), shell_found ? word(lines[shell_found:*], 2) : '')
 cell_at(file, c, keys, values, where) = second_of_pair(cells(file, c, keys, where), values)
 or_0(cell) = cell eq '' ? 0 : cell + 0
@@ -92,9 +94,10 @@ rows(file, x, y, where) = points_by("awk -F, '".awk_v."BEGIN { print \"x,y\" } N
 # `keys` have the values "v,v,...". x and y are expressions of awk in parts_at, columns in rows_at. awk answers the
 # beginning of its files' names and what stands in which of them, from 1 on; file 0 holds nothing. Of many files some
 # are closed between two rows: a process may have about a thousand of them open.
-parts(file, x, y, keys, where) = is_known('parts '.file.' '.x.' '.y.' '.keys.' '.where) ? shell_said[shell_at] \
-    : learnt('parts '.file.' '.x.' '.y.' '.keys.' '.where, parts_in(sprintf('%s/%d', scratch, shell_knows + 1), file, x, y, keys, where))
-parts_in(stem, file, x, y, keys, where) = (shell_words = system("exec awk -F, '".awk_v."function put(i, s) { if (i < 400) print s > name[i]; else { print s >> name[i]; close(name[i]) } } function head(i) { name[i] = \"".stem."-\" i \".csv\"; put(i, \"x,y\") } BEGIN { c = split(\"".keys."\", key, \" \"); head(0) } NR > 1 && (".where.") { k = $key[1]; for (i = 2; i <= c; ++i) k = k \",\" $key[i]; if (!(k in at)) { at[k] = ++n; words = words \" \" k; head(n) } put(at[k], (".x.") \",\" (".y.")) } END { for (i = 0; i <= n; ++i) put(i, \"\\n1e99,1e99\"); print words }' '".file."'"), written(stem).shell_words)
+parts(file, x, y, keys, where) = parts_asked('parts '.file.' '.x.' '.y.' '.keys.' '.where, file, x, y, keys, where)
+parts_asked(question, file, x, y, keys, where) = is_known(question) ? shell_said[shell_at] \
+    : learnt(question, parts_in(sprintf('%s/%d', scratch, shell_knows + 1), file, x, y, keys, where))
+parts_in(stem, file, x, y, keys, where) = (shell_words = system("exec awk -F, '".awk_key(keys)."function put(i, s) { if (i < 400) print s > name[i]; else { print s >> name[i]; close(name[i]) } } function head(i) { name[i] = \"".stem."-\" i \".csv\"; put(i, \"x,y\") } BEGIN { head(0) } NR > 1 && (".where.") { k = key(); if (!(k in at)) { at[k] = ++n; words = words \" \" k; head(n) } put(at[k], (".x.") \",\" (".y.")) } END { for (i = 0; i <= n; ++i) put(i, \"\\n1e99,1e99\"); print words }' '".file."'"), written(stem).shell_words)
 part_of(answer, values) = (shell_found = strstrt(answer.' ', ' '.values.' '), sprintf('%s-%d.csv', word(answer, 1), shell_found ? words(answer[1:shell_found]) : 0))
 parts_at(file, x, y, keys, values, where) = part_of(parts(file, x, y, keys, where), values)
 rows_at(file, x, y, keys, values, where) = parts_at(file, sprintf('v($%d)', x), sprintf('$%d', y), keys, values, sprintf('(%s) && $%d != "" && $%d !~ /inf|nan/', where, y, y))
