@@ -5,7 +5,7 @@ load scripts.'/style.gp'
 
 file = data.'/resummations.csv'
 methods = 'series resummed resummed_4 resummed_8 two_point pade uniform'
-names = '"series" "resummed, m = 2" "m = 4" "m = 8" "two-point" "Padé" "uniform"'
+names = '"series" "resummed, m = 2" "m = 4" "m = 8" "two-point" "Padé; gap: pole" "uniform"'
 tones = '#999999 #E69F00 #D55E00 #56B4E9 #009E73 #0072B2 #000000'
 signs = '1 4 6 8 12 2 7'
 energies = seen(file, 1, '1')
@@ -32,15 +32,17 @@ do for [k=1:2] { if (words(energies) > 2 && words(listed(side(k))) > 1) { sides 
 panels = words(chosen) + words(sides)
 key_entries = 8
 
-# Columns of the rows of a method, sorted by the first of them.
+# Columns of the rows of a method, sorted by the first of them. A Pade approximant with a pole on the way has no norm:
+# there its line has a gap.
 by(c) = points_by(sprintf("sort -t, -s -k%d,%dg '%s'", c, c, file))
-of_energy(from, to, e, i) = rows_at(by(from), from, to, '1 3', e.','.word(methods, i), '1')
-of_side(from, to, k, i) = rows_at(by(from), from, to, '4 3', drawn.','.word(methods, i), side(k))
+curve(from, to, keys, values, where) = parts_at(by(from), sprintf('v($%d)', from), sprintf('$7 == "inf" ? "inf" : $%d', to), keys, values, sprintf('(%s) && ($%d != "" || $7 == "inf")', where, to))
+of_energy(from, to, e, i) = curve(from, to, '1 3', e.','.word(methods, i), '1')
+of_side(from, to, k, i) = curve(from, to, '4 3', drawn.','.word(methods, i), side(k))
 
 eval grid(panels, 2)
 panel_w = panels == 1 ? 900 : 590
 panel_h = panels == 1 ? 540 : 430
-foot = foot_for(8, 15)
+foot = foot_for(8, 16)
 do for [kind in terminals] {
     eval figure_of(kind, 'resummations')
     eval heading('Error norm of the resummations on [0, T*]', 'by their number of coefficients; m: number of conditions at the bottom')
