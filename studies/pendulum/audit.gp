@@ -25,6 +25,7 @@ do for [kind in terminals] {
     eval figure_of(kind, name)
     eval heading('Correct digits of θ in double, from the nearest k and from the exact gap', 't = 0 at the top'.(words(times) > panels ? sprintf('; %d of %d times', panels, words(times)) : ''))
     eval falling('x', nearest, farthest)
+    if (across == 3 && farthest - nearest > 10) { set xtics 5 } # steps of 2 run together
     set yrange [0:19]
     set ytics 0, 5
     set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
