@@ -9,6 +9,7 @@
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
@@ -36,25 +37,27 @@ public:
     /// A start may be regular singular (singular_step.hpp, whose errors it throws). Where the polynomial form of the
     /// system needs a function of several values (a logarithm, a root), that function is an unknown of its own along
     /// each path: no branch is chosen twice.
-    complex_flow(const explicit_system& system, long bits);
+    complex_flow(const explicit_system& system, long bits, const proof_route& route = {});
     /// Of a system without starts (explicit_system::first_order), for sets that come from elsewhere.
-    static complex_flow about_points(const explicit_system& system, long bits);
+    static complex_flow about_points(const explicit_system& system, long bits, const proof_route& route = {});
 
     /// The start of the system.
     complex_set start() const;
     long bits() const { return bits_; }
+    const proof_route& route() const { return route_; }
     /// How many unknowns, with lower derivatives, are the given ones; they come first.
     std::size_t given() const { return given_; }
 
 private:
     friend class complex_disc;
     struct without_start {};
-    complex_flow(const explicit_system& system, long bits, without_start);
+    complex_flow(const explicit_system& system, long bits, const proof_route& route, without_start);
 
     lifted_system lifted_;
     tape tape_, varied_tape_;
     std::size_t given_ = 0;
     long bits_;
+    proof_route route_;
     ball origin_;
     std::shared_ptr<const singular_series> singular_;  ///< about the start, where that is singular
     std::vector<ball> start_;

@@ -27,7 +27,8 @@ class event_search {
 public:
     /// g in unknowns, their lower derivatives and the variable of the system. A march from the start of the system in
     /// so many bits, in the direction of time (< 0: backwards).
-    event_search(const explicit_system& system, const expression& g, long bits, int direction = 1);
+    event_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
+                 const proof_route& route = {});
 
     static constexpr long most_steps_between = 100'000;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/proved/proof_route.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/mpfr.hpp"
 #include "libration/scalar/text/printed_number.hpp"
@@ -44,7 +45,8 @@ coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coe
 
 /// `digits` digits each, proved to one unit in the last. Throws error of the subject "point" for a complex point, to
 /// which no way is proved, and as rounded_coefficients does.
-coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits);
+coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits,
+                                                     const proof_route& route = {});
 
 /// Exact fractions. Throws error of the subject "point" for a point that is not the start, and of the subject "problem"
 /// where the system has numbers that are none.

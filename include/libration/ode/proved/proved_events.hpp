@@ -27,6 +27,7 @@ struct printed_event {
 
 /// Events with `digits` proved digits each. Throws error of the kind undecided where the solution ends before (it says
 /// up to where it exists), where `before` comes first, and where more bits do not tell a touching zero from none.
-std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits);
+std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits,
+                                         const proof_route& route = {});
 
 }  // namespace libration::ode

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
@@ -39,10 +39,11 @@ public:
 
     /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth. From
     /// a singular start after a step of theorem S (singular_step.hpp), whose errors it throws.
-    proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits);
+    proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits,
+                 const proof_route& route = {});
     /// The same from every start of a box of balls, the given unknowns at the point of the system.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
-                 long error_bits = usual_error_bits, march_watch watch = {});
+                 long error_bits = usual_error_bits, march_watch watch = {}, const proof_route& route = {});
     ~proved_march();
 
     /// The given unknowns at a time, each solution through the start enclosed; times in one direction, away from the
@@ -83,7 +84,7 @@ public:
 
 private:
     struct expansions;
-    proved_march(singular_step begin, long bits, march_watch watch, long error_bits);
+    proved_march(singular_step begin, long bits, march_watch watch, long error_bits, const proof_route& route);
 
     void expand();
     void choose_length(const magnitude& size);
@@ -97,6 +98,7 @@ private:
     tape varied_tape_;
     long bits_;
     long error_bits_;
+    proof_route route_;
     int set_order_;
     ball time_, origin_;
     std::vector<ball> centre_;

@@ -42,7 +42,8 @@ struct point_condition {
 /// system are the first guess; the rows are in the order of the names. Throws error as proved_root, and for a name that
 /// is neither.
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
-                                            const std::vector<point_condition>& conditions, long digits);
+                                            const std::vector<point_condition>& conditions, long digits,
+                                            const proof_route& route = {});
 
 /// The unknowns and their lower derivatives on a section, one of them fixed at its start, and the period.
 struct periodic_orbit {
@@ -54,6 +55,6 @@ struct periodic_orbit {
 /// The periodic orbit near the start of an autonomous system: the unknown that changes fastest there, relative to its
 /// size, is held, the period is guessed from the nearest return among the first ones. Throws error as proved_root; for
 /// orbits in families, as where a first integral exists, dF/dx is singular.
-periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits);
+periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route = {});
 
 }  // namespace libration::ode

@@ -27,19 +27,21 @@ struct proved_singularity {
 /// the mean slope between m and z, maps Z into it); at a pole of order 2 p = 0 is v = 0 where the other factor of p^2
 /// excludes 0. False where it is not proved with so many bits.
 bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>& corners, const complex_ball& offset,
-                  const magnitude& reach, long bits);
+                  const magnitude& reach, long bits, const proof_route& route = {});
 
 /// Theorem C for a singularity that was found to more digits: some path in a polygon within `reach` of its offset ends
 /// in a singularity of the branch that its path reaches; and whether that is a pole, where the equation has regular
 /// coordinates. More bits are taken until the loop closes. Throws error of the
 /// kind undecided where none of the functionals excludes 0, or a million bits do not suffice.
-proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach);
+proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach,
+                                     const proof_route& route = {});
 
 /// Theorem C for all singularities of a map, each within 10^-digits/2 of its place, relative to it below 1; the mirror
 /// image of a proved one is proved by it. Tells `done` after each. Throws as prove_singularity.
 std::vector<proved_singularity> prove_singularities(const explicit_system& system,
                                                     const std::vector<found_singularity>& found, long digits,
-                                                    const std::function<void()>& done = {});
+                                                    const std::function<void()>& done = {},
+                                                    const proof_route& route = {});
 
 /// lower <= R <= upper.
 struct proved_radius {
@@ -56,7 +58,7 @@ struct proved_radius {
 /// 10^-digits: the nearest singularity is found in rounded arithmetic, a loop next to it bounds R from above (theorem
 /// C) and a covering of the disc that does not reach it from below (theorem L). Throws error of the kind undecided with
 /// what is proved so far where one of them fails.
-proved_radius prove_radius(const explicit_system& system, long digits);
+proved_radius prove_radius(const explicit_system& system, long digits, const proof_route& route = {});
 
 /// Its bounds as decimals, rounded outwards, with as few digits as keep upper - lower below lower 10^-digits; inf, inf
 /// where it is infinite.

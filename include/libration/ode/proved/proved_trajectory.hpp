@@ -18,7 +18,8 @@ namespace libration::ode {
 /// singular.
 std::vector<std::vector<proved_decimal>> proved_trajectory(const explicit_system& system,
                                                            const std::vector<number>& times, long digits,
-                                                           const march_watch& watch = {});
+                                                           const march_watch& watch = {},
+                                                           const proof_route& route = {});
 
 /// The same states as balls, by one march of so many bits on either side of the start; nothing where one of them needs
 /// more. Throws as proved_trajectory for a time that is not reached.

@@ -7,6 +7,7 @@
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
 namespace libration::ode {
@@ -18,7 +19,7 @@ public:
     /// In the largest disc that was found, on so many bits. Throws error where the series is not in whole powers of the
     /// distance, where the right sides are no polynomials in the unknowns and their first derivatives;
     /// precision_exhausted where no radius is proved.
-    singular_series(const explicit_system& system, long bits, int degree);
+    singular_series(const explicit_system& system, long bits, int degree, const proof_route& route = {});
     singular_series(const singular_series&) = delete;
     singular_series& operator=(const singular_series&) = delete;
     ~singular_series() = default;
@@ -46,12 +47,13 @@ struct singular_step {
 };
 
 /// By a series with a remainder below 2^-bits of the unknowns, whose errors it throws.
-singular_step proved_singular_step(const explicit_system& system, long bits);
+singular_step proved_singular_step(const explicit_system& system, long bits, const proof_route& route = {});
 
 /// The derivatives of the unknowns and lower derivatives at t0 + distance by the starts, in order, on so many bits:
 /// theorem S for the system and what its right sides say of the derivative by one start, which starts as a unit vector.
 /// A start that the equation fixes, such as y'(0) = 0 of t y'' + 2 y' + .., does not move: 0. Throws as
 /// singular_series, and error where such a start is not 0.
-ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits);
+ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits,
+                                    const proof_route& route = {});
 
 }  // namespace libration::ode

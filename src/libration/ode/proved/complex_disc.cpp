@@ -116,25 +116,27 @@ bool certainly_within(const complex_ball& z, const magnitude& r) {
     return certainly_less(ball(z.re * z.re + z.im * z.im), ball(limit * limit));
 }
 
-complex_flow::complex_flow(const explicit_system& system, long bits, without_start)
+complex_flow::complex_flow(const explicit_system& system, long bits, const proof_route& route, without_start)
     : lifted_(lifted_for_paths(beyond_start(system))),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
       given_(first_order_form(system).leaves.size()),
-      bits_(bits) {
+      bits_(bits),
+      route_(route) {
     const precision_scope scope(decimal_digits(bits));
     origin_ = constant_value<ball>::of(system.point());
 }
 
-complex_flow complex_flow::about_points(const explicit_system& system, long bits) {
-    return {system, bits, without_start()};
+complex_flow complex_flow::about_points(const explicit_system& system, long bits, const proof_route& route) {
+    return {system, bits, route, without_start()};
 }
 
-complex_flow::complex_flow(const explicit_system& system, long bits) : complex_flow(system, bits, without_start()) {
+complex_flow::complex_flow(const explicit_system& system, long bits, const proof_route& route)
+    : complex_flow(system, bits, route, without_start()) {
     const precision_scope scope(decimal_digits(bits));
     if (system.singular()) {
         singular_ = std::make_shared<singular_series>(
-            system, bits, static_cast<int>(static_cast<double>(bits) * singular_terms_for_a_bit));
+            system, bits, static_cast<int>(static_cast<double>(bits) * singular_terms_for_a_bit), route);
         start_ = singular_->at(ball(0));
         return;
     }
@@ -174,7 +176,8 @@ void complex_disc::expand() {
         if (!all_finite(varied)) {
             throw precision_exhausted("a point of a path");
         }
-        of_set_ = std::make_unique<taylor_expansion<complex_ball>>(flow.varied_tape_, complex_set_order);
+        of_set_ = std::make_unique<taylor_expansion<complex_ball>>(flow.varied_tape_,
+                                                                   complex_set_order + flow.route_.more_terms);
         of_set_->about(time(), as_state(varied));
         const std::size_t count = flow.lifted_.leaves.size();
         const std::vector<complex_ball> own(varied.begin(), varied.begin() + static_cast<std::ptrdiff_t>(count));
@@ -185,7 +188,7 @@ void complex_disc::expand() {
     }
     const precision_scope scope(decimal_digits(bits_));
     const auto all = lifted_values(flow.lifted_, time(), set_.centre);
-    const int order = static_cast<int>(static_cast<double>(bits_) * terms_for_a_bit);
+    const int order = static_cast<int>(static_cast<double>(bits_) * terms_for_a_bit) + flow.route_.more_terms;
     of_centre_ = std::make_unique<taylor_expansion<complex_ball>>(flow.tape_, order);
     of_centre_->about(time(), as_state(all));
     tail_ = bounded_tail(flow.tape_, *of_centre_, time(), set_tail_->radius);

@@ -30,7 +30,7 @@ public:
         for (;;) {
             const complex_ball rest = exact_difference(target, now_->about().offset);
             const magnitude away = size_of(rest);
-            const magnitude longest = now_->radius() * magnitude::of(path_part, -15);
+            const magnitude longest = flow_.route().shortened(now_->radius() * magnitude::of(path_part, -15));
             const bool last = away <= longest;
             if (away.is_zero()) {
                 return;

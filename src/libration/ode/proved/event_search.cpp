@@ -33,12 +33,13 @@ bool vanishes_at_start(const expression& g, const first_order_form& form, const 
 
 }  // namespace
 
-event_search::event_search(const explicit_system& system, const expression& g, long bits, int direction)
+event_search::event_search(const explicit_system& system, const expression& g, long bits, int direction,
+                           const proof_route& route)
     : form_(system),
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       zero_at_start_(vanishes_at_start(g_, form_, system.point())),
-      march_(system, bits),
+      march_(system, bits, {}, proved_march::usual_error_bits, route),
       direction_(direction < 0 ? -1 : 1) {
     if (march_.before().empty()) {
         return;

@@ -18,14 +18,14 @@ constexpr int most_returns = 12;
 // F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its start.
 class closing {
 public:
-    closing(const explicit_system& system, const first_order_form& form, std::size_t held)
-        : system_(system), form_(form), held_(held) {}
+    closing(const explicit_system& system, const first_order_form& form, std::size_t held, const proof_route& route)
+        : system_(system), form_(form), held_(held), route_(route) {}
 
     std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const {
         const precision_scope scope(decimal_digits(bits));
         std::vector<ball> start(x.begin(), x.end() - 1);
         start.insert(start.begin() + static_cast<std::ptrdiff_t>(held_), constant_value<ball>::of(form_.starts[held_]));
-        proved_march march(system_, start, bits, error_bits);
+        proved_march march(system_, start, bits, error_bits, {}, route_);
         march.keep_derivative();
         const ball time = march.reached() + x.back();
         const auto state = march.at(time);
@@ -52,6 +52,7 @@ private:
     const explicit_system& system_;
     const first_order_form& form_;
     std::size_t held_;
+    proof_route route_;
 };
 
 std::vector<ball> start_of(const first_order_form& form) {
@@ -114,7 +115,7 @@ number guessed_period(const explicit_system& system, const first_order_form& for
 
 }  // namespace
 
-periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits) {
+periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route) {
     const first_order_form form(system);
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
@@ -130,7 +131,7 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits)
         guess.push_back(guessed_period(system, form, held));
     }
     guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
-    const closing closed(system, form, held);
+    const closing closed(system, form, held, route);
     auto values =
         proved_root([&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
                     guess, digits);

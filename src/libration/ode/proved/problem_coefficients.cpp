@@ -67,8 +67,9 @@ std::vector<complex_number<mpfr>> flat_values(const coefficient_request& request
 }
 
 template <class T>
-std::vector<wide_t<T>> about_start(const coefficient_request& request, const tape& made) {
-    taylor_expansion<T> expansion(made, static_cast<int>(request.order), fast_product<T>());
+std::vector<wide_t<T>> about_start(const coefficient_request& request, const tape& made,
+                                   const series::block_product<T>* fast = fast_product<T>(), int more_terms = 0) {
+    taylor_expansion<T> expansion(made, static_cast<int>(request.order) + more_terms, fast);
     expansion.about_start();
     return flat_values(request, expansion);
 }
@@ -85,8 +86,10 @@ std::vector<wide_t<T>> about_time(const coefficient_request& request, const numb
 }
 
 // In balls the way there is proved.
-std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, const number& time) {
-    proved_march march(request.system, static_cast<long>(ball::working_bits()) + 64);
+std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, const number& time,
+                                            const proof_route& route) {
+    proved_march march(request.system, static_cast<long>(ball::working_bits()) + 64, {}, proved_march::usual_error_bits,
+                       route);
     const auto values = march.at(time);
     if (!values && march.end() == march_end::precision) {
         throw precision_exhausted("the way to the point");
@@ -102,7 +105,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
         next += each.order;
     }
     const tape made = tape::about_points(request.system);
-    taylor_expansion<ball> expansion(made, static_cast<int>(request.order), fast_product<ball>());
+    taylor_expansion<ball> expansion(made, static_cast<int>(request.order) + route.more_terms, route.product);
     expansion.about(constant_value<ball>::of(time), state);
     return flat_values(request, expansion);
 }
@@ -170,16 +173,18 @@ coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coe
     return found;
 }
 
-coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits) {
+coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits,
+                                                     const proof_route& route) {
     if (request.complex()) {
         throw error(error_kind::argument, "point", "", "is complex, and no way to it is proved");
     }
     if (!request.about_start()) {
-        return {proved_decimals(digits, [&] { return proved_about_time(request, request.at->re); }), false, 1};
+        return {proved_decimals(digits, [&] { return proved_about_time(request, request.at->re, route); }), false, 1};
     }
     const tape made = tape::about_start(request.system);
     auto values = proved_decimals(
-        digits, [&] { return about_start<ball>(request, made); }, [&] { return zeros_about_start(request, made); });
+        digits, [&] { return about_start<ball>(request, made, route.product, route.more_terms); },
+        [&] { return zeros_about_start(request, made); });
     return {std::move(values), false, made.root()};
 }
 

@@ -32,8 +32,8 @@ std::vector<std::optional<number>> given_values(const explicit_system& system, c
 
 class event_runs {
 public:
-    event_runs(const explicit_system& system, const event_request& request, long digits)
-        : system_(system), request_(request), given_(given_values(system, request.g)), bits_(digits) {}
+    event_runs(const explicit_system& system, const event_request& request, long digits, const proof_route& route)
+        : system_(system), request_(request), given_(given_values(system, request.g)), route_(route), bits_(digits) {}
 
     std::vector<printed_event> result() {
         while (!complete()) {
@@ -45,7 +45,7 @@ private:
     bool complete() {
         events_.clear();
         const precision_scope scope(decimal_digits(bits_.now()) + 10);
-        event_search search(system_, request_.g, bits_.now(), request_.direction);
+        event_search search(system_, request_.g, bits_.now(), request_.direction, route_);
         try {
             while (static_cast<long>(events_.size()) < request_.count) {
                 const auto event = search.next(request_.way, request_.before);
@@ -110,6 +110,7 @@ private:
     const explicit_system& system_;
     const event_request& request_;
     std::vector<std::optional<number>> given_;
+    proof_route route_;
     std::vector<printed_event> events_;
     needed_bits bits_;
     int undecided_ = 0;
@@ -117,8 +118,9 @@ private:
 
 }  // namespace
 
-std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits) {
-    return event_runs(system, request, digits).result();
+std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits,
+                                         const proof_route& route) {
+    return event_runs(system, request, digits, route).result();
 }
 
 }  // namespace libration::ode

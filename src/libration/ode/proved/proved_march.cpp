@@ -20,8 +20,8 @@ constexpr long bits_below_truncation = 40;
 // log2 of how much shorter the map of errors makes a step.
 constexpr double worth_more_terms = 0.3;
 
-singular_step begin_of(const explicit_system& system, long bits) {
-    return system.singular() ? proved_singular_step(system, bits)
+singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
+    return system.singular() ? proved_singular_step(system, bits, route)
                              : singular_step{system, enclosed_start(system, bits), {}};
 }
 
@@ -30,10 +30,10 @@ singular_step begin_of(const explicit_system& system, long bits) {
 // What a step needs: made again where the precision changes.
 struct proved_march::expansions {
     // In a scope of so many bits.
-    expansions(const tape& centre, const tape& varied, long in_bits, int set_order)
+    expansions(const tape& centre, const tape& varied, long in_bits, int set_order, const proof_route& route)
         : bits(in_bits),
-          of_centre(centre, taylor_order(static_cast<int>(in_bits)) + 2, fast_product<ball>()),
-          of_set(varied, set_order, fast_product<ball>()) {}
+          of_centre(centre, taylor_order(static_cast<int>(in_bits)) + 2 + route.more_terms, route.product),
+          of_set(varied, set_order, route.product) {}
 
     long bits;
     taylor_expansion<ball> of_centre, of_set;
@@ -44,26 +44,28 @@ struct proved_march::expansions {
 
 proved_march::~proved_march() = default;
 
-proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits)
-    : proved_march(begin_of(system, bits), bits, std::move(watch), error_bits) {
+proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits,
+                           const proof_route& route)
+    : proved_march(begin_of(system, bits, route), bits, std::move(watch), error_bits, route) {
     if (system.singular()) {
         singular_ = system;
     }
 }
 
-proved_march::proved_march(singular_step begin, long bits, march_watch watch, long error_bits)
-    : proved_march(begin.beyond, begin.state, bits, error_bits, std::move(watch)) {
+proved_march::proved_march(singular_step begin, long bits, march_watch watch, long error_bits, const proof_route& route)
+    : proved_march(begin.beyond, begin.state, bits, error_bits, std::move(watch), route) {
     before_ = std::move(begin.on_the_way);
 }
 
 proved_march::proved_march(const explicit_system& system, const std::vector<ball>& start, long bits, long error_bits,
-                           march_watch watch)
+                           march_watch watch, const proof_route& route)
     : lifted_(lifted(system)),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
       bits_(bits),
       error_bits_(error_bits),
-      set_order_(taylor_order(static_cast<int>(error_bits)) - 2),
+      route_(route),
+      set_order_(taylor_order(static_cast<int>(error_bits)) - 2 + route.more_terms),
       errors_(std::vector<magnitude>(lifted_.given)),
       watch_(std::move(watch)) {
     const precision_scope scope(decimal_digits(bits));
@@ -121,7 +123,7 @@ bool proved_march::prepare() {
     if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
         const long some_more = std::min(bits_, bits + bits / 16);
         const precision_scope scope(decimal_digits(some_more));
-        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more, set_order_);
+        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more, set_order_, route_);
     }
     expand();
     if (!now_->tail || !now_->set_tail) {
@@ -179,7 +181,7 @@ void proved_march::choose_length(const magnitude& size) {
     const double of_size = size.is_zero() ? 0 : log_of(size);
     const double of_centre = longest(*now_->tail, of_size - static_cast<double>(now_->bits));
     const double of_set = longest(*now_->set_tail, static_cast<double>(bits_below_truncation - error_bits_));
-    now_->length = power_of_two(std::min(of_centre, of_set));
+    now_->length = route_.shortened(power_of_two(std::min(of_centre, of_set)));
     // Where the flow contracts much faster than the solution moves, the map of errors needs more terms.
     if (of_set + worth_more_terms < of_centre) {
         set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre.order());
@@ -236,7 +238,7 @@ void proved_march::keep_derivative() {
     if (singular_) {
         const precision_scope scope(decimal_digits(bits_));
         const ball distance = time_ - constant_value<ball>::of(singular_->point());
-        derivative_ = derivative_beyond_start(*singular_, distance, error_bits_);
+        derivative_ = derivative_beyond_start(*singular_, distance, error_bits_, route_);
         return;
     }
     derivative_ = ball_matrix(lifted_.given);

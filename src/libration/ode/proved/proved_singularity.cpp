@@ -49,13 +49,14 @@ int weights_for(const found_singularity& found) {
 
 // A pole that was seen, with more bits where it takes them.
 int proved_pole_order(const explicit_system& system, const found_singularity& found,
-                      const std::vector<complex_ball>& corners, const magnitude& reach, long bits) {
+                      const std::vector<complex_ball>& corners, const magnitude& reach, long bits,
+                      const proof_route& route) {
     const auto regular = regular_coordinates::of(system);
     if (!regular || found.kind != singularity_kind::pole) {
         return 0;
     }
     for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {
-        if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits)) {
+        if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits, route)) {
             return regular->order();
         }
         bits += bits / 2;
@@ -70,7 +71,7 @@ std::string shown_number(const mpfr& x) { return to_decimal(x, shown_digits); }
 // More bits until a loop shows something; nothing where so many attempts do not.
 std::optional<proved_singularity> shown_along(const explicit_system& system, const found_singularity& found,
                                               const std::vector<complex_ball>& corners, const mpfr& reach,
-                                              int most_attempts) {
+                                              int most_attempts, const proof_route& route) {
     const precision_scope wide(static_cast<int>(mpfr_get_prec(handle(found.offset.re)) * 30103L / 100'000L) + 2);
     const mpfr size = modulus_of(found.offset);
     const long digits = -static_cast<long>(floor(log10(mpfr(reach / size))));
@@ -78,10 +79,10 @@ std::optional<proved_singularity> shown_along(const explicit_system& system, con
     long bits = bits_of_digits(std::max(digits, 1L) + 4) + loop_guard_bits;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         try {
-            const complex_flow flow(system, bits);
+            const complex_flow flow(system, bits, route);
             loop_result loop = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
             if (loop.evidence != loop_evidence::none) {
-                const int order = proved_pole_order(system, found, corners, loop.reach, bits);
+                const int order = proved_pole_order(system, found, corners, loop.reach, bits, route);
                 return proved_singularity{found.offset, loop.reach, std::move(loop), order};
             }
         } catch (const precision_exhausted&) {
@@ -101,7 +102,7 @@ std::optional<proved_singularity> shown_along(const explicit_system& system, con
 }  // namespace
 
 bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>& corners, const complex_ball& offset,
-                  const magnitude& reach, long bits) {
+                  const magnitude& reach, long bits, const proof_route& route) {
     const auto regular = regular_coordinates::of(system);
     if (!regular) {
         return false;
@@ -113,7 +114,7 @@ bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>
     };
     const auto none = [](const complex_disc&, const complex_ball&) {};
     try {
-        const complex_flow flow(system, bits);
+        const complex_flow flow(system, bits, route);
         disc_path path(flow);
         for (const complex_ball& each : corners) {
             path.go_to(each, none);
@@ -125,7 +126,7 @@ bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>
         if (!all_finite(coordinates)) {
             return false;
         }
-        const complex_flow beyond = complex_flow::about_points(regular->system(), bits);
+        const complex_flow beyond = complex_flow::about_points(regular->system(), bits, route);
         disc_path rest(beyond, set_about(here, coordinates));
         rest.go_to(offset, none);
         const complex_ball within{widened(offset.re, reach), widened(offset.im, reach)};
@@ -144,12 +145,13 @@ bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>
     }
 }
 
-proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach) {
+proved_singularity prove_singularity(const explicit_system& system, const found_singularity& found, const mpfr& reach,
+                                     const proof_route& route) {
     std::vector<complex_ball> corners;
     for (const auto& each : found.path) {
         corners.push_back(exact_ball(complex_number<mpfr>{mpfr(each.real()), mpfr(each.imag())}));
     }
-    auto proved = shown_along(system, found, corners, reach, most_loop_attempts);
+    auto proved = shown_along(system, found, corners, reach, most_loop_attempts, route);
     if (!proved) {
         refuse_loop(found);
     }
@@ -158,7 +160,7 @@ proved_singularity prove_singularity(const explicit_system& system, const found_
 
 std::vector<proved_singularity> prove_singularities(const explicit_system& system,
                                                     const std::vector<found_singularity>& found, long digits,
-                                                    const std::function<void()>& done) {
+                                                    const std::function<void()>& done, const proof_route& route) {
     const precision_scope scope(digits + 30);
     std::vector<proved_singularity> proved;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -172,7 +174,7 @@ std::vector<proved_singularity> prove_singularities(const explicit_system& syste
         } else {
             const mpfr modulus = modulus_of(at);
             const mpfr reach = pow(mpfr(10), -static_cast<int>(digits)) / 2;
-            proved.push_back(prove_singularity(system, found[i], modulus < 1 ? mpfr(reach * modulus) : reach));
+            proved.push_back(prove_singularity(system, found[i], modulus < 1 ? mpfr(reach * modulus) : reach, route));
         }
         if (done) {
             done();
@@ -181,7 +183,7 @@ std::vector<proved_singularity> prove_singularities(const explicit_system& syste
     return proved;
 }
 
-proved_radius prove_radius(const explicit_system& system, long digits) {
+proved_radius prove_radius(const explicit_system& system, long digits, const proof_route& route) {
     proved_radius result;
     if (has_entire_solutions(system)) {
         result.infinite = true;
@@ -207,7 +209,7 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
         const mpfr reach = modulus_of(result.nearest->offset) * pow(mpfr(10), -static_cast<int>(loop_digits)) / 4;
         // Straight from the start: nothing nearer is in the way.
         const bool last = smaller == most_smaller_loops;
-        result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2);
+        result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2, route);
         if (!result.evidence && last) {
             refuse_loop(*result.nearest);
         }
@@ -224,7 +226,7 @@ proved_radius prove_radius(const explicit_system& system, long digits) {
     covering found;
     long bits = bits_of_digits(digits) + loop_guard_bits;
     for (int attempt = 0; attempt < most_coverings && !found.complete; ++attempt) {
-        const complex_flow flow(system, bits);
+        const complex_flow flow(system, bits, route);
         found = covered_disc(flow, rho, {result.rotation}, limits);
         bits += bits / 2;
     }

@@ -6,8 +6,8 @@ namespace libration::ode {
 
 std::vector<std::vector<proved_decimal>> proved_trajectory(const explicit_system& system,
                                                            const std::vector<number>& times, long digits,
-                                                           const march_watch& watch) {
-    return proving_runs(system, times, digits, watch).result();
+                                                           const march_watch& watch, const proof_route& route) {
+    return proving_runs(system, times, digits, watch, {}, route).result();
 }
 
 std::optional<std::vector<std::vector<ball>>> enclosed_trajectory(const explicit_system& system,

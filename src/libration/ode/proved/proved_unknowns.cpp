@@ -14,8 +14,8 @@ namespace {
 class shooting {
 public:
     shooting(const equation_system& given, const std::vector<std::string>& names,
-             const std::vector<point_condition>& conditions)
-        : open_(opened(given, names)), conditions_(conditions) {
+             const std::vector<point_condition>& conditions, const proof_route& route)
+        : open_(opened(given, names)), conditions_(conditions), route_(route) {
         for (const expression& each : open_.starts) {
             std::vector<expression> row;
             for (const expression& leaf : open_.leaves) {
@@ -66,7 +66,7 @@ private:
         if (order.empty()) {
             return true;
         }
-        proved_march march(open_.system, start, bits, error_bits);
+        proved_march march(open_.system, start, bits, error_bits, {}, route_);
         march.keep_derivative();
         for (const std::size_t i : order) {
             const ball time = constant_value<ball>::of(conditions_[i].time);
@@ -98,6 +98,7 @@ private:
 
     opened_system open_;
     std::vector<point_condition> conditions_;
+    proof_route route_;
     std::vector<std::vector<expression>> slopes_;
     std::vector<std::size_t> states_;
 };
@@ -105,8 +106,9 @@ private:
 }  // namespace
 
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
-                                            const std::vector<point_condition>& conditions, long digits) {
-    const shooting shots(system, names, conditions);
+                                            const std::vector<point_condition>& conditions, long digits,
+                                            const proof_route& route) {
+    const shooting shots(system, names, conditions, route);
     return proved_root(
         [&](const std::vector<ball>& x, long bits, long error_bits) { return shots(x, bits, error_bits); },
         shots.guess(), digits);

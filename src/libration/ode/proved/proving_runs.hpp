@@ -89,12 +89,13 @@ struct further_question {
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch,
-                 further_question further = {})
+                 further_question further = {}, const proof_route& route = {})
         : system_(system),
           times_(times),
           digits_(digits),
           watch_(watch),
           further_(std::move(further)),
+          route_(route),
           order_(in_order(system, times)),
           bits_(digits) {}
 
@@ -113,7 +114,7 @@ private:
         for (const asked_time& each : order_) {
             if (!march || each.forward != forward) {
                 forward = each.forward;
-                march.emplace(system_, bits_.now(), watch_, error_bits_);
+                march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
                 if (further_.answered) {
                     march->keep_derivative();
                 }
@@ -173,6 +174,7 @@ private:
     long digits_;
     const march_watch& watch_;
     further_question further_;
+    proof_route route_;
     long error_bits_ = proved_march::usual_error_bits;
     std::vector<asked_time> order_;
     std::vector<std::vector<proved_decimal>> values_;

@@ -159,7 +159,7 @@ private:
                 }
                 const complex_disc& from = way ? *way : *best;
                 const complex_ball rest = exact_difference(centre, from.about().offset);
-                const magnitude longest = from.radius() * magnitude::of(way_part, -15);
+                const magnitude longest = flow_.route().shortened(from.radius() * magnitude::of(way_part, -15));
                 const bool last = size_of(rest) <= longest;
                 const ball part = last ? ball(1) : ball(longest.exact() / size_of(rest).exact());
                 const complex_ball next = last ? centre : exact_midpoint(from.about().offset + rest * part);

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/proved.hpp"
 #include "set_values.hpp"
@@ -83,11 +82,11 @@ tail_bound tail_of(const tape& of, const taylor_expansion<ball>& expansion, int 
 
 }  // namespace
 
-singular_series::singular_series(const explicit_system& system, long bits, int degree)
-    : of_(tape_of(system)), expansion_(of_, degree + longest_lag(of_) + 1, fast_product<ball>()) {
+singular_series::singular_series(const explicit_system& system, long bits, int degree, const proof_route& route)
+    : of_(tape_of(system)), expansion_(of_, degree + route.more_terms + longest_lag(of_) + 1, route.product) {
     const precision_scope scope(decimal_digits(bits) + 10);
     expansion_.about_start();
-    tail_ = tail_of(of_, expansion_, degree);
+    tail_ = tail_of(of_, expansion_, degree + route.more_terms);
 }
 
 // |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 where its
@@ -130,13 +129,14 @@ std::vector<R> singular_series::at(const R& distance) const {
 template std::vector<ball> singular_series::at(const ball&) const;
 template std::vector<complex_number<ball>> singular_series::at(const complex_number<ball>&) const;
 
-singular_step proved_singular_step(const explicit_system& system, long bits) {
+singular_step proved_singular_step(const explicit_system& system, long bits, const proof_route& route) {
     const precision_scope scope(decimal_digits(bits) + 10);
-    const singular_series series(system, bits, static_cast<int>(bits / bits_a_power) + more_powers);
+    const singular_series series(system, bits, static_cast<int>(bits / bits_a_power) + more_powers, route);
     const long exponent = series.radius().exponent() - 1 - bits_a_power;
-    const ball distance = magnitude::of(1, exponent).exact();
-    const rational step = exponent < 0 ? rational(1, integer(1) << static_cast<unsigned>(-exponent))
-                                       : rational(integer(1) << static_cast<unsigned>(exponent));
+    const ball distance = route.shortened(magnitude::of(1, exponent)).exact();
+    const rational step = (exponent < 0 ? rational(1, integer(1) << static_cast<unsigned>(-exponent))
+                                        : rational(integer(1) << static_cast<unsigned>(exponent))) *
+                          rational(route.step_eighths, 8);
     return {first_order_form(system).about_points(system.point() + number(step)), series.at(distance),
             series.at(hull(ball(0), distance))};
 }
@@ -174,11 +174,11 @@ equation_system with_variation(const explicit_system& system, std::size_t k, std
 
 // The derivatives by that start at a distance; nothing where the equation fixes it.
 std::optional<std::vector<ball>> varied_state(const explicit_system& given, std::size_t k, std::size_t l,
-                                              const ball& distance, long bits) {
+                                              const ball& distance, long bits, const proof_route& route) {
     const explicit_system system(with_variation(given, k, l));
     std::optional<singular_series> series;
     try {
-        series.emplace(system, bits, static_cast<int>(bits / bits_a_power) + more_powers);
+        series.emplace(system, bits, static_cast<int>(bits / bits_a_power) + more_powers, route);
     } catch (const error& refusal) {
         if (refusal.kind() == error_kind::argument) {
             return std::nullopt;
@@ -202,13 +202,14 @@ std::optional<std::vector<ball>> varied_state(const explicit_system& given, std:
 
 }  // namespace
 
-ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits) {
+ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits,
+                                    const proof_route& route) {
     const precision_scope scope(decimal_digits(bits) + 10);
     const std::size_t size = first_order_form(system).leaves.size();
     ball_matrix result(size);
     for (std::size_t k = 0; k < system.unknowns().size(); ++k) {
         for (std::size_t l = 0; l < system.starts()[k].size(); ++l) {
-            const auto column = varied_state(system, k, l, distance, bits);
+            const auto column = varied_state(system, k, l, distance, bits, route);
             if (!column && system.starts()[k][l].sign() != 0) {
                 throw error(error_kind::undecided, "problem", "",
                             "fixes " + primed(system.unknowns()[k].name, static_cast<int>(l)) +
