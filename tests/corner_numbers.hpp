@@ -68,25 +68,33 @@ public:
         return result;
     }
 
-    /// exact() with a radius: 0, near the last place, about |midpoint|, or up to 2^far.
+    /// exact() with a radius: 0, near the last place, about |midpoint|, or anything within 2^-far .. 2^far, but no
+    /// further than 2^10000 from the midpoint, so that its ends can be written exactly.
     ball wide(long bits, long far) {
         ball result = exact(bits, far);
         mag_ptr const radius = arb_radref(result.handle());
+        if (arf_is_zero(arb_midref(result.handle())) != 0) {
+            mag_set_ui_2exp_si(radius, below(1U << 30U), between(-far, far) - 30);
+            return result;
+        }
+        const long reach = std::min<long>(far, 10'000);
         switch (below(6)) {
             case 0:
-            case 1: break;
+            case 1: return result;
             case 2:
             case 3:
                 arf_get_mag(radius, arb_midref(result.handle()));
                 mag_mul_2exp_si(radius, radius, between(-3, 3) - bits);
-                break;
+                return result;
             case 4:
                 arf_get_mag(radius, arb_midref(result.handle()));
                 mag_mul_2exp_si(radius, radius, between(-40, 3));
-                break;
-            default: mag_set_ui_2exp_si(radius, 1 + below((1U << 30U) - 1), between(-far, far) - 30); break;
+                return result;
+            default:
+                arf_get_mag(radius, arb_midref(result.handle()));
+                mag_mul_2exp_si(radius, radius, between(-reach, reach));
+                return result;
         }
-        return result;
     }
 
     /// A number of the ball, exactly: an end, the middle, or one between. Of a ball that is finite.

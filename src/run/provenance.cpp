@@ -6,24 +6,12 @@
 
 #include <boost/version.hpp>
 
-#include "libration/scalar/ball/value.hpp"
+#include "libration/scalar/ball/product_self_test.hpp"
 #include "libration/scalar/quad.hpp"
 #include "libration/scalar/vector/vector_instructions.hpp"
 #include "version.hpp"
 
 namespace libration {
-
-namespace {
-
-std::string balls() {
-#if __has_include(<flint/arb.h>)
-    return fmt::format("FLINT {}", FLINT_VERSION);
-#else
-    return fmt::format("FLINT {}, Arb {}", FLINT_VERSION, arb_version);
-#endif
-}
-
-}  // namespace
 
 std::vector<std::pair<std::string, std::string>> provenance() {
     return {{"libration", std::string(build::version)},
@@ -34,7 +22,8 @@ std::vector<std::pair<std::string, std::string>> provenance() {
             {"MPFR thread-safe", mpfr_buildopt_tls_p() != 0 ? "yes" : "no"},
             {"GMP", gmp_version},
             {"quad", LIBRATION_HAS_FLOAT128 != 0 ? "__float128 (libquadmath)" : "cpp_bin_float_quad"},
-            {"ball arithmetic", balls()},
+            {"ball arithmetic", flint_versions()},
+            {"long products", describe_flint_products()},
             {"vectors", vector_instructions().front()}};
 }
 

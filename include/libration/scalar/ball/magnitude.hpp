@@ -43,6 +43,20 @@ public:
         return result;
     }
 
+    /// x 2^e or more, for finite x >= 0.
+    static magnitude at_least(double x, long e) {
+        magnitude result;
+        mag_set_d(result.value_, x);
+        mag_mul_2exp_si(result.value_, result.value_, e);
+        return result;
+    }
+    /// A bound of |midpoint of x|.
+    static magnitude midpoint_of(const ball& x) {
+        magnitude result;
+        arf_get_mag(result.value_, arb_midref(x.handle()));
+        return result;
+    }
+
     mag_srcptr handle() const { return value_; }
 
     magnitude& operator+=(const magnitude& b) {
@@ -86,6 +100,14 @@ public:
     bool is_finite() const { return mag_is_finite(value_) != 0; }
     /// e with 2^(e-1) <= this < 2^e; for what is neither 0 nor infinite, within the range of long.
     long exponent() const { return fmpz_get_si(MAG_EXPREF(value_)); }
+    /// This times 2^e, exactly.
+    magnitude shifted(long e) const {
+        magnitude result;
+        mag_mul_2exp_si(result.value_, value_, e);
+        return result;
+    }
+    /// At least this, where it is in the range of double.
+    double above() const { return mag_get_d(value_); }
     /// The exact number.
     ball exact() const {
         ball result;

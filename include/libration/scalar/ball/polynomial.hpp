@@ -1,43 +1,37 @@
-// Products and quotients of whole sequences of balls by FLINT [Arb]: in blocks of similar size through products of
-// large integers, where one coefficient after the other would take O(N^2) products.
+// Products and quotients of whole sequences of balls: in blocks of similar size through products of integer polynomials
+// (integer_product.hpp), where one coefficient after the other would take O(N^2) products.
+// The numbers of (x +- r)(y +- s) are within |x| s + r (|y| + s) of x y: so midpoints are multiplied exactly, and the
+// radii are sums of these bounds.
 #pragma once
 
-#include <mpfr.h>  // before FLINT 3, which declares conversions to mpfr only behind it
-
-#if __has_include(<flint/arb_poly.h>)
-#include <flint/arb_poly.h>
-#else
-#include <arb_poly.h>
-#endif
-
-#include <algorithm>
 #include <vector>
 
 #include "libration/scalar/ball/value.hpp"
 
 namespace libration {
 
-/// c_n = sum_k a_k b_{n-k} for n below the shorter length, which is not 0. Within a block the radii are those of the
-/// largest coefficients: far smaller ones beside them lose their relative precision. About the
-/// cost of O(N) products for long sequences at many digits; short ones are multiplied as they are written.
-inline std::vector<ball> whole_product(const std::vector<ball>& a, const std::vector<ball>& b) {
-    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
-    std::vector<ball> c(std::min(a.size(), b.size()));
-    const auto count = static_cast<slong>(c.size());
-    _arb_poly_mullow(c.front().handle(), a.front().handle(), count, b.front().handle(), count, count,
-                     ball::working_bits());
-    return c;
-}
+/// c_n = sum_k a_k b_{n-k} for n < count, where a has a_terms and b has b_terms coefficients, at least one each; rounded
+/// to so many bits. Every ball contains the exact sums. For up to 4096 coefficients the radii exceed those of the sums
+/// written out by a factor of at most 1 + 2^-19, and by one rounding for each pair of blocks. Of longer sequences w =
+/// ceil(count / 4096) neighbours at a time share the largest of their radii, relative to one geometric sequence.
+///
+/// Short sequences (of less than 20 to 96 coefficients, by the bits), those with numbers that are not finite, and those
+/// with exponents beyond 2^28 are summed as they are written, with one rounding. Otherwise the coefficients, divided by
+/// a geometric sequence 2^(scale n), are cut into blocks in which all midpoints are integers below 2^(3 bits + 512) times
+/// one power of 2, as in Arb's _arb_poly_mullow_block [Arb]; each pair of blocks costs one product of integer
+/// polynomials. Throws product_mismatch if the self-test of these failed (product_self_test.hpp).
+std::vector<ball> leading_product(const ball* a, int a_terms, const ball* b, int b_terms, int count, slong bits);
 
-/// q with sum_k b_k q_{n-k} = a_n for n below the shorter length, which is not 0: by Newton's iteration for long
-/// sequences, whose radii grow by a power of N. Contains everything where b_0 may be 0. The cost of a few products.
-inline std::vector<ball> whole_quotient(const std::vector<ball>& a, const std::vector<ball>& b) {
-    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
-    std::vector<ball> q(std::min(a.size(), b.size()));
-    const auto count = static_cast<slong>(q.size());
-    _arb_poly_div_series(q.front().handle(), a.front().handle(), count, b.front().handle(), count, count,
-                         ball::working_bits());
-    return q;
-}
+/// leading_product() for n below the shorter length, which is not 0, in the working precision.
+std::vector<ball> whole_product(const std::vector<ball>& a, const std::vector<ball>& b);
+
+/// q with sum_k b_k q_{n-k} = a_n for n below the shorter length N, which is not 0. Contains everything where b_0 may be
+/// 0. Up to 16 coefficients by the recurrence; for longer ones by Newton's iteration [BrentZimmermann, 3.4 and 4.2]. With
+/// v of m terms and b v = 1 + x^m w, the next terms of 1/b are those of -v w modulo x^m; with q of m >= N/2 terms and a -
+/// b q = x^m d, the next terms of a/b are those of v d. Both are identities of formal power series, which hold for each
+/// choice of numbers in the balls a_k and b_k with the v, w, q and d that belong to it; their balls are computed from
+/// balls that contain v, w, q and d, so that they contain the next terms, and nothing is left out. The radii grow by a
+/// power of N. The cost of a few products.
+std::vector<ball> whole_quotient(const std::vector<ball>& a, const std::vector<ball>& b);
 
 }  // namespace libration

@@ -10,18 +10,10 @@ namespace {
 // where both take the same time (bench/equations, both ways side by side).
 int least_length_at(slong bits) { return bits < 512 ? 64 : 32; }
 
-// Terms length .. length + count - 1 of a b.
-std::vector<ball> middle_product(const ball* a, int length, const ball* b, int terms, int count, slong bits) {
-    std::vector<ball> c(static_cast<std::size_t>(length + count));
-    const int used = std::min(terms, length + count);
-    _arb_poly_mullow(c.front().handle(), b->handle(), used, a->handle(), length, length + count, bits);
-    return c;
-}
-
 class product_of_balls final : public series::block_product<ball> {
 public:
     void add_middle(ball* sums, int count, const ball* a, int length, const ball* b, int terms) const override {
-        const auto c = middle_product(a, length, b, terms, count, ball::working_bits());
+        const auto c = leading_product(a, length, b, terms, length + count, ball::working_bits());
         for (int i = 0; i < count; ++i) {
             sums[i] += c[static_cast<std::size_t>(length) + static_cast<std::size_t>(i)];
         }
@@ -35,7 +27,8 @@ public:
     void add_middle(mpfr* sums, int count, const mpfr* a, int length, const mpfr* b, int terms) const override {
         const std::vector<ball> left(a, a + length);
         const std::vector<ball> right(b, b + terms);
-        const auto c = middle_product(left.data(), length, right.data(), terms, count, ball::working_bits() + 32);
+        const auto c =
+            leading_product(left.data(), length, right.data(), terms, length + count, ball::working_bits() + 32);
         mpfr term;
         for (int i = 0; i < count; ++i) {
             arf_get_mpfr(handle(term),
