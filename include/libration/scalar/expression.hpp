@@ -70,7 +70,7 @@ public:
     /// libration::error of kind undecided where the limit of the cost (about a second) is reached before: then the
     /// number may be 0.
     number_bounds narrowed(long bits) const;
-    /// -1, 0 or 1, proved; 0 only where the sum is empty. Throws as narrowed().
+    /// -1, 0 or 1, proved. Throws as narrowed().
     int sign() const;
 
 private:

@@ -1,8 +1,12 @@
-// Expressions in numbers: bounds rounded outwards at each step.
+// Expressions in numbers: bounds rounded outwards at each step, by the functions of MPFR that are proved to round as they
+// are asked to [MPFR, algorithms.pdf]. Up to version 4.2.1 the error bounds behind mpfr_div (of mpfr_divhigh_n) and
+// mpfr_pow (of mpfr_pow_general) are wrong: quotients are compared with their operands by an exact product, mpfr_set_q,
+// which divides, by mpfr_cmp_q, which does not, and powers are roots of whole powers or exp(y log x).
 
 #include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
+#include <stdexcept>
 #include <utility>
 
 #include "expression_atom.hpp"
@@ -20,10 +24,18 @@ using rounded_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 // exp and powers of more than this many bits before the point are refused.
 constexpr long largest_exponent = 1L << 40U;
 
+void require_rounding(bool as_asked) {
+    if (!as_asked) {
+        throw std::logic_error("a quotient of MPFR is on the wrong side of the exact one: no typed number is enclosed");
+    }
+}
+
 number_bounds of_fraction(const rational& q) {
     number_bounds result;
     mpfr_set_q(handle(result.lower), q.backend().data(), MPFR_RNDD);
     mpfr_set_q(handle(result.upper), q.backend().data(), MPFR_RNDU);
+    require_rounding(mpfr_cmp_q(handle(result.lower), q.backend().data()) <= 0 &&
+                     mpfr_cmp_q(handle(result.upper), q.backend().data()) >= 0);
     return result;
 }
 
@@ -62,11 +74,29 @@ number_bounds at_corners(const number_bounds& a, const number_bounds& b, const O
 
 number_bounds product(const number_bounds& a, const number_bounds& b) { return at_corners(a, b, mpfr_mul); }
 
+// x / y rounded down or up, y != 0: the exact product of y and of the result lies on that side of x, or on the other
+// where y < 0. Beyond the range of exponents the result is infinite or 0, and stands.
+int checked_quotient(mpfr_ptr result, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding) {
+    const int inexact = mpfr_div(result, x, y, rounding);
+    if (mpfr_regular_p(result) != 0 && mpfr_regular_p(x) != 0) {
+        mpfr_t product;
+        mpfr_init2(product, mpfr_get_prec(result) + mpfr_get_prec(y));
+        const bool in_range = mpfr_mul(product, result, y, MPFR_RNDN) == 0;
+        const int side = mpfr_cmp(product, x) * mpfr_sgn(y);
+        mpfr_clear(product);
+        if (!in_range) {
+            refuse_number("is beyond the range of numbers");
+        }
+        require_rounding(rounding == MPFR_RNDD ? side <= 0 : side >= 0);
+    }
+    return inexact;
+}
+
 bounds quotient(const number_bounds& a, const number_bounds& b) {
     if (b.lower <= 0 && b.upper >= 0) {
         return std::nullopt;
     }
-    return at_corners(a, b, mpfr_div);
+    return at_corners(a, b, checked_quotient);
 }
 
 number_bounds rising(rounded_function f, const number_bounds& x) {
@@ -168,14 +198,30 @@ bounds whole_power(const number_bounds& x, const integer& n) {
     return n > 0 ? bounds(up) : quotient(of_fraction(1), up);
 }
 
-bounds real_power(const number_bounds& x, const number_bounds& y) {
+// The power by a fraction n / 2^k, by square roots, which are exact where they are numbers of so many bits.
+bounds root_of_power(const number_bounds& x, const integer& n, std::size_t k) {
+    bounds result = whole_power(x, n);
+    for (; result && k > 0; --k) {
+        result = rising(mpfr_sqrt, *result);
+    }
+    return result;
+}
+
+bounds real_power(const number_bounds& x, const number_bounds& y, const std::optional<rational>& fraction) {
+    constexpr std::size_t most_roots = 8;
     if (x.upper < 0) {
         refuse_number("raises a negative number to a power that is not whole");
     }
     if (x.lower <= 0) {
         return std::nullopt;
     }
-    return at_corners(x, y, mpfr_pow);
+    if (fraction && msb(denominator(*fraction)) == lsb(denominator(*fraction)) &&
+        msb(denominator(*fraction)) <= most_roots) {
+        return root_of_power(x, numerator(*fraction), msb(denominator(*fraction)));
+    }
+    const number_bounds exponent = product(y, rising(mpfr_log, x));
+    require_exponent(exponent);
+    return rising(mpfr_exp, exponent);
 }
 
 bool is_finite(const number_bounds& x) {
@@ -217,7 +263,7 @@ std::optional<number_bounds> expression::bounds_of(const atom& a, long bits) {
         return quotient(*left, *right);
     }
     const auto n = a.right.fraction();
-    return n && denominator(*n) == 1 ? whole_power(*left, numerator(*n)) : real_power(*left, *right);
+    return n && denominator(*n) == 1 ? whole_power(*left, numerator(*n)) : real_power(*left, *right, n);
 }
 
 std::optional<number_bounds> expression::bounds_at(long bits) const {
@@ -260,7 +306,8 @@ int expression::sign() const {
     if (const auto number = plain()) {
         return number->coefficient.sign();
     }
-    return narrowed(2).lower > 0 ? 1 : -1;
+    const number_bounds within = narrowed(2);
+    return within.lower > 0 ? 1 : within.upper < 0 ? -1 : 0;
 }
 
 mpfr rounded_value(const expression& x) {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "corner_numbers.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 #include "libration/scalar/text/number_lexer.hpp"
@@ -197,6 +198,34 @@ TEST_CASE("what no precision decides is said so", "[scalar][expression]") {
     CHECK(sign_of_exact(read_exact("sin(1)^2+cos(1)^2-1+1e-3000")) == 1);
     CHECK(sign_of_exact(read_exact("1e-3000-sqrt(2)^2+2")) == 1);
     CHECK(sign_of_exact(read_exact("exp(pi)-pi-20")) == -1);
+}
+
+TEST_CASE("quotients and powers of typed numbers enclose those of balls in corner cases", "[scalar][expression]") {
+    tests::corner_numbers next(1024);
+    for (int run = 0; run < 200; ++run) {
+        const integer a = next.positive(next.length(500));
+        const integer b = next.positive(next.length(500));
+        const long eighths = next.between(1, 60);
+        const std::string fraction = std::to_string(next.between(1, 99)) + "/7";
+        const auto typed = [](const std::string& text, long digits) {
+            const precision_scope scope(digits);
+            return from_exact<ball>(read_exact(text));
+        };
+        const long digits = next.between(5, 150);
+        const auto quotient = typed("sqrt(" + a.str() + ")/(" + b.str() + "+pi)", digits);
+        const auto root = typed("pi*" + a.str() + "^(" + std::to_string(eighths) + "/8)", digits);
+        const auto power = typed(a.str() + "^(" + fraction + ")*" + b.str(), digits);
+        const precision_scope wide(3 * digits + 400);
+        const ball x = from_rational<ball>(rational(a));
+        const ball y = from_rational<ball>(rational(b));
+        INFO(a << " " << b << " " << eighths << "/8 " << fraction);
+        CHECK(overlaps(quotient, sqrt(x) / (y + pi<ball>())));
+        CHECK(overlaps(root, pi<ball>() * exp(log(x) * eighths / 8)));
+        CHECK(overlaps(power, y * exp(log(x) * from_exact<ball>(read_exact(fraction)))));
+        for (const ball* each : {&quotient, &root, &power}) {
+            CHECK(arb_rel_accuracy_bits(each->handle()) >= digits * 3);
+        }
+    }
 }
 
 TEST_CASE("no text is too long or too deep for the reader", "[scalar][expression]") {

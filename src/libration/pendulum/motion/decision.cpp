@@ -31,7 +31,7 @@ proved_sign sign_of(const exact& number, const std::string& what) {
     }
     try {
         const number_bounds within = number.formula->narrowed(8);
-        return {within.lower > 0 ? 1 : -1, binary_exponent(within.lower)};
+        return {within.lower > 0 ? 1 : within.upper < 0 ? -1 : 0, binary_exponent(within.lower)};
     } catch (const error& problem) {
         if (problem.kind() != error_kind::undecided) {
             throw;
