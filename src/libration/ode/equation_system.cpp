@@ -1,30 +1,14 @@
 #include "libration/ode/equation_system.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <unordered_set>
 
+#include "libration/ode/dependency.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
 namespace {
-
-// Calls seen() for each leaf, from left to right, what is shared once.
-void each_leaf(const expression& e, std::unordered_set<const void*>& done,
-               const std::function<void(const expression&)>& seen) {
-    if (e.kind() == node_kind::constant || !done.insert(e.identity()).second) {
-        return;
-    }
-    if (e.kind() == node_kind::variable || e.kind() == node_kind::unknown || e.kind() == node_kind::parameter) {
-        seen(e);
-        return;
-    }
-    each_leaf(e.left(), done, seen);
-    if (e.kind() != node_kind::function) {
-        each_leaf(e.right(), done, seen);
-    }
-}
 
 // Parameters replaced from the outermost inwards; `open` are those being replaced.
 expression value_of(const expression& e, const equation_system& system, std::vector<std::string>& open) {

@@ -1,11 +1,11 @@
 #include "libration/ode/explicit_system.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <set>
+#include <unordered_set>
 #include <utility>
 
+#include "libration/ode/dependency.hpp"
 #include "libration/scalar/error.hpp"
 #include "linear_solution.hpp"
 #include "singular_form.hpp"
@@ -18,24 +18,16 @@ namespace {
 // The highest derivative of each unknown in the equations.
 std::map<std::string, int> orders_of(const std::vector<equation>& equations) {
     std::map<std::string, int> orders;
-    std::set<const void*> done;
-    const std::function<void(const expression&)> visit = [&](const expression& e) {
-        if (!e.has_unknowns() || !done.insert(e.identity()).second) {
-            return;
-        }
-        if (e.kind() == node_kind::unknown) {
-            int& order = orders[e.name()];
-            order = std::max(order, e.derivative());
-            return;
-        }
-        visit(e.left());
-        if (e.kind() != node_kind::function) {
-            visit(e.right());
+    std::unordered_set<const void*> done;
+    const auto note = [&](const expression& leaf) {
+        if (leaf.kind() == node_kind::unknown) {
+            int& order = orders[leaf.name()];
+            order = std::max(order, leaf.derivative());
         }
     };
     for (const equation& each : equations) {
-        visit(each.left);
-        visit(each.right);
+        each_leaf(each.left, done, note);
+        each_leaf(each.right, done, note);
     }
     return orders;
 }
