@@ -19,7 +19,10 @@ struct proof_route {
     /// The route of --check: five more terms, steps of seven eighths, series term by term.
     static proof_route second() { return {5, 7, nullptr}; }
 
-    magnitude shortened(const magnitude& length) const { return length * magnitude::of(step_eighths, -3); }
+    /// That part of a length, rounded: the length itself where it is not shortened.
+    magnitude shortened(const magnitude& length) const {
+        return step_eighths == 8 ? length : length * magnitude::of(step_eighths, -3);
+    }
 };
 
 /// The second proof is asked for so many more digits, and has other bits in every step.
