@@ -8,6 +8,7 @@
 #include "equation/problem_at_infinity.hpp"
 #include "equation/problem_options.hpp"
 #include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "option/options.hpp"
@@ -23,7 +24,7 @@ struct find_options {
     output_options output;
     std::optional<std::string> digits;
     std::vector<std::string> unknowns, conditions;
-    bool periodic = false;
+    bool periodic = false, check = false;
 };
 
 struct found_value {
@@ -31,7 +32,7 @@ struct found_value {
     proved_decimal value;
 };
 
-std::vector<found_value> found_unknowns(const find_options& options, long digits) {
+std::vector<found_value> found_unknowns(const find_options& options, long digits, const ode::proof_route& route) {
     const auto system = options.problem.equations();
     const auto named = [&](const std::vector<proved_decimal>& values) {
         std::vector<found_value> found;
@@ -41,6 +42,9 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
         return found;
     };
     if (std::ranges::any_of(options.conditions, is_at_infinity)) {
+        if (options.check) {
+            throw input_error("--check compares two proofs and a condition at infinity has one, by a lemma: leave it out");
+        }
         const bool one = options.conditions.size() == 1;
         return named(
             proved_for_infinity(system, options.unknowns, one ? options.conditions.front() : "several", digits));
@@ -54,19 +58,30 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
         const ode::start read = naming_option("--such-that", [&] { return ode::parse_point_condition(system, each); });
         conditions.push_back({read.of.name(), read.of.derivative(), read.point.constant(), read.value.constant()});
     }
-    return named(
-        naming_option("--unknown", [&] { return proved_unknowns(system, options.unknowns, conditions, digits); }));
+    return named(naming_option("--unknown",
+                               [&] { return proved_unknowns(system, options.unknowns, conditions, digits, route); }));
 }
 
-std::vector<found_value> found_orbit(const find_options& options, long digits) {
+std::vector<found_value> found_orbit(const find_options& options, long digits, const ode::proof_route& route) {
     const auto system = options.problem.choose();
-    const auto orbit = naming_option("--problem", [&] { return ode::proved_periodic_orbit(system, digits); });
+    const auto orbit = naming_option("--problem", [&] { return ode::proved_periodic_orbit(system, digits, route); });
     std::vector<found_value> found;
     for (std::size_t i = 0; i < orbit.names.size(); ++i) {
         found.push_back({orbit.names[i], orbit.start[i]});
     }
     found.push_back({"period", orbit.period});
     return found;
+}
+
+std::vector<found_value> found_values(const find_options& options, long digits, const ode::proof_route& route) {
+    return options.periodic ? found_orbit(options, digits, route) : found_unknowns(options, digits, route);
+}
+
+void check_values(const find_options& options, long digits, const std::vector<found_value>& first) {
+    const auto second = found_values(options, digits + ode::more_digits_of_second_proof, ode::proof_route::second());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        require_agreement(first[i].value, second[i].value, first[i].name);
+    }
 }
 
 int run_find(const find_options& options) {
@@ -83,7 +98,12 @@ int run_find(const find_options& options) {
     }
     table data({{"name", ""}, {"value", ""}, {"digits", ""}, {"rigour", ""}});
     std::string lines;
-    for (const found_value& each : options.periodic ? found_orbit(options, digits) : found_unknowns(options, digits)) {
+    const auto checked = checked_products(options.check);
+    const auto found = found_values(options, digits, {});
+    if (options.check) {
+        check_values(options, digits, found);
+    }
+    for (const found_value& each : found) {
         data.add_row({each.name, cell::number(each.value.text, digits), digits, "proved"});
         lines += fmt::format("{:<10}{}\n", each.name, each.value.text);
     }
@@ -110,6 +130,8 @@ subcommand find_command(CLI::App& program) {
     command->add_option("--such-that", options->conditions, "a condition for each: \"f'(5) = 1\"")
         ->type_name("CONDITION");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the start, and its period");
+    command->add_flag("--check", options->check,
+                      "compare with a second proof by another route, exit 1 where they disagree");
     return {command, [options] { return run_find(*options); }};
 }
 

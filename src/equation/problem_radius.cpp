@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
+#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/scalar/ball/decimal.hpp"
@@ -30,6 +33,17 @@ std::string words_of_loop(const ode::explicit_system& system, const ode::loop_re
                            : fmt::format("the round integral of (t - t*)^{} {} is not 0", loop.power, name);
 }
 
+// A covering of the same digits costs as much as the first; one of more digits, many times that.
+void check_bounds(const ode::explicit_system& system, long digits, const ode::outward_bounds& first) {
+    const auto second = ode::outward_decimals(ode::prove_radius(system, digits, ode::proof_route::second()), digits);
+    if (!intervals_meet(first.lower, first.upper, second.lower, second.upper)) {
+        throw std::runtime_error(
+            fmt::format("the two proofs disagree on the radius: {} to {} by the first, {} to {} "
+                        "by the second",
+                        first.lower, first.upper, second.lower, second.upper));
+    }
+}
+
 }  // namespace
 
 std::string words_of_evidence(const ode::explicit_system& system, const ode::proved_singularity& proved) {
@@ -41,8 +55,12 @@ std::string words_of_evidence(const ode::explicit_system& system, const ode::pro
                        proved.pole_order == 1 ? "simple" : "double");
 }
 
-proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits) {
+proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits, bool check) {
+    const auto checked = checked_products(check);
     const ode::proved_radius radius = ode::prove_radius(system, digits);
+    if (check) {
+        check_bounds(system, digits, ode::outward_decimals(radius, digits));
+    }
     proved_radius_answer answer{table({{"lower", ""}, {"upper", ""}, {"digits", ""}, {"rigour", ""}}), ""};
     if (radius.infinite) {
         answer.data.add_row({cell::number("inf", digits), cell::number("inf", digits), digits, "proved"});

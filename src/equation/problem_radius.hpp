@@ -16,7 +16,9 @@ struct proved_radius_answer {
 
 /// The bounds agree to so many digits (ode::prove_radius), and are printed outwards; inf, inf for a linear equation
 /// with entire coefficients. Throws error of the kind undecided with what is proved, where that is less.
-proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits);
+/// With `check` the bounds are compared with those of a second proof: throws std::runtime_error where they exclude each
+/// other.
+proved_radius_answer proved_radius_of(const ode::explicit_system& system, long digits, bool check = false);
 
 /// What shows that a singularity is there, and that it is a pole where that is proved, in words.
 std::string words_of_evidence(const ode::explicit_system& system, const ode::proved_singularity& proved);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "equation/problem_trajectory.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/axis.hpp"
@@ -48,12 +49,43 @@ private:
     std::size_t done_ = 0;
 };
 
+constexpr long digits_of_second = ode::more_digits_of_second_proof;
+
+void check_states(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
+                  const std::vector<std::vector<proved_decimal>>& first) {
+    const auto second =
+        ode::proved_trajectory(system, constants_of(times), digits + digits_of_second, {}, ode::proof_route::second());
+    const auto columns = columns_of_states(system);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        for (std::size_t j = 0; j < first[i].size(); ++j) {
+            require_agreement(first[i][j], second[i][j], columns[j + 1].name + " at time " + times[i].text);
+        }
+    }
+}
+
+void check_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
+                  const std::vector<ode::printed_event>& first) {
+    const auto second = ode::proved_events(system, request, digits + digits_of_second, ode::proof_route::second());
+    const auto columns = columns_of_states(system);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const std::string event = " of event " + std::to_string(i + 1);
+        require_agreement(first[i].time, second[i].time, "the time" + event);
+        for (std::size_t j = 0; j < first[i].values.size(); ++j) {
+            require_agreement(first[i].values[j], second[i].values[j], columns[j + 1].name + event);
+        }
+    }
+}
+
 }  // namespace
 
-table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits) {
+table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits, bool check) {
+    const auto checked = checked_products(check);
     const auto at = constants_of(times);
     way_to_go way(system, at);
     const auto states = ode::proved_trajectory(system, at, digits, [&](const ball& time, long) { way.reached(time); });
+    if (check) {
+        check_states(system, times, digits, states);
+    }
     table data(columns_of_states(system));
     for (std::size_t i = 0; i < times.size(); ++i) {
         table_row_cells row{number_cell(decimal_of(times[i], digits))};
@@ -68,12 +100,17 @@ table problem_reference(const ode::explicit_system& system, const std::vector<ex
     return data;
 }
 
-table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits) {
+table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits, bool check) {
     auto columns = columns_of_states(system);
     columns.back() = {"count", ""};
     table data(std::move(columns));
     long count = 0;
-    for (const ode::printed_event& event : ode::proved_events(system, request, digits)) {
+    const auto checked = checked_products(check);
+    const auto events = ode::proved_events(system, request, digits);
+    if (check) {
+        check_events(system, request, digits, events);
+    }
+    for (const ode::printed_event& event : events) {
         table_row_cells row{cell::number(event.time.text, digits)};
         for (const proved_decimal& value : event.values) {
             row.push_back(cell::number(value.text, digits));

@@ -12,12 +12,15 @@ namespace libration {
 
 /// time,<unknown and its lower derivatives>...,digits,rigour,time_typed, each value right to one unit in its last digit
 /// (ode::proved_trajectory); progress on a terminal. Throws error of the kind undecided for a time that is not reached,
-/// which says up to which time the solution is proved to exist.
-table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits);
+/// which says up to which time the solution is proved to exist. With `check` each value is compared with a second proof
+/// (ode::proof_route::second): throws std::runtime_error with both enclosures where they disagree.
+table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
+                        bool check = false);
 
 /// time,<unknown and its lower derivatives>...,digits,rigour,count: the events of a problem (ode::proved_events), the
-/// first of them in the first row.
-table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits);
+/// first of them in the first row. With `check` as problem_reference.
+table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
+                     bool check = false);
 
 /// The same for people: each time a paragraph, each column a line.
 std::string lines_of_states(const table& data);

@@ -5,6 +5,7 @@
 
 #include "equation/complex_times.hpp"
 #include "libration/digits/proved/printed_values.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/problem_coefficients.hpp"
 #include "libration/scalar/error.hpp"
@@ -97,6 +98,18 @@ ode::coefficient_request read_request(const problem_series_request& request) {
     return {request.system, request.first, request.order, point, corners_of(request.via)};
 }
 
+void check_coefficients(const ode::coefficient_request& request, long digits,
+                        const std::vector<proved_decimal>& first) {
+    const auto second =
+        ode::proved_coefficients(request, digits + ode::more_digits_of_second_proof, ode::proof_route::second());
+    const std::size_t unknowns = request.system.unknowns().size();
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        require_agreement(first[i], second.values[i],
+                          "coefficient " + std::to_string(request.first + static_cast<long>(i / unknowns)) + " of " +
+                              request.system.unknowns()[i % unknowns].name);
+    }
+}
+
 std::vector<printed_number> printed_fractions(const std::vector<rational>& fractions) {
     std::vector<printed_number> values;
     values.reserve(fractions.size());
@@ -108,7 +121,7 @@ std::vector<printed_number> printed_fractions(const std::vector<rational>& fract
 
 }  // namespace
 
-table problem_coefficients(const problem_series_request& request, const arithmetic& numbers) {
+table problem_coefficients(const problem_series_request& request, const arithmetic& numbers, bool check) {
     const ode::coefficient_request read = read_request(request);
     const bool proved = numbers.scalar.kind == scalar_kind::proved;
     if (proved && read.complex()) {
@@ -117,7 +130,11 @@ table problem_coefficients(const problem_series_request& request, const arithmet
                           "use mpfr:" + std::to_string(numbers.scalar.digits));
     }
     if (proved) {
+        const auto checked = checked_products(check);
         const auto found = ode::proved_coefficients(read, numbers.digits);
+        if (check) {
+            check_coefficients(read, numbers.digits, found.values);
+        }
         return series_table(request, names_of_columns(request.system, false), found.values, true, found.root);
     }
     const auto found = on_the_way_to(request, [&] { return ode::rounded_coefficients(numbers.scalar, read); });

@@ -26,7 +26,9 @@ struct problem_series_request {
 /// n,<unknown>...; with balls <unknown>_uncertainty... behind, about a complex point, or by a way through the plane,
 /// <unknown>_re,<unknown>_im..., and for a start in powers of t^(1/q), n of which are counted, power. Throws
 /// input_error for a point where there is no way to, and for balls by a way through the plane.
-table problem_coefficients(const problem_series_request& request, const arithmetic& numbers);
+/// With `check`, in balls, each is compared with a second proof (ode::proof_route::second): throws std::runtime_error
+/// with both enclosures where they disagree.
+table problem_coefficients(const problem_series_request& request, const arithmetic& numbers, bool check = false);
 
 /// The coefficients of an unknown; about a complex point its real and its imaginary parts.
 struct problem_list {

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "equation/problem_options.hpp"
 #include "equation/problem_radius.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/scalar/ball/decimal.hpp"
@@ -31,7 +33,11 @@ struct singularities_options {
     problem_options problem;
     output_options output;
     std::optional<std::string> within, digits;
-    bool prove = false;
+    bool prove = false, check = false;
+
+    std::optional<double> radius() const {
+        return within ? std::optional(from_exact<double>(positive_number_of("--within", *within))) : std::nullopt;
+    }
 };
 
 // Rounding errors of what is 0 or whole do not show.
@@ -72,6 +78,41 @@ std::vector<column> columns_of_map() {
             {"evidence", "what proves it"}};
 }
 
+// Whether the discs of two proofs of one unknown meet.
+bool discs_meet(const ode::proved_singularity& a, std::size_t of_a, const ode::proved_singularity& b,
+                std::size_t of_b) {
+    const complex_number<mpfr> apart{mpfr(a.centre.re - b.centre.re), mpfr(a.centre.im - b.centre.im)};
+    return of_a == of_b && modulus_of(apart) <= midpoint_of(a.reach.exact()) + midpoint_of(b.reach.exact());
+}
+
+// Another search and another proof, with more digits: as many rows, each of which meets one of the first.
+void check_positions(const singularities_options& options, const ode::explicit_system& system, long digits,
+                     const ode::singularity_map& map, const std::vector<ode::proved_singularity>& first) {
+    ode::singularity_request request;
+    request.digits = digits + ode::more_digits_of_second_proof + 3;
+    request.within = options.radius();
+    const auto again = ode::singularities_of(system, request);
+    const auto second = ode::prove_singularities(system, again.all, digits + ode::more_digits_of_second_proof, {},
+                                                 ode::proof_route::second());
+    const precision_scope scope(request.digits + 30);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        bool met = first.size() == second.size();
+        for (std::size_t j = 0; met && j < second.size(); ++j) {
+            if (discs_meet(first[i], map.all[i].unknown, second[j], again.all[j].unknown)) {
+                break;
+            }
+            met = j + 1 < second.size();
+        }
+        if (!met) {
+            throw std::runtime_error(
+                fmt::format("the two proofs disagree on the singularity near {} + {}i: {} discs by the first, one "
+                            "within {} of it, {} by the second, none of which meets that",
+                            to_decimal(first[i].centre.re, digits), to_decimal(first[i].centre.im, digits),
+                            first.size(), upper_bound_text(first[i].reach.exact()), second.size()));
+        }
+    }
+}
+
 table map_table(const singularities_options& options, const ode::explicit_system& system,
                 const ode::singularity_map& map, long digits) {
     table data(columns_of_map());
@@ -81,7 +122,11 @@ table map_table(const singularities_options& options, const ode::explicit_system
     std::vector<ode::proved_singularity> proofs;
     if (options.prove) {
         progress shown("singularities", map.all.size());
+        const auto checked = checked_products(options.check);
         proofs = ode::prove_singularities(system, map.all, digits, [&] { shown.step(); });
+        if (options.check) {
+            check_positions(options, system, digits, map, proofs);
+        }
     }
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         const auto& each = map.all[i];
@@ -140,6 +185,9 @@ int run_singularities(const singularities_options& options) {
         options.problem.require_problem();
         throw input_error("no problem is given: add --problem P");
     }
+    if (options.check && !options.prove) {
+        throw input_error("--check compares two proofs and there is none: add --prove, or leave it out");
+    }
     const ode::explicit_system system = options.problem.choose();
     const long digits = options.digits ? digits_of(options.digits) : usual_digits;
     if (digits > most_digits) {
@@ -147,10 +195,7 @@ int run_singularities(const singularities_options& options) {
     }
     ode::singularity_request request;
     request.digits = options.prove ? digits + 3 : digits;
-    if (options.within) {
-        const exact within = positive_number_of("--within", *options.within);
-        request.within = from_exact<double>(within);
-    }
+    request.within = options.radius();
     const auto map = naming_option("--problem", [&] { return ode::singularities_of(system, request); });
     if (map.all.empty() && !map.entire && !options.within) {
         throw error(
@@ -176,6 +221,8 @@ subcommand singularities_command(CLI::App& program) {
         ->type_name("RHO");
     command->add_flag("--prove", options->prove, "encloses each in a disc of radius 10^-D (theorem C)");
     command->add_option("--digits", options->digits, "digits of the positions (15)")->type_name("D");
+    command->add_flag("--check", options->check,
+                      "with --prove: compare with a second proof by another route, exit 1 where they disagree");
     return {command, [options] { return run_singularities(*options); }};
 }
 

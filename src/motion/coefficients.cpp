@@ -32,6 +32,7 @@ struct coefficients_options {
     std::optional<std::string> from;
     std::optional<std::string> at;
     std::optional<std::string> via;
+    bool check = false;
 };
 
 constexpr long most_rows = 1'000'001;
@@ -83,6 +84,12 @@ table table_of(long first, const std::vector<printed_number>& coefficients, bool
     return data;
 }
 
+void refuse_check(const coefficients_options& options) {
+    if (options.check) {
+        throw input_error("--check compares two proofs of the coefficients of a --problem: add --scalar ball:DIGITS");
+    }
+}
+
 // In place of a motion, any problem.
 table coefficients_of_problem(const coefficients_options& options) {
     if (const auto other = options.motion.first_given()) {
@@ -91,8 +98,15 @@ table coefficients_of_problem(const coefficients_options& options) {
     problem_series_request request{options.problem.choose(), 0, 0, options.at, options.via};
     read_powers(options, request);
     return naming_option("--problem", [&] {
-        return options.arithmetic.scalar() == "rational" ? problem_fractions(request)
-                                                         : problem_coefficients(request, options.arithmetic.choose());
+        if (options.arithmetic.scalar() == "rational") {
+            refuse_check(options);
+            return problem_fractions(request);
+        }
+        const arithmetic numbers = options.arithmetic.choose();
+        if (numbers.scalar.kind != scalar_kind::proved) {
+            refuse_check(options);
+        }
+        return problem_coefficients(request, numbers, options.check);
     });
 }
 
@@ -104,6 +118,9 @@ int run_coefficients(const coefficients_options& options) {
         return 0;
     }
     options.problem.require_problem();
+    if (options.check) {
+        throw input_error("--check is of a --problem: add one, or leave it out");
+    }
     if (options.via) {
         throw input_error("--via", *options.via, "is a way through the complex times of a --problem", "leave it out");
     }
@@ -135,6 +152,9 @@ subcommand coefficients_command(CLI::App& program) {
         ->add_option("--via", options->via,
                      "corners of the way to --at of a problem through the complex plane: 1+i,2+i")
         ->type_name("LIST");
+    command->add_flag(
+        "--check", options->check,
+        "of a problem in balls: compare with a second proof by another route, exit 1 where they disagree");
     return {command, [options] { return run_coefficients(*options); }};
 }
 

@@ -35,7 +35,7 @@ struct radius_options {
     std::optional<std::string> at;
     std::optional<std::string> via;
     std::optional<std::string> file;
-    bool prove = false;
+    bool prove = false, check = false;
 };
 
 // An unknown of a file or of a problem.
@@ -145,7 +145,8 @@ int prove_radius(const radius_options& options) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
     const long digits = options.arithmetic.choose().digits;
-    const auto answer = naming_option("--problem", [&] { return proved_radius_of(options.problem.choose(), digits); });
+    const auto answer =
+        naming_option("--problem", [&] { return proved_radius_of(options.problem.choose(), digits, options.check); });
     options.output.write(answer.data, answer.text);
     return 0;
 }
@@ -154,6 +155,9 @@ int run_radius(const radius_options& options) {
     options.output.check();
     if (options.prove) {
         return prove_radius(options);
+    }
+    if (options.check) {
+        throw input_error("--check compares two proofs and there is none: add --prove, or leave it out");
     }
     const arithmetic numbers = options.arithmetic.choose();
     std::vector<lists_of_unknown> unknowns;
@@ -212,6 +216,8 @@ subcommand radius_command(CLI::App& program) {
         ->type_name("N");
     command->add_flag("--prove", options->prove,
                       "of a problem: proved lower and upper bounds that agree to --digits D (theorems L and C)");
+    command->add_flag("--check", options->check,
+                      "with --prove: compare with a second proof by another route, exit 1 where they disagree");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
     command
         ->add_option("--via", options->via,

@@ -252,7 +252,7 @@ table events_of_problem(const reference_options& options, long digits) {
         request.before = as_expression(end.front());
         request.direction = (*request.before - system.point()).sign() < 0 ? -1 : 1;
     }
-    return naming_option("--until", [&] { return problem_events(system, request, digits); });
+    return naming_option("--until", [&] { return problem_events(system, request, digits, options.check); });
 }
 
 // In place of a motion, any problem.
@@ -268,9 +268,6 @@ table reference_of_problem(const reference_options& options, long digits) {
     refuse("--motions", options.motions);
     refuse("--columns", options.columns);
     refuse("--jobs", options.jobs);
-    if (options.check) {
-        throw input_error("--check compares with a second route that only the pendulum has: leave it out");
-    }
     if (options.until) {
         return events_of_problem(options, digits);
     }
@@ -283,11 +280,14 @@ table reference_of_problem(const reference_options& options, long digits) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
     if (*options.times == "inf") {
+        if (options.check) {
+            throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
+        }
         return state_at_infinity(options.problem.equations(), digits);
     }
     const auto system = options.problem.choose();
     const auto times = times_of_problem(*options.times);
-    return naming_option("--problem", [&] { return problem_reference(system, times, digits); });
+    return naming_option("--problem", [&] { return problem_reference(system, times, digits, options.check); });
 }
 
 int run_reference(const reference_options& options) {
@@ -343,7 +343,8 @@ subcommand reference_command(CLI::App& program) {
     command->add_option("--crossing", options->way, "those where G - H passes 0 this way: up or down")
         ->type_name("WAY");
     command->add_option("--before", options->before, "none beyond this time")->type_name("TIME");
-    command->add_flag("--check", options->check, "compare with a second proved route, exit 1 where they disagree");
+    command->add_flag("--check", options->check,
+                      "compare with a second proof by another route, exit 1 where they disagree");
     return {command, [options] { return run_reference(*options); }};
 }
 

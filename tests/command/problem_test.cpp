@@ -170,7 +170,6 @@ TEST_CASE("what reference and find of a problem do not understand is refused", "
     check_refused(reference, {"--times"});
     check_refused(reference + words{"--time", "1", "--energy", "1"}, {"--energy", "--problem"});
     check_refused(reference + words{"--time", "T"}, {"--times"});
-    check_refused(reference + words{"--time", "1", "--check"}, {"--check"});
     check_refused(reference + words{"--time", "1", "--count", "2"}, {"--count", "--until"});
     check_refused(reference + words{"--until", "x' = 0"}, {"x'"});
     check_refused(reference + words{"--until", "x"}, {"--until", "="});

@@ -29,6 +29,7 @@ MARCHES = "ode/proved/proved_march_test.cpp"
 DISCS = "ode/proved/complex_disc_test.cpp"
 BOUNDS = "ode/proved/radius_bounds_test.cpp"
 SINGULAR = "ode/proved/singular_step_test.cpp"
+ROUTES = "ode/proved/proof_route_test.cpp"
 
 FAULTS = [
     *in_file(
@@ -366,5 +367,22 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/proved_root.cpp", ["ode/proved/proved_root_test.cpp"],
         ("the test of Krawczyk passed over", "if (!(reach < radii[i])) {", "if (false) {"),
+    ),
+    *in_file(
+        "src/libration/digits/proved/two_proofs.cpp", [ROUTES],
+        ("two proofs always agree", "return distance <= fraction_of(first.uncertainty) + fraction_of(second.uncertainty);",
+         "return true;"),
+        ("enclosures of twice the width", "return distance <= fraction_of(first.uncertainty)",
+         "return distance / 2 <= fraction_of(first.uncertainty)"),
+    ),
+    *in_file(
+        ROOM + "ode/proved/proof_route.hpp", [ROUTES],
+        ("the products of the first in the second", "return {5, 7, nullptr};", "return {5, 7, fast_product<ball>()};"),
+        ("the steps of the first in the second", "return {5, 7, nullptr};", "return {5, 8, nullptr};"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/singular_step.cpp", [ROUTES],
+        ("a first step that is not where it says", "const ball distance = from_rational<ball>(step);",
+         "const ball distance = route.shortened(magnitude::of(1, exponent)).exact() * 2;"),
     ),
 ]
