@@ -40,12 +40,18 @@ if(LIBRATION_BUILD_COMMAND)
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
-# Random values against an independent route, for tests/long.sh.
+# Random statements against independent truth: some here, and many in tests/long.sh.
 find_package(fmt REQUIRED)
-add_executable(libration-attack EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/attack/attack.cpp
-    ${PROJECT_SOURCE_DIR}/src/table/elliptic_values.cpp)
+file(GLOB_RECURSE attack_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/attack/*.cpp)
+add_executable(libration-attack ${attack_sources} ${PROJECT_SOURCE_DIR}/src/table/elliptic_values.cpp)
 target_include_directories(libration-attack PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libration-warnings)
+target_compile_options(libration-attack PRIVATE $<$<CONFIG:Release>:-Og>)
+if(LIBRATION_BUILD_COMMAND)
+    add_dependencies(libration-attack libration-command)
+    add_test(NAME attack COMMAND libration-attack statements 2000)
+    set_tests_properties(attack PROPERTIES TIMEOUT 600)
+endif()
 
 # The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.
 set(installed ${PROJECT_BINARY_DIR}/installed)

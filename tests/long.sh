@@ -15,12 +15,13 @@ part() { # NAME COMMAND...
     "${@:2}" || { printf '== %s: FAILED\n' "$1" >&2 && status=1; }
 }
 
-by_integers() { "$build/libration-attack" --print 10000 | "$python" "$tests/attack/by_integers.py"; }
+by_integers() { "$build/libration-attack" print 10000 | "$python" "$tests/attack/by_integers.py"; }
 
 part 'studies that are killed' "$tests/journal/kill" "$build" 300
 part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
 part 'conditions that no test decides both ways' "$python" "$tests/coverage/coverage.py" "$build" --jobs "$(nproc)"
-part 'a million random values' "$build/libration-attack" 1000000
+part 'a million random values' "$build/libration-attack" motions 1000000
+part 'two hundred thousand statements' "$build/libration-attack" statements 200000 2
 part 'ten thousand random values by integers' by_integers
 part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build"
 part 'the coverage of the radius' "$build/libration-tests" '[.long]'

@@ -1,10 +1,10 @@
-// libration-attack [VALUES [SEED [THREADS]]]: random motions, times and digits, each printed digit against an
-// independent route (motion_route.hpp). With --print VALUES it writes a CSV for by_integers.py instead. Exit code 1
-// where a digit is wrong or a value is refused.
+// Random motions, times and digits, each printed digit against an independent route (motion_route.hpp).
 //
 // Energies 10^-300 .. 10^300, gaps 10^-300 .. 1 on both sides of E = 2, starts (theta0, omega0), Jacobi's functions
 // with m or 1-m down to 10^-300, and at complex arguments with any real m, 10^-300 .. 10^300; times 10^-10 .. 10^300
 // and fractions of T; 1 to 300 digits.
+#include "attack/motions.hpp"
+
 #include <fmt/core.h>
 
 #include <atomic>
@@ -22,9 +22,10 @@
 #include "libration/scalar/ball/decimal.hpp"
 #include "table/elliptic_values.hpp"
 
+namespace libration::attack {
+
 namespace {
 
-using namespace libration;
 using namespace libration::pendulum;
 using namespace libration::tests;
 
@@ -243,7 +244,22 @@ void attack(long values, unsigned long seed, tally& all) {
     flint_cleanup();
 }
 
-int print(long values) {
+}  // namespace
+
+int attack_motions(long values, unsigned long seed, long threads) {
+    tally all;
+    {
+        std::vector<std::jthread> workers;
+        const long cores = std::max(1L, static_cast<long>(std::thread::hardware_concurrency()));
+        for (long i = 0; i < (threads > 0 ? threads : cores); ++i) {
+            workers.emplace_back([&, i] { attack(values, seed * 1000 + static_cast<unsigned long>(i), all); });
+        }
+    }
+    fmt::print("{} values, {} wrong or refused\n", all.values.load(), all.wrong.load());
+    return all.wrong == 0 ? 0 : 1;
+}
+
+int print_motions(long values) {
     typed_numbers next(7);
     fmt::print("energy,time,digits,theta,omega\n");
     for (long i = 0; i < values; i += 2) {
@@ -256,22 +272,4 @@ int print(long values) {
     return 0;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
-    const auto word = [&](int i, long otherwise) { return count > i ? std::atol(words[i]) : otherwise; };
-    if (count > 1 && std::string(words[1]) == "--print") {
-        return print(word(2, 1000));
-    }
-    const long values = word(1, 1'000'000);
-    const long seed = word(2, 1);
-    tally all;
-    {
-        std::vector<std::jthread> threads;
-        for (long i = 0; i < word(3, std::max(1L, static_cast<long>(std::thread::hardware_concurrency()))); ++i) {
-            threads.emplace_back([&, i] { attack(values, static_cast<unsigned long>(seed * 1000 + i), all); });
-        }
-    }
-    fmt::print("{} values, {} wrong or refused\n", all.values.load(), all.wrong.load());
-    return all.wrong == 0 ? 0 : 1;
-}
+}  // namespace libration::attack

@@ -1,0 +1,22 @@
+// The facts that the message of a refusal states.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace libration::attack {
+
+/// What a message states as proved, in its own decimals; a message without any of it only says that nothing is proved.
+struct refusal_facts {
+    std::optional<std::string> exists_up_to;     ///< "is proved to exist up to X"
+    std::optional<long> found;                   ///< "is not before that time: K were found"
+    std::optional<std::string> nothing_within;   ///< "shows no singularity within X"
+    std::optional<std::string> radius_at_least;  ///< "of at most U and at least L, both proved"
+    std::optional<std::string> radius_at_most;
+    bool touches = false;          ///< "the function touches 0 there"
+    bool does_not_return = false;  ///< "does not return to the section"
+};
+
+refusal_facts facts_of(const std::string& message);
+
+}  // namespace libration::attack

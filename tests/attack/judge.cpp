@@ -1,0 +1,116 @@
+#include "attack/judge.hpp"
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <string_view>
+
+#include "libration/scalar/exact.hpp"
+
+namespace libration::attack {
+
+namespace {
+
+constexpr long most_digits_of_truth = 40'000;
+constexpr long first_guard_digits = 60;
+constexpr long digits_that_agree = 20;
+
+// 10^n, exactly.
+rational power_of_ten(long n) {
+    const integer power = pow(integer(10), static_cast<unsigned>(std::abs(n)));
+    return n < 0 ? rational(1, power) : rational(power);
+}
+
+// The exponent of the first digit of a decimal that is not 0.
+long first_exponent(std::string_view text) {
+    const std::size_t e = text.find_first_of("eE");
+    const long exponent = e == std::string_view::npos ? 0 : std::stol(std::string(text.substr(e + 1)));
+    const std::string_view mantissa = text.substr(0, e);
+    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+    const std::size_t first = mantissa.find_first_of("123456789");
+    const auto at = static_cast<long>(first);
+    const auto dot = static_cast<long>(point);
+    return exponent + (at < dot ? dot - at - 1 : dot - at);
+}
+
+// The truth in twice as many digits as the one that it agrees with.
+template <class Use>
+std::optional<verdict> settled(const truth& exact, long digits, const Use& use) {
+    for (long precision = digits + first_guard_digits; precision <= most_digits_of_truth; precision *= 2) {
+        mpfr rough;
+        {
+            const precision_scope scope(precision);
+            rough = exact();
+        }
+        const precision_scope scope(2 * precision);
+        const mpfr fine = exact();
+        if (!isfinite(rough) || !isfinite(fine)) {
+            return std::nullopt;
+        }
+        const mpfr small = abs(fine) * real(power_of_ten(-(digits + digits_that_agree)));
+        if (abs(mpfr(fine - rough)) <= small) {
+            return use(fine, small);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+mpfr real(const rational& q) {
+    mpfr result;
+    mpfr_set_q(handle(result), q.backend().data(), MPFR_RNDN);
+    return result;
+}
+
+rational typed_fraction(const std::string& decimal) { return read_exact(decimal).coefficient; }
+
+mpfr pi_value() { return 4 * atan(mpfr(1)); }
+
+double rough(const truth& exact) {
+    const precision_scope scope(700);
+    return exact().convert_to<double>();
+}
+
+void outcome::add(verdict v, const std::string& statement) {
+    ++counts[static_cast<std::size_t>(v)];
+    if (v == verdict::wrong || v == verdict::undecided) {
+        messages.push_back(statement);
+    }
+}
+
+verdict judged(const proved_decimal& printed, long digits, const truth& exact) {
+    const rational value = typed_fraction(printed.text);
+    const auto judge = [&](const mpfr& fine, const mpfr& small) {
+        if (value == 0 || fine == 0) {
+            return value == 0 && fine == 0 ? verdict::right : verdict::wrong;
+        }
+        const mpfr off = abs(mpfr(fine - real(value)));
+        const mpfr unit = real(power_of_ten(first_exponent(printed.text) - digits + 1)) + small;
+        const mpfr bound = printed.uncertainty.empty() ? unit : mpfr(real(typed_fraction(printed.uncertainty)) + small);
+        return off <= unit && off <= bound ? verdict::right : verdict::wrong;
+    };
+    return settled(exact, digits, judge).value_or(verdict::undecided);
+}
+
+verdict judged_bounds(const std::string& lower, const std::string& upper, const truth& exact) {
+    const auto judge = [&](const mpfr& fine, const mpfr& small) {
+        const bool above = lower.empty() || real(typed_fraction(lower)) <= fine + small;
+        const bool below = upper.empty() || fine <= real(typed_fraction(upper)) + small;
+        return above && below ? verdict::right : verdict::wrong;
+    };
+    return settled(exact, static_cast<long>(lower.size() + upper.size()), judge).value_or(verdict::undecided);
+}
+
+int sign_of(const truth& exact, long most) {
+    for (long precision = 60; precision <= most; precision *= 2) {
+        const precision_scope scope(precision);
+        const mpfr value = exact();
+        if (abs(value) > real(power_of_ten(-precision / 2))) {
+            return value < 0 ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+}  // namespace libration::attack

@@ -1,0 +1,53 @@
+// What becomes of a statement: judged against a number that is computed in MPFR alone.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "libration/scalar/mpfr.hpp"
+#include "libration/scalar/text/printed_number.hpp"
+
+namespace libration::attack {
+
+/// A number in the thread's working precision (precision_scope); called again it is computed again.
+using truth = std::function<mpfr()>;
+
+/// A fraction in the working precision.
+mpfr real(const rational& q);
+/// The fraction that a decimal stands for.
+rational typed_fraction(const std::string& decimal);
+mpfr pi_value();
+/// About 15 digits of it.
+double rough(const truth& exact);
+
+enum class verdict {
+    right,
+    refused,   ///< nothing was stated, or only facts that hold
+    wrong,     ///< a false statement
+    undecided  ///< the truth is not known well enough to judge it
+};
+inline constexpr std::size_t verdicts = 4;
+
+/// The statements of one question.
+struct outcome {
+    std::string command;  ///< to be pasted into a shell
+    std::array<long, verdicts> counts{};
+    std::vector<std::string> messages;  ///< of the wrong and undecided ones
+
+    void add(verdict v, const std::string& statement);
+    long count(verdict v) const { return counts[static_cast<std::size_t>(v)]; }
+};
+
+/// Whether the printed decimal is within one unit of its last digit and within its uncertainty of the truth. The truth
+/// is taken in more and more digits until two precisions agree.
+verdict judged(const proved_decimal& printed, long digits, const truth& exact);
+
+/// Whether lower <= x <= upper, the bounds being decimals.
+verdict judged_bounds(const std::string& lower, const std::string& upper, const truth& exact);
+
+/// -1, 0 or 1: the sign of the truth, 0 where it is 0 in every precision up to `most` digits.
+int sign_of(const truth& exact, long most = 3000);
+
+}  // namespace libration::attack

@@ -1,0 +1,311 @@
+// Times of events, and how many there are before a time: starts on and next to the section among them.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "attack/facts.hpp"
+#include "attack/question.hpp"
+#include "libration/ode/proved/proved_events.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::attack {
+
+namespace {
+
+constexpr long most_events = 12;
+
+// A time since the start at which the function of a condition is 0.
+struct known_event {
+    truth since;
+    int way = 1;  ///< 1 upwards, -1 downwards, 0 where it touches
+};
+
+// A problem, a condition, and the first of its events after the start: all of them where `all` is set.
+struct asked_events {
+    solved_problem problem;
+    std::string condition;
+    std::vector<known_event> events;
+    bool all = false;
+};
+
+// Those after the start, in their order.
+std::vector<known_event> after_start(std::vector<known_event> events) {
+    std::erase_if(events, [](const known_event& each) { return sign_of(each.since) <= 0; });
+    std::ranges::stable_sort(events, [](const known_event& a, const known_event& b) {
+        return sign_of([&] { return mpfr(a.since() - b.since()); }) < 0;
+    });
+    return events;
+}
+
+// Levels: anywhere, near the start on either side, the start itself typed alike or in another way.
+constant level_near(const constant& start, choices& next) {
+    switch (next.below(6)) {
+        case 0: return start;
+        case 1: return {"(" + start.text + "/3+2*" + start.text + "/3)", start.value};
+        case 2: {
+            const long k = next.between(10, 400);
+            return {fmt::format("({}-1e-{})", start.text, k),
+                    [=] { return mpfr(start.value() - pow(mpfr(10), mpfr(-k))); }};
+        }
+        case 3: {
+            const long k = next.between(10, 60);
+            return {fmt::format("({}+1e-{})", start.text, k),
+                    [=] { return mpfr(start.value() + pow(mpfr(10), mpfr(-k))); }};
+        }
+        default: return any_constant(next);
+    }
+}
+
+// x'' = -x from (p, q): R sin(s + phi).
+asked_events oscillator(choices& next) {
+    const constant p = any_constant(next);
+    const constant q = any_constant(next);
+    const rational origin = next.one_in(2) ? rational(0) : rational(next.between(-3, 3));
+    const constant level = level_near(p, next);
+    const truth size = [=] { return mpfr(hypot(p.value(), q.value())); };
+    asked_events made;
+    made.problem.origin = origin;
+    made.problem.text = fmt::format("x'' = -x; x({0}) = {1}; x'({0}) = {2}", origin.str(), p.text, q.text);
+    made.problem.columns = {"x", "x'"};
+    made.problem.values = {[=](const mpfr& s) { return mpfr(p.value() * cos(s) + q.value() * sin(s)); },
+                           [=](const mpfr& s) { return mpfr(q.value() * cos(s) - p.value() * sin(s)); }};
+    made.condition = "x = " + level.text;
+    const int inside = sign_of([=] { return mpfr(size() - level.value()); });
+    made.all = inside < 0;
+    for (long k = -1; inside > 0 && k < most_events / 2; ++k) {
+        const auto at = [=](bool up) {
+            return [=] {
+                const mpfr turn = asin(mpfr(level.value() / size()));
+                const mpfr here = up ? turn : mpfr(pi_value() - turn);
+                return mpfr(here - atan2(p.value(), q.value()) + 2 * k * pi_value());
+            };
+        };
+        made.events.push_back({at(true), 1});
+        made.events.push_back({at(false), -1});
+    }
+    made.events = after_start(std::move(made.events));
+    return made;
+}
+
+// y' = p'(t), y = k (t - r1) .. (t - rn): zeros at whole times, some of them double.
+asked_events polynomial(choices& next) {
+    const long degree = next.between(1, 4);
+    std::vector<long> roots;
+    for (long i = 0; i < degree; ++i) {
+        roots.push_back(next.between(-2, 5));
+    }
+    std::ranges::sort(roots);
+    std::string slope;
+    std::string start = "1";
+    for (long i = 0; i < degree; ++i) {
+        std::string term = "1";
+        for (long j = 0; j < degree; ++j) {
+            term += j == i ? "" : fmt::format("*(t-({}))", roots[static_cast<std::size_t>(j)]);
+        }
+        slope += (i == 0 ? "" : "+") + term;
+        start += fmt::format("*({})", -roots[static_cast<std::size_t>(i)]);
+    }
+    asked_events made;
+    made.problem.text = fmt::format("y' = {}; y(0) = {}", slope, start);
+    made.problem.columns = {"y"};
+    made.problem.values = {[](const mpfr&) { return mpfr(0); }};
+    made.condition = "y = 0";
+    made.all = true;
+    for (std::size_t i = 0; i < roots.size();) {
+        const long root = roots[i];
+        const auto times = std::ranges::count(roots, root);
+        const auto behind = static_cast<long>(roots.size() - i) - times;
+        made.events.push_back({[=] { return mpfr(root); }, times % 2 == 0 ? 0 : behind % 2 == 0 ? 1 : -1});
+        i += static_cast<std::size_t>(times);
+    }
+    made.events = after_start(std::move(made.events));
+    return made;
+}
+
+// y'' = -g; y(0) = h; y'(0) = v: one landing.
+asked_events fall(choices& next) {
+    const constant g = any_constant(next);
+    const constant h = any_constant(next);
+    const rational v(next.between(-9, 9), next.between(1, 4));
+    asked_events made;
+    made.problem.text = fmt::format("y'' = -{}; y(0) = {}; y'(0) = {}", g.text, h.text, v.str());
+    made.problem.columns = {"y", "y'"};
+    made.condition = "y = 0";
+    made.all = true;
+    const truth landing = [=] {
+        const mpfr speed = real(v);
+        return mpfr((speed + sqrt(mpfr(speed * speed + 2 * g.value() * h.value()))) / g.value());
+    };
+    made.problem.values = {[](const mpfr&) { return mpfr(0); },
+                           [=](const mpfr& s) { return mpfr(real(v) - g.value() * s); }};
+    made.events = {{landing, -1}};
+    return made;
+}
+
+// A level that a monotone function passes once, or never, seen through other coordinates.
+asked_events passage(choices& next) {
+    const constant a = any_constant(next);
+    const constant u = any_constant(next);
+    const component moved = next.one_in(2) ? growth(a, u) : next.one_in(2) ? pole(a, u) : tangent(a, u);
+    const constant level = level_near(u, next);
+    asked_events made;
+    if (next.one_in(2)) {
+        made.problem = alone(moved);
+        made.condition = "y = " + level.text;
+    } else {
+        // y = u + x^2: no influence of u on x, but of x on y.
+        made.problem = bent(growth(constant_of(-1), constant_of(1)), moved, 1);
+        made.condition = "y-x^2 = " + level.text;
+    }
+    made.all = true;
+    const auto time = moved.passes(level);
+    if (time && rough(*time) < moved.forward) {
+        made.events = {{*time, 1}};
+    }
+    return made;
+}
+
+asked_events any_events(choices& next) {
+    switch (next.below(8)) {
+        case 0:
+        case 1: return polynomial(next);
+        case 2: return fall(next);
+        case 3:
+        case 4: return passage(next);
+        default: return oscillator(next);
+    }
+}
+
+// The question about them.
+struct event_question {
+    asked_events asked;
+    ode::event_request request;
+    std::string options;
+    std::optional<rational> before;  ///< since the start
+    int way = 0;
+    long digits = 0;
+
+    // Those that count, up to `before` and including it.
+    std::vector<known_event> wanted() const {
+        std::vector<known_event> all = asked.events;
+        std::erase_if(all, [&](const known_event& each) {
+            const bool late = before && sign_of([&] { return mpfr(each.since() - real(*before)); }) > 0;
+            return late || each.way == 0 || (way != 0 && each.way != way);
+        });
+        return all;
+    }
+    bool touched() const {
+        return std::ranges::any_of(asked.events, [](const known_event& each) { return each.way == 0; });
+    }
+    // Whether one lies at `before` exactly, or may.
+    bool at_end() const {
+        return before && std::ranges::any_of(asked.events, [&](const known_event& each) {
+                   return sign_of([&] { return mpfr(each.since() - real(*before)); }) == 0;
+               });
+    }
+};
+
+std::string command_of(const event_question& question) {
+    return fmt::format("libration reference --problem \"{}\" --until \"{}\"{} --digits {}", question.asked.problem.text,
+                       question.asked.condition, question.options, question.digits);
+}
+
+void judge_events(const event_question& question, const std::vector<ode::printed_event>& events, outcome& result) {
+    const auto wanted = question.wanted();
+    const auto& problem = question.asked.problem;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const std::string text = fmt::format("event {} at {}", i + 1, events[i].time.text);
+        if (i >= wanted.size()) {
+            const bool none = question.asked.all || question.before;
+            result.add(none ? verdict::wrong : verdict::undecided, text + ", which is not one");
+            continue;
+        }
+        const truth since = wanted[i].since;
+        const rational origin = problem.origin;
+        result.add(judged(events[i].time, question.digits, [=] { return mpfr(real(origin) + since()); }), text);
+        const std::size_t slope = problem.columns.size() - 1;
+        if (problem.columns.size() > 1) {
+            const truth value = [&] { return problem.values[slope](since()); };
+            result.add(judged(events[i].values[slope], question.digits, value),
+                       text + ", where " + problem.columns[slope] + " = " + events[i].values[slope].text);
+        }
+    }
+}
+
+verdict judged_event_refusal(const event_question& question, const std::string& message) {
+    const auto facts = facts_of(message);
+    if (facts.touches && !question.touched()) {
+        return verdict::wrong;
+    }
+    if (facts.found && question.before) {
+        const auto all = static_cast<long>(question.wanted().size());
+        const bool known = question.asked.all || question.before;
+        const bool fits = *facts.found == all || (question.at_end() && *facts.found == all - 1);
+        return !known || fits ? verdict::right : verdict::wrong;
+    }
+    return judged_existence(message, 0, question.asked.problem.forward);
+}
+
+outcome judged_question(event_question question) {
+    outcome result;
+    result.command = announce(command_of(question));
+    auto& asked = question.asked;
+    try {
+        const auto given = ode::parse(asked.problem.text);
+        question.request.g = ode::parse_condition(given, asked.condition);
+        if (question.request.g.is_constant()) {
+            return result;
+        }
+        judge_events(question, ode::proved_events(ode::explicit_system(given), question.request, question.digits),
+                     result);
+    } catch (const error& refusal) {
+        result.add(judged_event_refusal(question, refusal.what()), refusal.what());
+    }
+    return result;
+}
+
+void end_before(event_question& question, const rational& since) {
+    const std::string text = question.asked.problem.typed_time(since);
+    question.before = since;
+    question.request.before = time_number(text);
+    question.options += " --before=" + text;
+}
+
+// A time a little before or behind one of the events, or at it, or anywhere.
+rational end_of_search(const asked_events& asked, choices& next) {
+    if (asked.events.empty() || next.one_in(4)) {
+        return decimal_fraction(next.between(1, 4000), 3);
+    }
+    const double at = rough(asked.events[next.below(std::min<std::size_t>(asked.events.size(), 4))].since);
+    const rational near = decimal_fraction(std::lround(at * 1000) + next.between(-2, 2), 3);
+    return near <= 0 ? rational(1, 1000) : near;
+}
+
+}  // namespace
+
+outcome ask_event(choices& next) {
+    event_question question{any_events(next), {}, {}, {}, 0, next.between(1, 40)};
+    question.request.count = next.between(1, 3);
+    if (next.one_in(3)) {
+        question.way = next.one_in(2) ? 1 : -1;
+        question.request.way = question.way > 0 ? ode::crossing::up : ode::crossing::down;
+        question.options = question.way > 0 ? " --crossing up" : " --crossing down";
+    }
+    const auto wanted = static_cast<long>(question.wanted().size());
+    if (wanted < question.request.count && question.asked.all) {
+        end_before(question, end_of_search(question.asked, next));  // it would search for ever
+    }
+    question.options += fmt::format(" --count {}", question.request.count);
+    return judged_question(std::move(question));
+}
+
+outcome ask_count(choices& next) {
+    event_question question{any_events(next), {}, {}, {}, 0, next.between(1, 20)};
+    question.request.count = next.between(1, 2 * most_events);
+    end_before(question, end_of_search(question.asked, next));
+    question.options += fmt::format(" --count {}", question.request.count);
+    return judged_question(std::move(question));
+}
+
+}  // namespace libration::attack

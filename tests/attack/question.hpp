@@ -1,0 +1,66 @@
+// What an attack asks: kinds of statements, each with a question from random choices.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "attack/judge.hpp"
+#include "attack/solved_problem.hpp"
+#include "libration/ode/explicit_system.hpp"
+#include "libration/ode/parse.hpp"
+
+namespace libration::attack {
+
+struct statement_kind {
+    const char* name;
+    const char* about;  ///< one line of the published table
+    int share;          ///< of every hundred questions
+    /// Asks one question; errors of the library are refusals and are judged there.
+    outcome (*ask)(choices& next);
+};
+
+/// All kinds, in the order of the table.
+const std::vector<statement_kind>& statement_kinds();
+
+outcome ask_value(choices& next);
+outcome ask_event(choices& next);
+outcome ask_count(choices& next);
+outcome ask_unknown(choices& next);
+outcome ask_orbit(choices& next);
+outcome ask_radius(choices& next);
+outcome ask_position(choices& next);
+outcome ask_coefficient(choices& next);
+outcome ask_zero(choices& next);
+outcome ask_refusal(choices& next);
+
+/// Notes the command of the question that this thread asks, and returns it; an empty one ends the question.
+std::string announce(std::string command);
+std::string announced_command();
+/// The command of a thread that has been at it for longer.
+std::optional<std::string> command_older_than(std::chrono::seconds limit);
+
+/// Ends a question from within, through a progress callback.
+class no_answer : public std::runtime_error {
+public:
+    no_answer() : std::runtime_error("no answer in the time that a question has") {}
+};
+/// Throws no_answer where this thread's question takes longer than `seconds_of_a_question`.
+void require_time_left();
+inline constexpr std::chrono::seconds seconds_of_a_question{20};
+
+/// Digits that are asked for: few most of the time, some hundred where products of series are long.
+long any_digits(choices& next);
+
+/// A constant time, as the command reads it.
+ode::number time_number(const std::string& typed);
+
+inline ode::explicit_system system_of(const std::string& text) { return ode::explicit_system(ode::parse(text)); }
+
+/// The facts of a refused trajectory: the solution exists up to the time that the message names, which is before a
+/// singularity at `singular` (absolute; in the direction of the time that was asked).
+verdict judged_existence(const std::string& message, double from, double singular);
+
+}  // namespace libration::attack

@@ -1,0 +1,155 @@
+#include "attack/statements.hpp"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+#include "attack/question.hpp"
+#include "libration/scalar/ball/ball.hpp"
+
+namespace libration::attack {
+
+namespace {
+
+constexpr auto longest_question = std::chrono::seconds(120);
+constexpr long shares = 100;
+
+// The counts of a kind.
+struct kind_counts {
+    long questions = 0;
+    std::array<long, verdicts> of{};
+};
+
+class attack_run {
+public:
+    attack_run(long questions, unsigned long seed)
+        : questions_(questions), seed_(seed), counts_(statement_kinds().size()) {}
+
+    void work() {
+        for (long i = next_++; i < questions_; i = next_++) {
+            ask(i);
+        }
+        flint_cleanup();
+    }
+
+    void ask(long index) {
+        const std::size_t which = kind_of(index);
+        const statement_kind& kind = statement_kinds()[which];
+        choices next(seed_ * 1'000'000'007UL + static_cast<unsigned long>(index));
+        outcome result;
+        try {
+            result = kind.ask(next);
+        } catch (const std::exception& problem) {
+            result.command = announced_command();
+            result.add(verdict::wrong, std::string("ends by an exception: ") + problem.what());
+        }
+        announce("");
+        note(which, index, result);
+    }
+
+    bool succeeded() const { return !failed_; }
+
+    void print() const {
+        fmt::print(
+            "# Statements against independent truth\n\n"
+            "What became of the statements of `libration-attack statements {} {}` (tests/attack): numbers and\n"
+            "bounds that are called proved, and the facts that refusals state. *Refused* are questions without an\n"
+            "answer, whose message states no fact or facts that hold; *undecided* are those whose truth is not\n"
+            "known well enough, or that had no answer in {} s.\n\n",
+            questions_, seed_, seconds_of_a_question.count());
+        fmt::print(
+            "| kind | what is stated | questions | statements | proved and right | refused | undecided | false |\n"
+            "|---|---|---:|---:|---:|---:|---:|---:|\n");
+        kind_counts sum;
+        for (std::size_t k = 0; k < counts_.size(); ++k) {
+            print_row(statement_kinds()[k].name, statement_kinds()[k].about, counts_[k]);
+            sum.questions += counts_[k].questions;
+            for (std::size_t v = 0; v < verdicts; ++v) {
+                sum.of[v] += counts_[k].of[v];
+            }
+        }
+        print_row("all", "", sum);
+    }
+
+    // Ends the program where a question takes too long.
+    void watch(const std::stop_token& stop) const {
+        while (!stop.stop_requested()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            if (const auto command = command_older_than(longest_question)) {
+                fmt::print(stderr, "no answer after {} s: {}\n", longest_question.count(), *command);
+                std::_Exit(1);
+            }
+        }
+    }
+
+    static std::size_t kind_of(long index) {
+        long place = index * 37 % shares;  // 37 and 100 have no common factor: kinds alternate
+        const auto& kinds = statement_kinds();
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            place -= kinds[k].share;
+            if (place < 0) {
+                return k;
+            }
+        }
+        return 0;
+    }
+
+private:
+    static void print_row(const char* name, const char* about, const kind_counts& counts) {
+        const auto of = [&](verdict v) { return counts.of[static_cast<std::size_t>(v)]; };
+        const long all = of(verdict::right) + of(verdict::refused) + of(verdict::undecided) + of(verdict::wrong);
+        fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} |\n", name, about, counts.questions, all,
+                   of(verdict::right), of(verdict::refused), of(verdict::undecided), of(verdict::wrong));
+    }
+
+    void note(std::size_t which, long index, const outcome& result) {
+        const std::lock_guard lock(mutex_);
+        kind_counts& counts = counts_[which];
+        ++counts.questions;
+        for (std::size_t v = 0; v < verdicts; ++v) {
+            counts.of[v] += result.counts[v];
+        }
+        for (const std::string& each : result.messages) {
+            const bool wrong = result.count(verdict::wrong) > 0;
+            fmt::print(stderr, "{} {} (question {} of seed {}): {}\n  {}\n", wrong ? "false" : "undecided",
+                       statement_kinds()[which].name, index, seed_, result.command, each);
+        }
+        failed_ = failed_ || result.count(verdict::wrong) > 0;
+    }
+
+    long questions_;
+    unsigned long seed_;
+    std::atomic<long> next_{0};
+    std::vector<kind_counts> counts_;
+    std::mutex mutex_;
+    std::atomic<bool> failed_{false};
+};
+
+}  // namespace
+
+int attack_statements(long questions, unsigned long seed, long threads) {
+    attack_run run(questions, seed);
+    const std::jthread watching([&](const std::stop_token& stop) { run.watch(stop); });
+    {
+        std::vector<std::jthread> workers;
+        const long all = threads > 0 ? threads : std::max(1L, static_cast<long>(std::thread::hardware_concurrency()));
+        for (long i = 0; i < all; ++i) {
+            workers.emplace_back([&] { run.work(); });
+        }
+    }
+    run.print();
+    return run.succeeded() ? 0 : 1;
+}
+
+int attack_statement(long index, unsigned long seed) {
+    attack_run run(index + 1, seed);
+    run.ask(index);
+    run.print();
+    return run.succeeded() ? 0 : 1;
+}
+
+}  // namespace libration::attack
