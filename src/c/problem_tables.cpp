@@ -17,7 +17,6 @@ namespace {
 
 constexpr long most_powers = 100'000;
 constexpr long most_digits_of_places = 1000;
-constexpr long uncertainty_digits = 3;
 
 libration_number heuristic(const std::string& decimal, const std::string& uncertainty) {
     return {decimal, uncertainty, LIBRATION_HEURISTIC};
@@ -64,10 +63,10 @@ std::vector<convergence::listed_function> functions_of(const ode::coefficient_li
 }
 
 // A part of a place to so many digits: what the disc round it holds is at most so far from the decimal.
-libration_number proved_part(const mpfr& part, const magnitude& reach, long digits) {
+libration_number part_of_place(const mpfr& part, const magnitude& reach, long digits, int rigour) {
     const std::string decimal = to_decimal(part, digits);
     const ball away = widened(ball(part), reach) - from_rational<ball>(read_exact(decimal).coefficient);
-    return {decimal, upper_bound_text(away), LIBRATION_PROVED};
+    return {decimal, upper_bound_text(away), rigour};
 }
 
 // A part of an exponent: a whole number as such.
@@ -95,7 +94,8 @@ ode::singularity_map search(const ode::explicit_system& system, const std::strin
     auto map = ode::singularities_of(system, request);
     if (map.all.empty() && !map.entire && within.empty()) {
         throw error(error_kind::undecided, "problem", "",
-                    "shows no singularity within " + to_decimal(map.within, 6) + " of its start: look further out");
+                    "has no singularity that was found within " + to_decimal(map.within, 6) +
+                        " of its start, which does not prove that there is none: search further out");
     }
     return map;
 }
@@ -149,16 +149,22 @@ found_singularities singularity_table(const ode::explicit_system& system, const 
     const mpfr origin = ode::constant_value<mpfr>::of(system.point());
     libration_table table{{"position_re", "position_im", "modulus", "kind", "exponent_re", "exponent_im", "unknown"},
                           {}};
+    for (const ode::proved_singularity& each : proofs) {
+        if (!each.refusal.empty()) {
+            throw error(error_kind::undecided, "problem", "", each.refusal);
+        }
+    }
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         const auto& each = map.all[i];
-        const std::string uncertainty = to_decimal(each.uncertainty, uncertainty_digits);
+        const magnitude reach = proved ? proofs[i].reach : magnitude(ball(each.uncertainty));
         for (const mpfr& part : {mpfr(origin + each.offset.re), each.offset.im, modulus_of(each.offset)}) {
-            table.add(proved ? proved_part(part, proofs[i].reach, digits)
-                             : heuristic(to_decimal(part, digits), uncertainty));
+            table.add(part_of_place(part, reach, digits, proved ? LIBRATION_PROVED : LIBRATION_HEURISTIC));
         }
         table.add(ode::words_of(each.kind, each.exponent.real()));
-        table.add(heuristic(small_text(each.exponent.real()), ""));
-        table.add(heuristic(small_text(each.exponent.imag()), ""));
+        const bool clear = each.kind != ode::singularity_kind::unclear;
+        for (const double part : {each.exponent.real(), each.exponent.imag()}) {
+            add_where_known(table, clear ? small_text(part) : "", "");
+        }
         table.add(names[each.unknown]);
     }
     return {std::move(table), map.complete};

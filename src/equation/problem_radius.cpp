@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "libration/digits/proved/two_proofs.hpp"
@@ -22,6 +23,13 @@ std::string at_words(const complex_number<mpfr>& z) {
     }
     return fmt::format("{} {} {}i", to_decimal(z.re, digits_of_place), z.im < 0 ? "-" : "+",
                        to_decimal(mpfr(abs(z.im)), digits_of_place));
+}
+
+// Without the primes of the derivative that the loop is of.
+std::string unknown_of(const ode::explicit_system& system, const ode::loop_result& loop) {
+    std::string name = ode::first_order_form(system).names[loop.unknown];
+    name.erase(std::find(name.begin(), name.end(), '\''), name.end());
+    return name;
 }
 
 std::string words_of_loop(const ode::explicit_system& system, const ode::loop_result& loop) {
@@ -51,7 +59,7 @@ std::string words_of_evidence(const ode::explicit_system& system, const ode::pro
     if (proved.pole_order == 0) {
         return loop;
     }
-    return fmt::format("{}; 1/{} has a {} zero", loop, system.unknowns().front().name,
+    return fmt::format("{}; 1/{} has a {} zero", loop, unknown_of(system, proved.evidence),
                        proved.pole_order == 1 ? "simple" : "double");
 }
 
@@ -69,11 +77,15 @@ proved_radius_answer proved_radius_of(const ode::explicit_system& system, long d
     }
     const auto [lower, upper] = ode::outward_decimals(radius, digits);
     answer.data.add_row({number_cell(lower), number_cell(upper), digits, "proved"});
-    answer.text = fmt::format("lower  {}  proved: {} discs cover |t - t0| <= R{}\n", lower, radius.cover.discs.size(),
-                              radius.rotation > 1 ? fmt::format(" but for turns by 1/{}", radius.rotation) : "") +
-                  fmt::format("upper  {}  proved: a singularity within {} of {}, for {}\n", upper,
-                              upper_bound_text(radius.evidence->reach.exact()), at_words(radius.evidence->centre),
-                              words_of_evidence(system, *radius.evidence));
+    const std::string systems = radius.systems > 1
+                                    ? fmt::format(", once for each of {} independent systems", radius.systems)
+                                : radius.rotation > 1 ? fmt::format(" but for turns by 1/{}", radius.rotation)
+                                                      : "";
+    answer.text =
+        fmt::format("lower  {}  proved: {} discs cover |t - t0| <= R{}\n", lower, radius.cover.discs.size(), systems) +
+        fmt::format("upper  {}  proved: a singularity of {} within {} of {}, for {}\n", upper,
+                    unknown_of(system, radius.evidence->evidence), upper_bound_text(radius.evidence->reach.exact()),
+                    at_words(radius.evidence->centre), words_of_evidence(system, *radius.evidence));
     return answer;
 }
 

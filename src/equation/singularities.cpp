@@ -13,6 +13,7 @@
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/constants.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr long usual_digits = 15;
 constexpr long most_digits = 1000;
-constexpr long uncertainty_digits = 3;
 constexpr int exponent_digits = 9;
 
 struct singularities_options {
@@ -40,17 +40,22 @@ struct singularities_options {
     }
 };
 
-// Rounding errors of what is 0 or whole do not show.
-double tidied(double x) {
+// Rounding errors of what is 0 or whole do not show: relative to `size`.
+double tidied(double x, double size) {
     const double nearest = std::round(x);
-    return std::abs(x - nearest) < 1e-7 * std::max(1.0, std::abs(x)) ? nearest + 0.0 : x;
+    return std::abs(x - nearest) < 1e-7 * size ? nearest + 0.0 : x;
 }
 
-cell small_cell(double x) { return number_cell(fmt::format("{:.{}g}", tidied(x), exponent_digits)); }
+// Empty where it has no value in the range of double.
+cell small_cell(double x, double size) {
+    return std::isfinite(x) ? number_cell(fmt::format("{:.{}g}", tidied(x, size), exponent_digits)) : cell();
+}
+
+double size_of_exponent(const std::complex<double>& z) { return std::max(1.0, std::abs(z)); }
 
 std::string complex_words(const std::complex<double>& z) {
-    const double re = tidied(z.real());
-    const double im = tidied(z.imag());
+    const double re = tidied(z.real(), size_of_exponent(z));
+    const double im = tidied(z.imag(), size_of_exponent(z));
     return im == 0 ? fmt::format("{:.9g}", re) : fmt::format("{:.9g}{:+.9g}i", re, im);
 }
 
@@ -66,16 +71,18 @@ std::vector<column> columns_of_map() {
     return {{"position_re", "time of the singularity, real part"},
             {"position_im", "time of the singularity, imaginary part"},
             {"modulus", "distance from the start"},
-            {"uncertainty", "how far off it may be"},
-            {"kind", "pole, with branches, algebraic, logarithm or complex power"},
+            {"uncertainty", "how far off the position, as it is printed, may be"},
+            {"kind", "pole, with branches, algebraic, logarithm, complex power, or unclear where no power is seen"},
             {"exponent_re", "exponent p of the leading behaviour, real part"},
             {"exponent_im", "imaginary part"},
-            {"rigour", "proved: of the place, and of a pole by a zero of its inverse; other kinds are heuristic"},
-            {"unknown", "the unknown with that behaviour"},
+            {"rigour",
+             "proved: that this unknown is singular within the uncertainty, and a pole by a zero of its inverse; other "
+             "kinds are heuristic"},
+            {"unknown", "the unknown that is singular there, with that behaviour"},
             {"coefficient_re", "c in c (t - t*)^p, or c (1 - (t - t0)/(t* - t0))^p where p is no whole number"},
             {"coefficient_im", "imaginary part"},
             {"resonances", "r: perturbations grow like (t - t*)^(p + r)"},
-            {"evidence", "what proves it"}};
+            {"evidence", "what proves it, or why it is not proved"}};
 }
 
 // Whether the discs of two proofs of one unknown meet.
@@ -94,8 +101,16 @@ void check_positions(const singularities_options& options, const ode::explicit_s
     const auto again = ode::singularities_of(system, request);
     const auto second = ode::prove_singularities(system, again.all, digits + ode::more_digits_of_second_proof, {},
                                                  ode::proof_route::second());
+    for (const auto& each : second) {
+        if (!each.refusal.empty()) {
+            throw error(error_kind::undecided, "--check", "", "makes no second proof: the problem " + each.refusal);
+        }
+    }
     const precision_scope scope(request.digits + 30);
     for (std::size_t i = 0; i < first.size(); ++i) {
+        if (!first[i].refusal.empty()) {
+            continue;
+        }
         bool met = first.size() == second.size();
         for (std::size_t j = 0; met && j < second.size(); ++j) {
             if (discs_meet(first[i], map.all[i].unknown, second[j], again.all[j].unknown)) {
@@ -113,12 +128,26 @@ void check_positions(const singularities_options& options, const ode::explicit_s
     }
 }
 
-table map_table(const singularities_options& options, const ode::explicit_system& system,
-                const ode::singularity_map& map, long digits) {
-    table data(columns_of_map());
+/// The rows, and how many of them were to be proved and are not.
+struct map_rows {
+    table data;
+    std::size_t refused = 0;
+};
+
+// What is at most between a place and its decimals: its own error, and their rounding.
+std::string uncertainty_of(const complex_number<ball>& time, const ball& error, const cell& re, const cell& im) {
+    const ball of_re = time.re - from_rational<ball>(read_exact(re.text()).coefficient);
+    const ball of_im = time.im - from_rational<ball>(read_exact(im.text()).coefficient);
+    return upper_bound_text(sqrt(ball(of_re * of_re + of_im * of_im)) + error);
+}
+
+map_rows rows_of_map(const singularities_options& options, const ode::explicit_system& system,
+                     const ode::singularity_map& map, long digits) {
+    map_rows rows{table(columns_of_map())};
     const auto names = ode::first_order_form(system).names;
     const precision_scope scope(digits + 30);
     const mpfr origin = ode::constant_value<mpfr>::of(system.point());
+    const ball enclosed_origin = ode::constant_value<ball>::of(system.point());
     std::vector<ode::proved_singularity> proofs;
     if (options.prove) {
         progress shown("singularities", map.all.size());
@@ -130,21 +159,35 @@ table map_table(const singularities_options& options, const ode::explicit_system
     }
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         const auto& each = map.all[i];
-        const mpfr modulus = modulus_of(each.offset);
-        std::string uncertainty = to_decimal(each.uncertainty, uncertainty_digits);
-        std::string evidence;
-        if (options.prove) {
-            evidence = words_of_evidence(system, proofs[i]);
-            uncertainty = upper_bound_text(proofs[i].reach.exact());
-        }
-        data.add_row({decimal_cell(mpfr(origin + each.offset.re), digits), decimal_cell(each.offset.im, digits),
-                      decimal_cell(modulus, digits), number_cell(uncertainty),
-                      ode::words_of(each.kind, each.exponent.real()), small_cell(each.exponent.real()),
-                      small_cell(each.exponent.imag()), options.prove ? "proved" : "heuristic", names[each.unknown],
-                      small_cell(each.coefficient.real()), small_cell(each.coefficient.imag()), joined(each.resonances),
-                      evidence});
+        const bool proved = options.prove && proofs[i].refusal.empty();
+        rows.refused += options.prove && !proved ? 1 : 0;
+        const cell re = decimal_cell(mpfr(origin + each.offset.re), digits);
+        const cell im = decimal_cell(each.offset.im, digits);
+        const ball error = proved ? proofs[i].reach.exact() : ball(each.uncertainty);
+        const std::string evidence = !options.prove ? ""
+                                     : proved       ? words_of_evidence(system, proofs[i])
+                                                    : "not proved: it " + proofs[i].refusal;
+        const auto number = [&](double x, double size) {
+            return each.kind == ode::singularity_kind::unclear ? cell() : small_cell(x, size);
+        };
+        const double size = std::abs(each.coefficient);
+        rows.data.add_row({re, im, decimal_cell(mpfr(modulus_of(each.offset)), digits),
+                           number_cell(uncertainty_of(
+                               {ball(enclosed_origin + ball(each.offset.re)), ball(each.offset.im)}, error, re, im)),
+                           ode::words_of(each.kind, each.exponent.real()),
+                           number(each.exponent.real(), size_of_exponent(each.exponent)),
+                           number(each.exponent.imag(), size_of_exponent(each.exponent)),
+                           proved ? "proved" : "heuristic", names[each.unknown], number(each.coefficient.real(), size),
+                           number(each.coefficient.imag(), size), joined(each.resonances), evidence});
     }
-    return data;
+    return rows;
+}
+
+std::string number_words(const std::string& name, const cell& re, const cell& im) {
+    if (re.is_empty() || im.is_empty()) {
+        return "";
+    }
+    return fmt::format(", {} {}", name, re.text()) + (im.text() == "0" ? "" : fmt::format(" + {}i", im.text()));
 }
 
 std::string text_of(const table& data, const ode::singularity_map& map) {
@@ -154,14 +197,12 @@ std::string text_of(const table& data, const ode::singularity_map& map) {
     }
     for (const auto& row : data.rows()) {
         const bool real = row[1].text() == "0";
-        text +=
-            fmt::format("{}{}  +- {}  {}  {}: {}, exponent {}{}, coefficient {}\n", row[0].text(),
-                        real ? ""
-                             : fmt::format(" {} {}i", row[1].text().starts_with("-") ? "-" : "+",
-                                           row[1].text().substr(row[1].text().starts_with("-") ? 1 : 0)),
-                        row[3].text(), row[7].text(), row[8].text(), row[4].text(), row[5].text(),
-                        row[6].text() == "0" ? "" : fmt::format(" + {}i", row[6].text()),
-                        row[10].text() == "0" ? row[9].text() : fmt::format("{} + {}i", row[9].text(), row[10].text()));
+        text += fmt::format("{}{}  +- {}  {}  {}: {}{}{}\n", row[0].text(),
+                            real ? ""
+                                 : fmt::format(" {} {}i", row[1].text().starts_with("-") ? "-" : "+",
+                                               row[1].text().substr(row[1].text().starts_with("-") ? 1 : 0)),
+                            row[3].text(), row[7].text(), row[8].text(), row[4].text(),
+                            number_words("exponent", row[5], row[6]), number_words("coefficient", row[9], row[10]));
         if (!row[11].is_empty()) {
             text += fmt::format("    resonances {}\n", row[11].text());
         }
@@ -200,10 +241,18 @@ int run_singularities(const singularities_options& options) {
     if (map.all.empty() && !map.entire && !options.within) {
         throw error(
             error_kind::undecided, "--problem", *options.problem.problem(),
-            fmt::format("shows no singularity within {:.6g} of its start: --within RHO looks further out", map.within));
+            fmt::format(
+                "has no singularity that was found within {:.6g} of its start, which does not prove that there is "
+                "none: --within RHO searches further out",
+                map.within));
     }
-    const table data = map_table(options, system, map, digits);
-    options.output.write(data, text_of(data, map));
+    const map_rows rows = rows_of_map(options, system, map, digits);
+    options.output.write(rows.data, text_of(rows.data, map));
+    if (rows.refused != 0) {
+        throw error(error_kind::undecided, "--prove", "",
+                    fmt::format("leaves {} of {} singularities unproved: their rows are heuristic and say why",
+                                rows.refused, map.all.size()));
+    }
     return 0;
 }
 
@@ -219,7 +268,7 @@ subcommand singularities_command(CLI::App& program) {
         ->add_option("--within", options->within,
                      "the distance from the start; twice the nearest where it is not given")
         ->type_name("RHO");
-    command->add_flag("--prove", options->prove, "encloses each in a disc of radius 10^-D (theorem C)");
+    command->add_flag("--prove", options->prove, "encloses each in a disc, to D digits (theorem C)");
     command->add_option("--digits", options->digits, "digits of the positions (15)")->type_name("D");
     command->add_flag("--check", options->check,
                       "with --prove: compare with a second proof by another route, exit 1 where they disagree");

@@ -5,6 +5,7 @@
 
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
+#include "libration/scalar/constants.hpp"
 
 namespace command_singularities_test {
 
@@ -38,8 +39,60 @@ TEST_CASE("a pole as a row, and proved", "[command][singularity]") {
     CHECK(pole.at("rigour") == "heuristic");
     const auto proved = rows_of(with(command, {"--prove"}));
     CHECK(proved.front().at("rigour") == "proved");
-    CHECK(number_of(proved.front().at("uncertainty")) <= mpfr("1e-12"));
+    // Half a unit of the last place and the disc.
+    CHECK(number_of(proved.front().at("uncertainty")) <= mpfr("1e-11"));
+    const precision_scope scope(40);
+    CHECK(abs(number_of(proved.front().at("position_re")) - mpfr(7) / 3) <=
+          number_of(proved.front().at("uncertainty")));
     CHECK(proved.front().at("evidence") == "the round integral of y is not 0; 1/y has a simple zero");
+}
+
+// y = 1/(1 - t), z = tan t: nothing of z at 1, and what is printed is as near as the uncertainty says.
+TEST_CASE("rows of a system speak of their own unknown", "[command][singularity]") {
+    const auto rows = rows_of({"singularities", "--problem", "y'=y^2; z'=1+z^2; y(0)=1; z(0)=0", "--within", "5",
+                               "--prove", "--digits", "10"});
+    REQUIRE(rows.size() == 5);
+    const precision_scope scope(40);
+    const mpfr quarter = pi<mpfr>() / 2;
+    const std::vector<mpfr> places{1, quarter, -quarter, 3 * quarter, -3 * quarter};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CHECK(rows[i].at("unknown") == (i == 0 ? "y" : "z"));
+        CHECK(rows[i].at("rigour") == "proved");
+        CHECK(rows[i].at("exponent_re") == "-1");
+        CHECK(rows[i].at("evidence").ends_with(i == 0 ? "1/y has a simple zero" : "1/z has a simple zero"));
+        CHECK(abs(number_of(rows[i].at("position_re")) - places[i]) <= number_of(rows[i].at("uncertainty")));
+    }
+    const auto plain = rows_of({"singularities", "--problem", "y'=1+y^2; z'=1+z^2; y(0)=0; z(0)=1", "--within", "4"});
+    REQUIRE(plain.size() == 5);
+    for (const auto& row : plain) {
+        const mpfr start = row.at("unknown") == "y" ? mpfr(0) : pi<mpfr>() / 4;
+        const mpfr turns = (number_of(row.at("position_re")) + start) / quarter;
+        CHECK(abs(turns - round(turns)) * quarter <= number_of(row.at("uncertainty")));
+    }
+}
+
+// z = 1/(1 + log(1 - t)): 1/log at 1.
+TEST_CASE("cells without a value are empty", "[command][singularity]") {
+    const auto rows = rows_of({"singularities", "--problem", "y'=y^2; z'=y*z^2; y(0)=1; z(0)=1", "--within", "2"});
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[2].at("unknown") == "z");
+    CHECK(rows[2].at("kind") == "unclear");
+    CHECK(rows[2].at("exponent_re").empty());
+    CHECK(rows[2].at("coefficient_im").empty());
+}
+
+// y = 1/(s - t).
+TEST_CASE("radii and places at any scale", "[command][singularity]") {
+    for (const std::string s : {"1e-100", "1e-10", "1e-4", "1e10"}) {
+        const words problem{"--problem", "y' = y^2; y(0) = 1/" + s, "--digits", "8"};
+        const auto radius = rows_of(with({"radius", "--prove"}, problem)).front();
+        const precision_scope scope(30);
+        CHECK(number_of(radius.at("lower")) < mpfr(s));
+        CHECK(mpfr(s) < number_of(radius.at("upper")));
+        const auto place = rows_of(with({"singularities"}, problem)).front();
+        CHECK(abs(number_of(place.at("position_re")) - mpfr(s)) <= number_of(place.at("uncertainty")));
+        CHECK(abs(number_of(place.at("coefficient_re")) + 1) < mpfr("1e-6"));
+    }
 }
 
 TEST_CASE("bounds of a radius are printed outwards", "[command][singularity]") {

@@ -30,6 +30,7 @@ DISCS = "ode/proved/complex_disc_test.cpp"
 BOUNDS = "ode/proved/radius_bounds_test.cpp"
 SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
+SYSTEMS = "ode/singularity/systems_test.cpp"
 
 FAULTS = [
     *in_file(
@@ -346,6 +347,32 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/proved_singularity.cpp", [BOUNDS],
         ("a zero beyond the reach", "const bool one_zero = certainly_within(step, reach);", "const bool one_zero = true;"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/proved_singularity.cpp", [SYSTEMS],
+        ("evidence of another unknown accepted", "shown_along(ground_of(system, found.unknown, false)",
+         "shown_along(ground_of(system, found.unknown, true)"),
+        ("a proof lent to another unknown", "return each.unknown == found[i].unknown && each.offset.re",
+         "return each.offset.re"),
+        ("one independent system covered", "for (const closed_subsystem& each : systems) {",
+         "for (const closed_subsystem& each : {systems.back()}) {"),
+    ),
+    *in_file(
+        "src/libration/ode/dependency.cpp", ["ode/dependency_test.cpp"],
+        ("derivatives of an unknown left out", "if (leaf.kind() == node_kind::unknown) {",
+         "if (leaf.kind() == node_kind::unknown && leaf.derivative() == 0) {"),
+        ("a component closed too early", "least_[way_.back().at] = std::min(least_[way_.back().at], least_[at]);",
+         ""),
+        ("components by one direction of the edges", "both[j].push_back(i);", ""),
+        ("an open set accepted", "refuse_open_set(of.unknowns()[i], of.unknowns()[j]);", "continue;"),
+    ),
+    *in_file(
+        "src/libration/ode/singularity/singularity_map.cpp", [SYSTEMS],
+        ("singularities of what an unknown depends on", "return each.group + 1 == names_.size();", "return true;"),
+    ),
+    *in_file(
+        "src/libration/ode/lifted_system.cpp", [SYSTEMS],
+        ("products of own unknowns taken for linear", "if (holds_own || !is_entire(by)) {", "if (!is_entire(by)) {"),
     ),
     *in_file(
         "src/libration/ode/singularity/regular_coordinates.cpp", ["ode/singularity/regular_coordinates_test.cpp"],

@@ -41,8 +41,9 @@ lifted_system lifted(const explicit_system& of);
 /// argument that may have gone round a branch point.
 lifted_system lifted_for_paths(const explicit_system& of);
 
-/// Whether every solution is analytic in the whole plane: right sides of degree 1 in the unknowns, with coefficients
-/// that are polynomials, exponentials, sines and cosines of such.
+/// Whether every solution is analytic in the whole plane, by its form: the right sides of each strongly connected
+/// component are of degree 1 in its own unknowns, with coefficients that are polynomials, exponentials, sines and cosines
+/// of the variable and of the unknowns of components before it, which are entire functions of it by themselves.
 bool has_entire_solutions(const explicit_system& of);
 
 /// The lifted system with the derivatives of its unknowns by the given ones at some point, column after column behind

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
 #include <utility>
+
+#include "libration/ode/dependency.hpp"
 
 namespace libration::ode {
 
@@ -207,7 +210,7 @@ bool has_one_value(const expression& e) {
     }
 }
 
-// Of the variable.
+// Of the variable, where its unknowns are entire.
 bool is_entire(const expression& e) {
     switch (e.kind()) {
         case node_kind::sum:
@@ -230,6 +233,30 @@ bool is_entire(const expression& e) {
     }
 }
 
+// In the leaves that are the own ones of a component; the others are entire functions of the variable by themselves.
+template <class IsOwn>
+bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is_own) {
+    std::vector<expression> own;
+    std::unordered_set<const void*> done;
+    const auto note = [&](const expression& leaf) {
+        if (is_own(leaf)) {
+            own.push_back(leaf);
+        }
+    };
+    each_leaf(right, done, note);
+    for (const expression& leaf : own) {
+        const expression by = partial(right, leaf);
+        bool holds_own = false;
+        done.clear();
+        each_leaf(by, done, [&](const expression& other) { holds_own = holds_own || is_own(other); });
+        if (holds_own || !is_entire(by)) {
+            return false;
+        }
+    }
+    return is_entire(replaced(
+        right, [&](const expression& leaf) { return is_own(leaf) ? std::optional(expression(0)) : std::nullopt; }));
+}
+
 }  // namespace
 
 lifted_system lifted_for_paths(const explicit_system& of) {
@@ -241,20 +268,14 @@ bool has_entire_solutions(const explicit_system& of) {
     if (of.singular()) {
         return false;
     }
-    return std::ranges::all_of(of.right(), [&](const expression& right) {
-        for (const unknown_function& each : of.unknowns()) {
-            for (int j = 0; j < each.order; ++j) {
-                const expression leaf = unknown(each.name, j);
-                const expression by = partial(right, leaf);
-                if (by.has_unknowns() || !is_entire(by)) {
-                    return false;
-                }
-            }
-        }
-        const expression inhomogeneous = replaced(right, [](const expression& leaf) {
-            return leaf.kind() == node_kind::unknown ? std::optional(expression(0)) : std::nullopt;
-        });
-        return is_entire(inhomogeneous);
+    const dependency_graph graph(of);
+    return std::ranges::all_of(graph.strong_components(), [&](const std::vector<std::size_t>& component) {
+        const auto is_own = [&](const expression& leaf) {
+            return leaf.kind() == node_kind::unknown &&
+                   std::ranges::any_of(component, [&](std::size_t i) { return of.unknowns()[i].name == leaf.name(); });
+        };
+        return std::ranges::all_of(
+            component, [&](std::size_t i) { return is_linear_with_entire_coefficients(of.right()[i], is_own); });
     });
 }
 

@@ -58,28 +58,28 @@ TEST_CASE("a loop round a simple pole, and one that misses it", "[ode][proved][s
     const precision_scope scope(50);
     const complex_flow flow(typed("y' = y^2; y(0) = 3/7"), 150);
     const complex_ball pole(exact_near(ball(7) / 3));
-    const auto loop = loop_about(flow, {}, pole, magnitude::of(1, -20), 0);
+    const auto loop = loop_about(flow, {}, pole, magnitude::of(1, -20), 0, {0});
     CHECK(loop.evidence == loop_evidence::integral);
     CHECK(overlaps(loop.value.im, ball(-2) * pi<ball>()));
     CHECK(contains_zero(loop.value.re));
     CHECK(certainly_less(loop.farthest, ball(7) / 3 + pow(ball(2), -19)));
     const complex_ball beside = pole - complex_ball(pow(ball(2), -17));
-    CHECK(loop_about(flow, {}, beside, magnitude::of(1, -20), 2).evidence == loop_evidence::none);
+    CHECK(loop_about(flow, {}, beside, magnitude::of(1, -20), 2, {0}).evidence == loop_evidence::none);
 }
 
 // Double poles have neither residue nor change: the first weight sees them, with 2 pi i/d.
 TEST_CASE("loops round double poles and branch points", "[ode][proved][singularity]") {
     const precision_scope scope(50);
     const complex_flow wp(typed("u'' = 6*u^2; u(0) = 1; u'(0) = 2"), 150);  // u = 1/(1 - t)^2
-    const auto plain = loop_about(wp, {}, complex_ball(1), magnitude::of(1, -10), 0);
+    const auto plain = loop_about(wp, {}, complex_ball(1), magnitude::of(1, -10), 0, {0});
     CHECK(plain.evidence == loop_evidence::none);
-    const auto weighted = loop_about(wp, {}, complex_ball(1), magnitude::of(1, -10), 1);
+    const auto weighted = loop_about(wp, {}, complex_ball(1), magnitude::of(1, -10), 1, {0});
     CHECK(weighted.evidence == loop_evidence::integral);
     CHECK(weighted.power == 1);
     CHECK(overlaps(weighted.value.im, pi<ball>() * 2048));
     // y = sqrt(1 - t): the sum of both roots is 0, so that the change is 2 y.
     const complex_flow root(typed("y' = -1/(2*y); y(0) = 1"), 150);
-    CHECK(loop_about(root, {}, complex_ball(1), magnitude::of(1, -10), 0).evidence != loop_evidence::none);
+    CHECK(loop_about(root, {}, complex_ball(1), magnitude::of(1, -10), 0, {0}).evidence != loop_evidence::none);
 }
 
 TEST_CASE("coverings end below the radius and are refused beyond it", "[ode][proved][singularity]") {

@@ -157,14 +157,14 @@ TEST_CASE("coverings that are small, and that have a limit", "[ode][proved][sing
     CHECK_FALSE(limited.complete);
     CHECK(limited.reason.find("more than 3 discs") != std::string::npos);
     // A path that begins with a stay, and one whose discs become too small.
-    CHECK(loop_about(flow, {complex_ball(0)}, complex_ball(1), magnitude::of(1, -8), 0).evidence ==
+    CHECK(loop_about(flow, {complex_ball(0)}, complex_ball(1), magnitude::of(1, -8), 0, {0}).evidence ==
           loop_evidence::integral);
     const complex_flow kepler(typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2); x(0) = 2/5; x'(0) = 0; "
                                     "y(0) = 0; y'(0) = 2"),
                               64);
     const mpfr collision("0.29861228866811");
     CHECK_THROWS(
-        loop_about(kepler, {}, exact_midpoint(complex_ball(ball(0), ball(collision))), magnitude::of(1, -30), 0));
+        loop_about(kepler, {}, exact_midpoint(complex_ball(ball(0), ball(collision))), magnitude::of(1, -30), 0, {0}));
 }
 
 // About an equilibrium, y = 0 and z = t, the variations alone say how far: v' = t v.

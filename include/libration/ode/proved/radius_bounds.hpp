@@ -78,10 +78,12 @@ struct loop_result {
 /// Theorem C: from the start along the corners of a path, further straight to the loop, and once round `centre` in a
 /// regular polygon of radius `reach`, by discs of theorem T. Where end minus start of an unknown, or one of the round
 /// integrals up to the power `most_power`, is proved not to be 0, some path in the polygon and what it cuts off ends in
-/// a singularity of the branch that the path reaches. All offsets are from the start, exact. Throws precision_exhausted
+/// a singularity of this very unknown, of the branch that the path reaches: the monodromy theorem holds for each unknown
+/// by itself. Only the unknowns and lower derivatives at the indices `of` are looked at. All offsets are from the start,
+/// exact. Throws precision_exhausted
 /// where the path or the loop is not reached with so many bits: its radii fall below 2^-shortest of the way that is
 /// left.
 loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>& corners, const complex_ball& centre,
-                       const magnitude& reach, int most_power);
+                       const magnitude& reach, int most_power, const std::vector<std::size_t>& of);
 
 }  // namespace libration::ode

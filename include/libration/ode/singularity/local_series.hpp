@@ -121,10 +121,16 @@ public:
 
     /// Where one algebraic singularity z is nearest, (n + 1) a_{n+1}/a_n = (n - alpha)/z for y ~ (1 - s/z)^alpha: the
     /// differences of neighbours are 1/z, right to O(n^-2), of which one step of Richardson's extrapolation over n and
-    /// n/2 takes the first term. Of all given unknowns the one where they agree best; nothing where none does.
-    std::optional<nearest_estimate<T>> nearest() const {
+    /// n/2 takes the first term. Of the unknowns at these indices the one where they agree best. Returns std::nullopt
+    /// where none does, and for unknowns whose last coefficients are rounding errors of those of the others.
+    std::optional<nearest_estimate<T>> nearest(const std::vector<std::size_t>& of) const {
         std::optional<nearest_estimate<T>> best;
-        for (std::size_t i = 0; i < given(); ++i) {
+        const bool is_part = of.size() < given();
+        const double radius = is_part ? log_of_radius() : 0;
+        for (const std::size_t i : of) {
+            if (is_part && is_rounding(i, radius)) {
+                continue;
+            }
             const auto found = nearest_by(i);
             if (found && (!best || found->agreement < best->agreement)) {
                 best = found;
@@ -133,18 +139,40 @@ public:
         return best;
     }
 
-    /// alpha of unknown i for a singularity at `distance` from the point, extrapolated once over n and n/2.
-    complex exponent(std::size_t unknown, const complex& distance) const {
+    /// alpha of unknown i for a singularity at `distance` from the point, extrapolated once over n and n/2, n + 1 the
+    /// last of the coefficients that are used.
+    complex exponent(std::size_t unknown, const complex& distance, int last) const {
         const auto at = [&](int n) {
             const complex ratio = ratio_of(unknown, n);
             return complex(T(n)) - ratio * distance;
         };
-        const int n = order() - 1;
-        const int half = order() / 2;
+        const int n = last - 1;
+        const int half = last / 2;
         return (at(n) * T(n) - at(half) * T(half)) / T(n - half);
     }
 
+    /// log2 of the largest |a_n| r^n of an unknown, log2 r given; -infinity where all coefficients are 0.
+    double log_of_size(std::size_t unknown, double log_of_radius) const {
+        double largest = -std::numeric_limits<double>::infinity();
+        for (int n = 0; n <= order(); ++n) {
+            largest = std::max(largest, log_of(coefficients(unknown)[n]) + n * log_of_radius);
+        }
+        return largest;
+    }
+
 private:
+    // Of the bits of a scalar, those that rounding errors may take in the recurrences of a series.
+    static constexpr double rounded_bits = 12;
+
+    // Whether the last coefficients, in units of the radius of all unknowns, are below the rounding of the first ones:
+    // then the ratios are those of the rounding errors, which grow like the coefficients of the other unknowns.
+    bool is_rounding(std::size_t unknown, double log_of_radius) const {
+        const double last = std::max(log_of(coefficients(unknown)[order()]) + order() * log_of_radius,
+                                     log_of(coefficients(unknown)[order() - 1]) + (order() - 1) * log_of_radius);
+        const auto rounding = static_cast<double>(binary_exponent(T(epsilon<T>())));
+        return last < log_of_size(unknown, log_of_radius) + rounding + rounded_bits;
+    }
+
     void about_singular_start() {
         const tape& of = *of_->singular;
         int highest = 0;

@@ -17,7 +17,8 @@ enum class singularity_kind {
     branch_pole,  ///< leading exponent -m, but another value after a turn: logarithms or complex powers further on
     algebraic,    ///< a fraction as exponent
     logarithm,    ///< of an unknown that has no power before it
-    complex_power
+    complex_power,
+    unclear  ///< no power is seen: exponent, coefficient and resonances have no value
 };
 
 /// Words for people and tables: "pole of order 2".
@@ -29,20 +30,22 @@ struct found_singularity {
     complex_number<mpfr> offset;
     mpfr uncertainty;
     singularity_kind kind = singularity_kind::pole;
-    /// The most singular of the unknowns (its index counts them with their lower derivatives), and its behaviour:
+    /// The unknown that is singular there, of its strongly connected component the most singular one (its index counts
+    /// the unknowns of the whole system with their lower derivatives), and its behaviour:
     /// coefficient (t - t*)^exponent for a whole exponent, coefficient (1 - (t - t0)/(t* - t0))^exponent for another,
     /// coefficient log(t - t*) for a logarithm.
     std::size_t unknown = 0;
     std::complex<double> exponent;
     std::complex<double> coefficient;
-    /// The exponents of every given unknown and lower derivative.
+    /// The exponents of every unknown and lower derivative of the component; 0 for others, and for those whose ratios of
+    /// coefficients do not settle.
     std::vector<std::complex<double>> exponents;
     /// The resonances r: a perturbation of the leading behaviour grows like (t - t*)^(exponent + r), r = -1 among them
     /// for the place itself. Empty where the local analysis does not apply.
     std::vector<std::complex<double>> resonances;
     /// Corners of the path from the start to its neighbourhood, relative to the start.
     std::vector<std::complex<double>> path;
-    /// Whether a turn round it leaves the solution as it was.
+    /// Whether a turn round it leaves the unknowns of the component as they were.
     bool single_valued = true;
 };
 
@@ -59,7 +62,7 @@ struct singularity_request {
     std::optional<double> within;
     /// Digits of the places.
     long digits = 15;
-    /// At most so many points of expansion.
+    /// At most so many points of expansion for each component.
     long most_points = 6'000;
     /// Whether to stop at the nearest ones: those of the least modulus.
     bool nearest_alone = false;
@@ -67,7 +70,8 @@ struct singularity_request {
     int portrait = 0;
 };
 
-/// What it found, by modulus and then by argument; of mirror images each.
+/// What it found, by modulus and then by argument; of mirror images each, and of one place each component that is
+/// singular there.
 struct singularity_map {
     std::vector<found_singularity> all;
     double within = 0;
@@ -85,8 +89,13 @@ struct singularity_map {
 /// Continues the solution from point to point of the disc, from cell to cell of a fan of angles and moduli, in double
 /// precision, until every cell lies in the disc of convergence of a point, or in a disc round a singularity that a loop
 /// of such points goes round; a branch point hides what is behind it as seen from the start. Each place is then refined
-/// in mpfr: the path is walked again, and halved towards it. Throws error where the start is singular, or where the
-/// solution leaves the range of double.
+/// in mpfr: the path is walked again, and halved towards it.
+///
+/// Each strongly connected component of the dependency graph has a search of its own, in the system of its unknowns and
+/// of those that they depend on, and in units in which the series about the start fits into double (a power of two for
+/// the time and for each unknown). A singularity is found from the coefficients of the unknowns of the component alone:
+/// where these are regular at a singularity of what they depend on, they have none there. Throws error where the start
+/// is singular in powers of a root, or where a path is not followed.
 singularity_map singularities_of(const explicit_system& system, const singularity_request& request);
 
 }  // namespace libration::ode

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "disc_path.hpp"
+#include "libration/ode/dependency.hpp"
+#include "libration/ode/first_order_form.hpp"
 #include "libration/ode/singularity/regular_coordinates.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
@@ -68,11 +70,45 @@ int proved_pole_order(const explicit_system& system, const found_singularity& fo
 
 std::string shown_number(const mpfr& x) { return to_decimal(x, shown_digits); }
 
+std::string joined_names(const explicit_system& system) {
+    std::string names;
+    for (const unknown_function& each : system.unknowns()) {
+        names += (names.empty() ? "" : ", ") + each.name;
+    }
+    return names;
+}
+
+// The system in which a singularity of an unknown is proved, and the leaves whose loops count as evidence.
+struct proving_ground {
+    closed_subsystem part;
+    std::vector<std::size_t> of;
+};
+
+// What the unknown with this leaf of the whole system depends on; its own leaves count, or all.
+proving_ground ground_of(const explicit_system& whole, std::size_t leaf, bool all_count) {
+    std::size_t which = 0;
+    for (std::size_t last = 0; (last += static_cast<std::size_t>(whole.unknowns()[which].order)) <= leaf;) {
+        ++which;
+    }
+    proving_ground ground{subsystem_of(whole, dependency_graph(whole).closure(which)), {}};
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < ground.part.unknowns.size(); ++i) {
+        const int order = ground.part.system.unknowns()[i].order;
+        for (int j = 0; j < order; ++j, ++k) {
+            if (all_count || ground.part.unknowns[i] == which) {
+                ground.of.push_back(k);
+            }
+        }
+    }
+    return ground;
+}
+
 // More bits until a loop shows something; nothing where so many attempts do not.
-std::optional<proved_singularity> shown_along(const explicit_system& system, const found_singularity& found,
+std::optional<proved_singularity> shown_along(const proving_ground& ground, const found_singularity& found,
                                               const std::vector<complex_ball>& corners, const mpfr& reach,
                                               int most_attempts, const proof_route& route) {
     const precision_scope wide(static_cast<int>(mpfr_get_prec(handle(found.offset.re)) * 30103L / 100'000L) + 2);
+    const explicit_system& system = ground.part.system;
     const mpfr size = modulus_of(found.offset);
     const long digits = -static_cast<long>(floor(log10(mpfr(reach / size))));
     const complex_ball centre = exact_ball(found.offset);
@@ -80,9 +116,10 @@ std::optional<proved_singularity> shown_along(const explicit_system& system, con
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         try {
             const complex_flow flow(system, bits, route);
-            loop_result loop = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found));
+            loop_result loop = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found), ground.of);
             if (loop.evidence != loop_evidence::none) {
                 const int order = proved_pole_order(system, found, corners, loop.reach, bits, route);
+                loop.unknown = ground.part.leaves[loop.unknown];
                 return proved_singularity{found.offset, loop.reach, std::move(loop), order};
             }
         } catch (const precision_exhausted&) {
@@ -93,10 +130,14 @@ std::optional<proved_singularity> shown_along(const explicit_system& system, con
     return std::nullopt;
 }
 
-[[noreturn]] void refuse_loop(const found_singularity& found) {
+std::string shown_place(const found_singularity& found) {
     const precision_scope scope(shown_digits + 10);
-    refuse_proof("is not proved to have a singularity near " + shown_number(narrow<mpfr>(found.offset.re)) + " + " +
-                 shown_number(narrow<mpfr>(found.offset.im)) + "i: no change or integral round it is told from 0");
+    return shown_number(narrow<mpfr>(found.offset.re)) + " + " + shown_number(narrow<mpfr>(found.offset.im)) + "i";
+}
+
+[[noreturn]] void refuse_loop(const explicit_system& system, const found_singularity& found) {
+    refuse_proof("is not proved to have a singularity of " + first_order_form(system).names[found.unknown] + " near " +
+                 shown_place(found) + ": no change or integral of it round that point is told from 0");
 }
 
 }  // namespace
@@ -151,12 +192,32 @@ proved_singularity prove_singularity(const explicit_system& system, const found_
     for (const auto& each : found.path) {
         corners.push_back(exact_ball(complex_number<mpfr>{mpfr(each.real()), mpfr(each.imag())}));
     }
-    auto proved = shown_along(system, found, corners, reach, most_loop_attempts, route);
+    auto proved =
+        shown_along(ground_of(system, found.unknown, false), found, corners, reach, most_loop_attempts, route);
     if (!proved) {
-        refuse_loop(found);
+        refuse_loop(system, found);
     }
     return *std::move(proved);
 }
+
+namespace {
+
+proved_singularity proved_or_refused(const explicit_system& system, const found_singularity& found, const mpfr& reach,
+                                     const proof_route& route) {
+    try {
+        return prove_singularity(system, found, reach, route);
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided) {
+            throw;
+        }
+        proved_singularity refused;
+        refused.centre = found.offset;
+        refused.refusal = problem.reason();
+        return refused;
+    }
+}
+
+}  // namespace
 
 std::vector<proved_singularity> prove_singularities(const explicit_system& system,
                                                     const std::vector<found_singularity>& found, long digits,
@@ -167,14 +228,14 @@ std::vector<proved_singularity> prove_singularities(const explicit_system& syste
         const complex_number<mpfr>& at = found[i].offset;
         const auto before = found.begin() + static_cast<std::ptrdiff_t>(i);
         const auto image = std::find_if(found.begin(), before, [&](const found_singularity& each) {
-            return each.offset.re == at.re && each.offset.im == -at.im;
+            return each.unknown == found[i].unknown && each.offset.re == at.re && each.offset.im == -at.im;
         });
         if (image != before) {
             proved.push_back(proved[static_cast<std::size_t>(image - found.begin())]);
         } else {
             const mpfr modulus = modulus_of(at);
             const mpfr reach = pow(mpfr(10), -static_cast<int>(digits)) / 2;
-            proved.push_back(prove_singularity(system, found[i], modulus < 1 ? mpfr(reach * modulus) : reach, route));
+            proved.push_back(proved_or_refused(system, found[i], modulus < 1 ? mpfr(reach * modulus) : reach, route));
         }
         if (done) {
             done();
@@ -183,16 +244,14 @@ std::vector<proved_singularity> prove_singularities(const explicit_system& syste
     return proved;
 }
 
-proved_radius prove_radius(const explicit_system& system, long digits, const proof_route& route) {
-    proved_radius result;
-    if (has_entire_solutions(system)) {
-        result.infinite = true;
-        return result;
-    }
-    // A pole where expansions have complex exponents has those of other sheets near it, nearer the further one goes
-    // round: only a small loop meets none. So the loop may be smaller than the digits ask.
+namespace {
+
+// The nearest singularity and a loop round it. A pole where expansions have complex exponents has those of other sheets
+// near it, nearer the further one goes round: only a small loop meets none. So the loop may be smaller than the digits
+// ask; the digits that it has are returned.
+long find_upper_bound(const explicit_system& system, long digits, const proof_route& route, proved_radius& result) {
     long loop_digits = digits;
-    for (int smaller = 0; !result.evidence; ++smaller) {
+    for (int smaller = 0;; ++smaller) {
         if (smaller > 0) {
             loop_digits = std::max(2 * loop_digits, least_digits_of_smaller_loop);
         }
@@ -201,25 +260,28 @@ proved_radius prove_radius(const explicit_system& system, long digits, const pro
         request.nearest_alone = true;
         const singularity_map map = singularities_of(system, request);
         if (map.all.empty()) {
-            refuse_proof("shows no singularity within " + std::to_string(map.within) +
-                         " of its start, so that nothing bounds its radius from above");
+            refuse_proof("has no upper bound of its radius: no singularity was found within " +
+                         shown_number(mpfr(map.within)) + " of its start, which does not prove that there is none");
         }
         const precision_scope scope(static_cast<int>(request.digits) + 20);
         result.nearest = map.all.front();
         const mpfr reach = modulus_of(result.nearest->offset) * pow(mpfr(10), -static_cast<int>(loop_digits)) / 4;
-        // Straight from the start: nothing nearer is in the way.
+        // Straight from the start: nothing nearer is in the way. The radius is that of all unknowns, so that the
+        // evidence may be of any.
         const bool last = smaller == most_smaller_loops;
-        result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2, route);
-        if (!result.evidence && last) {
-            refuse_loop(*result.nearest);
+        result.evidence = shown_along(ground_of(system, result.nearest->unknown, true), *result.nearest, {}, reach,
+                                      last ? most_loop_attempts : 2, route);
+        if (result.evidence) {
+            return loop_digits;
+        }
+        if (last) {
+            refuse_loop(system, *result.nearest);
         }
     }
-    const precision_scope scope(static_cast<int>(loop_digits) + 26);
-    const mpfr size = modulus_of(result.nearest->offset);
-    const mpfr gap = size * pow(mpfr(10), -static_cast<int>(digits)) / 4;
-    result.rotation = symmetry_of(system).rotation;
-    result.upper = result.evidence->evidence.farthest;
-    const ball rho = exact_ball(mpfr(size - gap));
+}
+
+// |z| <= rho, with more bits where it takes them.
+covering covered_with_bits(const explicit_system& system, const ball& rho, long digits, const proof_route& route) {
     covering_limits limits;
     limits.finest_bits = bits_of_digits(digits) + 8;
     limits.most_discs = most_discs_a_digit * (digits + 10);
@@ -227,15 +289,52 @@ proved_radius prove_radius(const explicit_system& system, long digits, const pro
     long bits = bits_of_digits(digits) + loop_guard_bits;
     for (int attempt = 0; attempt < most_coverings && !found.complete; ++attempt) {
         const complex_flow flow(system, bits, route);
-        found = covered_disc(flow, rho, {result.rotation}, limits);
+        found = covered_disc(flow, rho, symmetry_of(system), limits);
         bits += bits / 2;
     }
-    if (!found.complete) {
-        refuse_proof("has a radius of at most " + shown_number(midpoint_of(result.upper)) + " and at least " +
-                     shown_number(midpoint_of(found.covered)) + ", both proved; more is not: " + found.reason);
+    return found;
+}
+
+// The independent systems that are not entire, the one with this leaf first.
+std::vector<closed_subsystem> systems_to_cover(const explicit_system& system, std::size_t leaf) {
+    std::vector<closed_subsystem> all = independent_subsystems(system);
+    std::erase_if(all, [](const closed_subsystem& each) { return has_entire_solutions(each.system); });
+    std::ranges::stable_partition(
+        all, [&](const closed_subsystem& each) { return std::ranges::find(each.leaves, leaf) != each.leaves.end(); });
+    return all;
+}
+
+}  // namespace
+
+proved_radius prove_radius(const explicit_system& system, long digits, const proof_route& route) {
+    proved_radius result;
+    if (has_entire_solutions(system)) {
+        result.infinite = true;
+        return result;
+    }
+    const long loop_digits = find_upper_bound(system, digits, route, result);
+    const precision_scope scope(static_cast<int>(loop_digits) + 26);
+    const mpfr size = modulus_of(result.nearest->offset);
+    const mpfr gap = size * pow(mpfr(10), -static_cast<int>(digits)) / 4;
+    result.upper = result.evidence->evidence.farthest;
+    const ball rho = exact_ball(mpfr(size - gap));
+    const auto systems = systems_to_cover(system, result.nearest->unknown);
+    result.systems = systems.size();
+    result.rotation = symmetry_of(systems.front().system).rotation;
+    for (const closed_subsystem& each : systems) {
+        covering found = covered_with_bits(each.system, rho, digits, route);
+        if (!found.complete) {
+            refuse_proof("has a radius of at most " + shown_number(midpoint_of(result.upper)) +
+                         (systems.size() > 1 ? ", proved; of " + joined_names(each.system) + " it is at least "
+                                             : " and at least ") +
+                         shown_number(midpoint_of(found.covered)) +
+                         (systems.size() > 1 ? ", proved" : ", both proved") + "; more is not: " + found.reason);
+        }
+        result.cover.complete = true;
+        result.cover.covered = found.covered;
+        result.cover.discs.insert(result.cover.discs.end(), found.discs.begin(), found.discs.end());
     }
     result.lower = rho;
-    result.cover = std::move(found);
     return result;
 }
 

@@ -211,7 +211,7 @@ covering covered_disc(const complex_flow& flow, const ball& rho, const plane_sym
 }
 
 loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>& corners, const complex_ball& centre,
-                       const magnitude& reach, int most_power) {
+                       const magnitude& reach, int most_power, const std::vector<std::size_t>& of) {
     const precision_scope scope(decimal_digits(flow.bits()));
     loop_result result;
     disc_path path(flow);
@@ -233,14 +233,14 @@ loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>
     result.reach = size_of(exact_difference(polygon.front(), centre));
     const std::vector<complex_ball> before = values_of(path.now().about());
     const std::size_t powers = static_cast<std::size_t>(most_power) + 1;
-    std::vector<complex_ball> sums(flow.given() * powers, complex_ball(0));
+    std::vector<complex_ball> sums(of.size() * powers, complex_ball(0));
     for (std::size_t k = 1; k < polygon.size(); ++k) {
         path.go_to(polygon[k], [&](const complex_disc& disc, const complex_ball& to) {
             result.reach = std::max(result.reach, size_of(exact_difference(to, centre)));
-            for (std::size_t i = 0; i < flow.given(); ++i) {
+            for (std::size_t i = 0; i < of.size(); ++i) {
                 for (std::size_t power = 0; power < powers; ++power) {
                     complex_ball& sum = sums[i * powers + power];
-                    sum = sum + disc.integral(i, to, centre, reach.exact(), static_cast<int>(power));
+                    sum = sum + disc.integral(of[i], to, centre, reach.exact(), static_cast<int>(power));
                 }
             }
         });
@@ -248,18 +248,18 @@ loop_result loop_about(const complex_flow& flow, const std::vector<complex_ball>
     result.farthest = path.farthest();
     result.discs = path.discs();
     const std::vector<complex_ball> after = values_of(path.now().about());
-    for (std::size_t i = 0; i < flow.given(); ++i) {
+    for (std::size_t k = 0; k < of.size(); ++k) {
         for (std::size_t power = 0; power < powers; ++power) {
-            if (certainly_not_zero(sums[i * powers + power])) {
+            if (certainly_not_zero(sums[k * powers + power])) {
                 result.evidence = loop_evidence::integral;
-                result.unknown = i;
+                result.unknown = of[k];
                 result.power = static_cast<int>(power);
-                result.value = sums[i * powers + power];
+                result.value = sums[k * powers + power];
                 return result;
             }
         }
     }
-    for (std::size_t i = 0; i < flow.given(); ++i) {
+    for (const std::size_t i : of) {
         const complex_ball change = after[i] - before[i];
         if (certainly_not_zero(change)) {
             result.evidence = loop_evidence::change;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace libration::ode {
@@ -40,8 +41,15 @@ double squared_distance(const plane_point& a, const plane_point& b) { return std
 
 }  // namespace
 
-singularity_search::singularity_search(const path_system& of, int rotation, long most_points)
-    : of_(of), rotation_(rotation), most_points_(most_points), series_(of, search_order) {
+singularity_search::singularity_search(const path_system& of, std::vector<leaf_group> groups, int rotation,
+                                       long most_points)
+    : of_(of),
+      groups_(std::move(groups)),
+      carried_(of.lifted.given),
+      rotation_(rotation),
+      most_points_(most_points),
+      series_(of, search_order) {
+    std::iota(carried_.begin(), carried_.end(), std::size_t{0});
     series_.about_start();
     add_expanded({0, 0}, -1);
 }
@@ -182,7 +190,7 @@ plane_point singularity_search::folded(plane_point z, bool& mirrored, int& turns
     return mirrored ? std::conj(z) : z;
 }
 
-std::optional<plane_point> singularity_search::value_at(const plane_point& offset) const {
+std::optional<plane_point> singularity_search::value_at(const plane_point& offset, std::size_t leaf) const {
     // The reflection alone: what a turn does to an unknown is not known here.
     const bool below = offset.imag() < 0;
     const plane_point z = below ? std::conj(offset) : offset;
@@ -198,39 +206,73 @@ std::optional<plane_point> singularity_search::value_at(const plane_point& offse
     if (best == nullptr) {
         return std::nullopt;
     }
-    const plane_point value = as_point(values_at(*best, z).front());
+    const plane_point value = as_point(values_at(*best, z)[leaf]);
     return below ? std::conj(value) : value;
 }
 
-// What the newest point says of a singularity that is not yet known.
+// Follows the estimates of every group from the newest point to singularities that are not yet known. Next to one that
+// was found for a group the others are asked again: theirs may be in the disc that it explains.
 void singularity_search::look_at_last() {
-    const auto estimate = series_.nearest();
+    const std::size_t here = points_.size() - 1;
+    for (std::size_t group = 0; group < groups_.size(); ++group) {
+        if (!look_at(group) || groups_.size() == 1) {
+            continue;
+        }
+        const point near = points_.back();
+        for (std::size_t other = 0; other < groups_.size(); ++other) {
+            if (other != group) {
+                return_to(near);
+                look_at(other);
+            }
+        }
+        return_to(points_[here]);
+    }
+}
+
+// The same point again as the newest one.
+void singularity_search::return_to(const point& of) {
+    point again = of;
+    std::vector<complex> values;
+    for (const auto& each : again.coefficients) {
+        values.push_back(each[0]);
+    }
+    series_.about(as_number(again.at), values);
+    points_.push_back(std::move(again));
+}
+
+// Whether what the newest point says of a group was followed.
+bool singularity_search::look_at(std::size_t group) {
+    const auto estimate = series_.nearest(groups_[group]);
     if (!estimate || !(estimate->agreement < good_agreement)) {
-        return;
+        return false;
     }
     const plane_point at = points_.back().at + as_point(estimate->distance);
     bool mirrored = false;
     int turns = 0;
     const plane_point inside = folded(at, mirrored, turns);
     if (!(std::abs(at) < 1.2 * within_)) {
-        return;
+        return false;
     }
     // Rounding makes the solution one of those that are singular at the start itself.
     if (of_.singular && std::abs(at) < believed_part * points_.front().radius) {
-        return;
+        return false;
     }
     const double away = std::abs(as_point(estimate->distance));
     const auto near = [&](const plane_point& z, double reach) { return std::abs(inside - z) < reach; };
-    if (std::ranges::any_of(
-            found_, [&](const candidate& each) { return near(each.at, std::max(0.5 * each.reach, 0.1 * away)); }) ||
-        std::ranges::any_of(refused_, [&](const plane_point& each) { return near(each, 0.02 * away); })) {
-        return;
+    if (std::ranges::any_of(found_,
+                            [&](const candidate& each) {
+                                return each.group == group && near(each.at, std::max(0.5 * each.reach, 0.1 * away));
+                            }) ||
+        std::ranges::any_of(refused_,
+                            [&](const refusal& each) { return each.group == group && near(each.at, 0.02 * away); })) {
+        return false;
     }
-    approach(at);
+    approach(at, group);
+    return true;
 }
 
 // The place from nearer by; what is made on the way is forgotten.
-plane_point singularity_search::polished(plane_point centre) {
+plane_point singularity_search::polished(plane_point centre, std::size_t group) {
     const std::size_t count = points_.size();
     double best = 1;
     plane_point result = centre;
@@ -241,7 +283,7 @@ plane_point singularity_search::polished(plane_point centre) {
             break;
         }
         expand(next, values_at(from, next), static_cast<int>(points_.size()) - 1);
-        const auto estimate = series_.nearest();
+        const auto estimate = series_.nearest(groups_[group]);
         if (!estimate || !(estimate->agreement < good_agreement)) {
             break;
         }
@@ -272,13 +314,13 @@ plane_point singularity_search::on_axis(const plane_point& z, double reach) cons
 void singularity_search::keep(candidate made) {
     bool mirrored = false;
     int turns = 0;
-    made.at = on_axis(folded(polished(made.at), mirrored, turns), made.reach);
+    made.at = on_axis(folded(polished(made.at, made.group), mirrored, turns), made.reach);
     for (plane_point& each : made.path) {
         each *= std::polar(1.0, -turns * 2 * std::numbers::pi / rotation_);
         each = mirrored ? std::conj(each) : each;
     }
     const bool known = std::ranges::any_of(found_, [&](const candidate& each) {
-        return std::abs(each.at - made.at) < 0.2 * std::max(each.reach, made.reach);
+        return each.group == made.group && std::abs(each.at - made.at) < 0.2 * std::max(each.reach, made.reach);
     });
     if (!known) {
         found_.push_back(std::move(made));
@@ -286,11 +328,11 @@ void singularity_search::keep(candidate made) {
 }
 
 // Nearer to a guess until a loop round it sees nothing else.
-void singularity_search::approach(const plane_point& guess) {
+void singularity_search::approach(const plane_point& guess, std::size_t group) {
     plane_point centre = guess;
     int settled = 0;
     for (int attempt = 0; attempt < most_approaches; ++attempt) {
-        const auto estimate = series_.nearest();
+        const auto estimate = series_.nearest(groups_[group]);
         const double away = std::abs(points_.back().at - centre);
         if (estimate && estimate->agreement < good_agreement) {
             const plane_point again = points_.back().at + as_point(estimate->distance);
@@ -300,15 +342,15 @@ void singularity_search::approach(const plane_point& guess) {
             settled = std::abs(again - centre) < settled_part * away ? settled + 1 : 0;
             centre = again;
             if (estimate->agreement < better_agreement) {
-                if (const auto loop = loop_round(centre)) {
+                if (const auto loop = loop_round(centre, group)) {
                     keep(*loop);
                     return;
                 }
             }
             // No loop of any size closes where singularities of other sheets accumulate.
             if (settled >= enough_settled) {
-                keep({centre, std::abs(points_.back().at - centre), false,
-                      path_to(static_cast<int>(points_.size()) - 1)});
+                keep({centre, std::abs(points_.back().at - centre), false, false,
+                      path_to(static_cast<int>(points_.size()) - 1), group});
                 return;
             }
         }
@@ -324,11 +366,20 @@ void singularity_search::approach(const plane_point& guess) {
     }
     bool mirrored = false;
     int turns = 0;
-    refused_.push_back(folded(guess, mirrored, turns));
+    refused_.push_back({folded(guess, mirrored, turns), group});
+}
+
+bool singularity_search::is_changed(const point& before, const point& after, const leaf_group& of) const {
+    return std::ranges::any_of(of, [&](std::size_t i) {
+        const plane_point first = as_point(before.coefficients[i][0]);
+        const plane_point last = as_point(after.coefficients[i][0]);
+        const double size = std::max({std::abs(first), std::abs(last), 1e-300});
+        return !(std::abs(last - first) < least_change * size);
+    });
 }
 
 // From the newest point once round: every point of the loop has to have its radius from the centre of it.
-std::optional<candidate> singularity_search::loop_round(const plane_point& centre) {
+std::optional<candidate> singularity_search::loop_round(const plane_point& centre, std::size_t group) {
     const std::size_t first = points_.size() - 1;
     const plane_point arm = points_.back().at - centre;
     const double reach = std::abs(arm);
@@ -344,24 +395,16 @@ std::optional<candidate> singularity_search::loop_round(const plane_point& centr
     }
     std::optional<candidate> made;
     if (alone) {
-        double change = 0;
-        for (std::size_t i = 0; i < points_.back().coefficients.size(); ++i) {
-            const plane_point before = as_point(points_[first].coefficients[i][0]);
-            const plane_point after = as_point(points_.back().coefficients[i][0]);
-            const double size = std::max({std::abs(before), std::abs(after), 1e-300});
-            change = std::max(change, std::abs(after - before) / size);
-        }
-        made = candidate{centre, reach, change < least_change, path_to(static_cast<int>(first))};
+        const bool changed = is_changed(points_[first], points_.back(), carried_);
+        const bool group_changed = changed && is_changed(points_[first], points_.back(), groups_[group]);
+        made = candidate{centre, reach, !changed, !group_changed, path_to(static_cast<int>(first)), group};
     }
     if (!made || !made->single_valued) {
         points_.resize(first + 1);  // on other sheets, or of no use
     }
     // The series of the last point again, for what follows.
-    std::vector<complex> values;
-    for (const auto& each : points_.back().coefficients) {
-        values.push_back(each[0]);
-    }
-    series_.about(as_number(points_.back().at), values);
+    return_to(points_.back());
+    points_.pop_back();
     return made;
 }
 

@@ -12,18 +12,28 @@ namespace libration::ode {
 
 using plane_point = std::complex<double>;
 
+/// Indices of unknowns and lower derivatives that are singular at the same points as a rule: those of a strongly
+/// connected component.
+using leaf_group = std::vector<std::size_t>;
+
 /// A singularity in double precision, in the sector of the symmetry that was searched.
 struct candidate {
     plane_point at;
-    /// The loop that went round it.
+    /// The radius of the loop that went round it.
     double reach = 0;
+    /// Whether nothing, and whether none of the unknowns of its group, is different after the loop.
     bool single_valued = true;
+    bool group_single_valued = true;
     std::vector<plane_point> path;
+    /// The group whose coefficients show it.
+    std::size_t group = 0;
 };
 
+/// Searches for the singularities of all unknowns of a system. Each group has candidates of its own, found from its own
+/// coefficients: one that is regular at a singularity of another has none there.
 class singularity_search {
 public:
-    singularity_search(const path_system& of, int rotation, long most_points);
+    singularity_search(const path_system& of, std::vector<leaf_group> groups, int rotation, long most_points);
 
     /// Every cell with modulus below is explained or given up.
     void search(double within);
@@ -31,8 +41,8 @@ public:
     const std::vector<candidate>& found() const { return found_; }
     long points() const { return static_cast<long>(points_.size()); }
     long unexplained() const { return unexplained_; }
-    /// The first unknown at an offset of the whole plane, by the symmetry and the point that holds it best.
-    std::optional<plane_point> value_at(const plane_point& offset) const;
+    /// A leaf at an offset of the whole plane, by the reflection and the point that holds it best.
+    std::optional<plane_point> value_at(const plane_point& offset, std::size_t leaf) const;
     double first_radius() const { return points_.front().radius; }
 
 private:
@@ -57,22 +67,32 @@ private:
     bool crosses_cut(const plane_point& from, const plane_point& to) const;
     bool is_explained(const cell& of) const;
     void look_at_last();
-    void approach(const plane_point& guess);
+    bool look_at(std::size_t group);
+    void return_to(const point& of);
+    void approach(const plane_point& guess, std::size_t group);
     void keep(candidate made);
-    plane_point polished(plane_point centre);
+    plane_point polished(plane_point centre, std::size_t group);
     plane_point on_axis(const plane_point& z, double reach) const;
-    std::optional<candidate> loop_round(const plane_point& centre);
+    std::optional<candidate> loop_round(const plane_point& centre, std::size_t group);
+    bool is_changed(const point& before, const point& after, const leaf_group& of) const;
     static std::vector<complex> values_at(const point& of, const plane_point& at);
     std::vector<plane_point> path_to(int index) const;
     plane_point folded(plane_point z, bool& mirrored, int& turns) const;
 
+    struct refusal {
+        plane_point at;
+        std::size_t group;
+    };
+
     const path_system& of_;
+    std::vector<leaf_group> groups_;
+    leaf_group carried_;  // all carried unknowns
     int rotation_;
     long most_points_;
     local_series<double> series_;
     std::vector<point> points_;
     std::vector<candidate> found_;
-    std::vector<plane_point> refused_;
+    std::vector<refusal> refused_;
     long unexplained_ = 0;
     double within_ = 0;
 };
