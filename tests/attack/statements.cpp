@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <thread>
@@ -76,10 +77,13 @@ public:
     }
 
     // Ends the program where a question takes too long.
-    void watch(const std::stop_token& stop) const {
+    void watch(const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             if (const auto command = command_older_than(longest_question)) {
+                const std::lock_guard lock(mutex_);
+                print();
+                std::fflush(stdout);
                 fmt::print(stderr, "no answer after {} s: {}\n", longest_question.count(), *command);
                 std::_Exit(1);
             }

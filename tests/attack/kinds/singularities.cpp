@@ -56,10 +56,14 @@ verdict judged_radius_refusal(const std::string& message, const truth& radius) {
 
 mpfr typed(const std::string& decimal) { return real(typed_fraction(decimal)); }
 
-// A row of the map: position_re,position_im,modulus,uncertainty,..,unknown.
+// A row of the map: position_re,position_im,modulus,uncertainty,..,rigour,unknown.
 struct map_row {
     explicit map_row(const std::string& line)
-        : re(cell_of(line, 0)), im(cell_of(line, 1)), uncertainty(cell_of(line, 3)), unknown(cell_of(line, 8)) {}
+        : re(cell_of(line, 0)),
+          im(cell_of(line, 1)),
+          uncertainty(cell_of(line, 3)),
+          unknown(cell_of(line, 8)),
+          proved(cell_of(line, 7) == "proved") {}
 
     bool shows(const place& at) const {
         const precision_scope scope(400);
@@ -68,6 +72,7 @@ struct map_row {
     }
 
     std::string re, im, uncertainty, unknown;
+    bool proved;
 };
 
 // Each row has a singularity of its own unknown where it says, and no singularity is without a row.
@@ -83,7 +88,8 @@ void judge_map(const solved_problem& problem, double within, const program_answe
             shown = shown || (problem.columns[i] == row.unknown &&
                               std::ranges::any_of(all, [&](const place& at) { return row.shows(at); }));
         }
-        result.add(shown ? verdict::right : verdict::wrong,
+        const verdict here = row.proved ? verdict::right : verdict::refused;
+        result.add(shown ? here : verdict::wrong,
                    fmt::format("{} singular within {} of {} + {}i", row.unknown, row.uncertainty, row.re, row.im));
     }
     for (std::size_t i = 0; i < problem.columns.size(); ++i) {
