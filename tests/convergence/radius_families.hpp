@@ -1,145 +1,15 @@
-// The families of the population: single, double and many singularities, algebraic, logarithmic, confluent and
-// essential ones, natural boundaries, symmetric series, special functions, and noise.
+// Families of the population beyond points and pairs: essential singularities, natural boundaries, symmetric series,
+// special functions, many poles, and noise; and the list of all families that the radius is calibrated on.
 #pragma once
 
+#include <utility>
 #include <vector>
 
-#include "convergence/radius_population.hpp"
+#include "convergence/point_families.hpp"
 
 namespace libration::tests {
 
 namespace population {
-
-inline drawn_series algebraic_and_entire(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {d.weight() * power_at(x0, d.exponent(), n) + entire_term(d, x0, n), abs(x0)};
-}
-
-inline drawn_series algebraic_times_entire(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {power_at(x0, d.exponent(), n) * entire_factor(d, x0, n), abs(x0)};
-}
-
-inline drawn_series logarithm_and_entire(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {(logarithm_at(x0, n) + polynomial({d.weight()}, n)) * entire_factor(d, x0, n), abs(x0)};
-}
-
-inline drawn_series pole_and_branch_point(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr beyond = x0 * d.thousandths(1150, 2500) * d.sign();
-    return {power_at(x0, mpfr(-1 - d.below(3)), n) + d.weight() * power_at(beyond, d.exponent(), n), abs(x0)};
-}
-
-inline drawn_series opposite_sum(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {power_at(x0, d.exponent(), n) + d.weight() * power_at(mpfr(-x0), d.exponent(), n), abs(x0)};
-}
-
-inline drawn_series opposite_product(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {power_at(x0, d.exponent(), n) * power_at(mpfr(-x0), d.exponent(), n), abs(x0)};
-}
-
-inline drawn_series logarithm_and_opposite_power(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {logarithm_at(x0, n) + d.weight() * power_at(mpfr(-x0), d.exponent(), n), abs(x0)};
-}
-
-inline drawn_series close_sum(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr nu = d.exponent();
-    const mpfr further =
-        nu + d.thousandths(-500, 1000) + mpfr(1) / 7919;  // of comparable strength, and no whole number
-    const mpfr beyond = x0 * d.thousandths(1002, 1010) * d.sign();
-    return {power_at(x0, nu, n) + d.weight() * power_at(beyond, further, n), abs(x0)};
-}
-
-inline drawn_series close_product(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr nu = d.exponent();
-    const mpfr further =
-        nu + d.thousandths(-500, 1000) + mpfr(1) / 7919;  // of comparable strength, and no whole number
-    const mpfr beyond = x0 * d.thousandths(1002, 1010) * d.sign();
-    return {power_at(x0, nu, n) * power_at(beyond, further, n), abs(x0)};
-}
-
-inline drawn_series close_poles(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr beyond = x0 * d.thousandths(1002, 1010) * d.sign();
-    return {power_at(x0, mpfr(-1), n) + d.weight() * power_at(beyond, mpfr(-1), n) + entire_term(d, x0, n), abs(x0)};
-}
-
-inline drawn_series near_and_far(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr nu = d.exponent();
-    const mpfr further = nu + d.thousandths(-500, 1000) + mpfr(1) / 7919;
-    const mpfr beyond = x0 * d.thousandths(1050, 2000) * d.sign();
-    return {power_at(x0, nu, n) + d.weight() * power_at(beyond, further, n), abs(x0)};
-}
-
-inline drawn_series weak_and_strong(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr beyond = x0 * d.thousandths(1200, 1600) * d.sign();
-    return {d.thousandths(2, 100) * logarithm_at(x0, n) + power_at(beyond, d.exponent(), n), abs(x0)};
-}
-
-inline drawn_series pair_and_entire(dice& d, int n) {
-    const mpfr r = d.thousandths(400, 4000);
-    return {power_of_pair(r, cosine(d), d.exponent(), n) + entire_term(d, r, n), r};
-}
-
-inline drawn_series pair_times_entire(dice& d, int n) {
-    const mpfr r = d.thousandths(400, 4000);
-    return {power_of_pair(r, cosine(d), d.exponent(), n) * entire_factor(d, r, n), r};
-}
-
-inline drawn_series pair_of_logarithms(dice& d, int n) {
-    const mpfr r = d.thousandths(400, 4000);
-    const auto pair = rescale(quadratic_logarithm_series(cosine(d), n), mpfr(1 / r));
-    return {pair * entire_factor(d, r, n) + entire_term(d, r, n), r};
-}
-
-inline drawn_series two_pairs(dice& d, int n) {
-    const mpfr r = d.thousandths(400, 4000);
-    const mpfr beyond = r * d.thousandths(1050, 1800);
-    return {
-        power_of_pair(r, cosine(d), d.exponent(), n) + d.weight() * power_of_pair(beyond, cosine(d), d.exponent(), n),
-        r};
-}
-
-inline drawn_series pair_and_point(dice& d, int n) {
-    const mpfr r = d.thousandths(400, 4000);
-    return {power_of_pair(r, cosine(d), d.exponent(), n) * power_at(mpfr(r * d.sign()), d.exponent(), n), r};
-}
-
-inline drawn_series confluent(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const mpfr nu = d.exponent();
-    const mpfr further = d.one_of<mpfr>({mpfr(1) / 2, mpfr(1) / 3, mpfr(37) / 100, mpfr(3) / 2});
-    return {power_at(x0, nu, n) + d.weight() * power_at(x0, mpfr(nu + further), n) + entire_term(d, x0, n), abs(x0)};
-}
-
-inline drawn_series squared_logarithm(dice& d, int n) {
-    const mpfr x0 = d.place();
-    const auto l = logarithm_at(x0, n);
-    return {l * l + d.weight() * l + entire_term(d, x0, n), abs(x0)};
-}
-
-inline drawn_series power_times_logarithm(dice& d, int n) {
-    const mpfr x0 = d.place();
-    return {power_at(x0, d.exponent(), n) * logarithm_at(x0, n), abs(x0)};
-}
-
-inline drawn_series inverse_logarithm(dice& d, int n) {  // x/log(1 - x/x0): Gregory's numbers
-    const mpfr x0 = d.place();
-    const auto shifted = logarithm_at(x0, n + 1);
-    auto l = power_series<mpfr>::zero(n);
-    for (int k = 0; k <= n; ++k) {
-        l[k] = shifted[k + 1];
-    }
-    return {polynomial({mpfr(1)}, n) / l, abs(x0)};
-}
 
 inline drawn_series essential(dice& d, int n) {
     const mpfr x0 = d.place();
@@ -182,23 +52,27 @@ inline drawn_series lacunary(dice& d, int n) {
 inline drawn_series symmetric(dice& d, int n) {  // x^j h(x^s)
     const int s = 2 + d.below(3);
     const int j = d.below(s);
-    const drawn_series h = d.below(2) == 0 ? algebraic_times_entire(d, n / s) : pair_times_entire(d, n / s);
+    drawn_series h = d.below(2) == 0 ? algebraic_times_entire(d, n / s) : pair_times_entire(d, n / s);
     auto a = power_series<mpfr>::zero(n);
     for (int k = 0; j + s * k <= n; ++k) {
         a[j + s * k] = h.a[k];
     }
-    return {a, exp(log(h.radius) / s)};
+    for (auto& each : h.nearest) {
+        each.at = stride_root(each.at, s);
+    }
+    return {std::move(a), exp(log(h.radius) / s), std::move(h.nearest)};
 }
 
 inline drawn_series nested_roots(dice& d, int n) {
     const mpfr x0 = d.place();
-    const auto root = power_at(x0, mpfr(1) / 2, n);
+    const mpfr half = mpfr(1) / 2;
+    const auto root = power_at(x0, half, n);
     auto small = d.weight() * root;
     small[0] = 0;
     switch (d.below(3)) {
-        case 0: return {exponential(small), abs(x0)};
-        case 1: return {power(polynomial({mpfr(1)}, n) + root, mpfr(mpfr(1) / 2), mpfr(sqrt(mpfr(2)))), abs(x0)};
-        default: return {polynomial({mpfr(1)}, n) / (polynomial({mpfr(2)}, n) + root), abs(x0)};
+        case 0: return at_point(exponential(small), x0, half);
+        case 1: return at_point(power(polynomial({mpfr(1)}, n) + root, half, mpfr(sqrt(mpfr(2)))), x0, half);
+        default: return at_point(polynomial({mpfr(1)}, n) / (polynomial({mpfr(2)}, n) + root), x0, half);
     }
 }
 
@@ -207,11 +81,11 @@ inline drawn_series hypergeometric(dice& d, int n) {  // 2F1(a, b; c; x/x0), c -
     const mpfr a = d.thousandths(101, 1901);
     const mpfr b = d.thousandths(103, 1903);
     const mpfr c = d.thousandths(300, 3000) + mpfr(1) / 3;
-    return {series_by_steps(n, mpfr(1),
-                            [&](const mpfr& before, int k) {
-                                return mpfr(before * (a + k - 1) * (b + k - 1) / ((c + k - 1) * k * x0));
-                            }),
-            abs(x0)};
+    return at_point(series_by_steps(n, mpfr(1),
+                                    [&](const mpfr& before, int k) {
+                                        return mpfr(before * (a + k - 1) * (b + k - 1) / ((c + k - 1) * k * x0));
+                                    }),
+                    x0, mpfr(c - a - b));
 }
 
 inline drawn_series generalized_hypergeometric(dice& d, int n) {  // 3F2: an analytic part and one with its own exponent
@@ -221,25 +95,30 @@ inline drawn_series generalized_hypergeometric(dice& d, int n) {  // 3F2: an ana
     const mpfr e = d.thousandths(107, 1907);
     const mpfr c = d.thousandths(300, 2000) + mpfr(1) / 7;
     const mpfr f = d.thousandths(300, 2000) + mpfr(1) / 11;
-    return {series_by_steps(n, mpfr(1),
-                            [&](const mpfr& before, int k) {
-                                return mpfr(before * (a + k - 1) * (b + k - 1) * (e + k - 1) /
-                                            ((c + k - 1) * (f + k - 1) * k * x0));
-                            }),
-            abs(x0)};
+    return at_point(series_by_steps(n, mpfr(1),
+                                    [&](const mpfr& before, int k) {
+                                        return mpfr(before * (a + k - 1) * (b + k - 1) * (e + k - 1) /
+                                                    ((c + k - 1) * (f + k - 1) * k * x0));
+                                    }),
+                    x0, mpfr(c + f - a - b - e));
 }
 
 inline drawn_series special_function(dice& d, int n) {
     const mpfr half_pi = pi<mpfr>() / 2;
+    const mpfr half = mpfr(1) / 2;
     switch (d.below(8)) {
-        case 0: return {tangent_series<mpfr>(n), half_pi};
-        case 1: return {secant_series<mpfr>(n) + entire_term(d, half_pi, n), half_pi};
-        case 2: return {bernoulli_series<mpfr>(n), mpfr(4 * half_pi)};
-        case 3: return {lambert_series<mpfr>(n), mpfr(exp(mpfr(-1)))};
-        case 4: return {catalan_series<mpfr>(n), mpfr(1) / 4};
-        case 5: return {parameter_series_of_k<mpfr>(n), mpfr(1)};
-        case 6: return {digamma_series<mpfr>(n), mpfr(1)};
-        default: return {inverse_langevin_series<mpfr>(n), modulus_of(inverse_langevin_singularity<mpfr>())};
+        case 0: return opposite_points(tangent_series<mpfr>(n), half_pi, {mpfr(-1), mpfr(-1)});
+        case 1:
+            return opposite_points(secant_series<mpfr>(n) + entire_term(d, half_pi, n), half_pi, {mpfr(-1), mpfr(-1)});
+        case 2: return at_pair(bernoulli_series<mpfr>(n), mpfr(4 * half_pi), mpfr(0), mpfr(-1));
+        case 3: return at_point(lambert_series<mpfr>(n), mpfr(-exp(mpfr(-1))), half);
+        case 4: return at_point(catalan_series<mpfr>(n), mpfr(1) / 4, half);
+        case 5: return at_point(parameter_series_of_k<mpfr>(n), mpfr(1), mpfr(0));
+        case 6: return at_point(digamma_series<mpfr>(n), mpfr(-1), mpfr(-1));
+        default: {
+            const auto at = inverse_langevin_singularity<mpfr>();
+            return {inverse_langevin_series<mpfr>(n), modulus_of(at), {{at, half}}};
+        }
     }
 }
 
@@ -251,19 +130,24 @@ inline drawn_series shifted_tangent(dice& d, int n) {  // y' = b^2 + y^2, y(0) =
     for (int k = 0; k < n; ++k) {
         y[k + 1] = (square_coefficient(y, k) + (k == 0 ? mpfr(b * b) : mpfr(0))) / (k + 1);
     }
-    return {y, mpfr((pi<mpfr>() / 2 - c) / b)};
+    return at_point(std::move(y), mpfr((pi<mpfr>() / 2 - c) / b), mpfr(-1));
 }
 
 inline drawn_series many_poles(dice& d, int n) {
-    mpfr nearest(100);
-    auto a = power_series<mpfr>::zero(n);
+    drawn_series all{power_series<mpfr>::zero(n), mpfr(100)};
     for (int k = 0; k < 8; ++k) {
         const mpfr r = d.thousandths(1000, 2500);
-        nearest = std::min(nearest, r);
-        a = a + (d.below(2) == 0 ? d.weight() * power_at(mpfr(r * d.sign()), mpfr(-1), n)
-                                 : d.weight() * power_of_pair(r, cosine(d), mpfr(-1), n));
+        const mpfr x0 = r * d.sign();
+        const mpfr c = cosine(d);
+        const auto one = d.below(2) == 0 ? at_point(d.weight() * power_at(x0, mpfr(-1), n), x0, mpfr(-1))
+                                         : at_pair(d.weight() * power_of_pair(r, c, mpfr(-1), n), r, c, mpfr(-1));
+        all.a = all.a + one.a;
+        if (r <= all.radius) {
+            all.radius = r;
+            all.nearest = one.nearest;
+        }
     }
-    return {a, nearest};
+    return all;
 }
 
 /// Every coefficient wrong by up to 10^-digits of its size.
@@ -294,11 +178,15 @@ inline drawn_series noisy_near_and_far(dice& d, int n) { return with_noise(d, ne
 
 inline drawn_series floored_point(dice& d, int n) {
     const mpfr x0 = d.thousandths(1500, 4000) * d.sign();
-    return with_floor(d, {power_at(x0, d.exponent(), n) + entire_term(d, x0, n), abs(x0)}, 12 + d.below(5));
+    const mpfr nu = d.exponent();
+    auto whole = at_point(power_at(x0, nu, n) + entire_term(d, x0, n), x0, nu);
+    return with_floor(d, std::move(whole), 12 + d.below(5));
 }
 inline drawn_series floored_pair(dice& d, int n) {
     const mpfr r = d.thousandths(1500, 4000);
-    return with_floor(d, {power_of_pair(r, cosine(d), d.exponent(), n), r}, 12 + d.below(5));
+    const mpfr c = cosine(d);
+    const mpfr nu = d.exponent();
+    return with_floor(d, at_pair(power_of_pair(r, c, nu, n), r, c, nu), 12 + d.below(5));
 }
 
 }  // namespace population

@@ -1,5 +1,5 @@
-// Series of many families, drawn at random, whose radius of convergence is known: the population that the coverage of
-// the radius's uncertainty is of.
+// Series of many families, drawn at random, whose radius of convergence and exponents are known: the population that the
+// coverage of the stated uncertainties is measured on.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/convergence/estimate/strided_series.hpp"
 #include "libration/convergence/known/special_series.hpp"
 #include "libration/series/exponential.hpp"
 
@@ -50,10 +51,19 @@ private:
     std::uint64_t state_;
 };
 
+/// One of the nearest singularities: the position (im >= 0) and the exponent nu there, the one that the size of the
+/// coefficients follows.
+struct drawn_singularity {
+    complex_number<mpfr> at;
+    mpfr exponent;
+};
+
 /// A drawn series.
 struct drawn_series {
     power_series<mpfr> a;
     mpfr radius;
+    std::vector<drawn_singularity> nearest = {};  ///< with im >= 0; empty without an exponent
+    mpfr radius_error = mpfr(0);                  ///< of `radius`; 0 as a radius is one that is not known
 };
 
 /// A family: how it is called, and how one of it is drawn, a_0 .. a_N in the working precision.
@@ -112,6 +122,21 @@ inline power_series<mpfr> entire_term(dice& random, const mpfr& r, int order) {
         c.push_back(random.weight());
     }
     return polynomial(c, order);
+}
+
+/// A series with the nearest singularity x0 on the real axis and the exponent nu there.
+inline drawn_series at_point(power_series<mpfr> a, const mpfr& x0, const mpfr& nu) {
+    return {std::move(a), abs(x0), {{{x0, mpfr(0)}, nu}}};
+}
+
+/// A series with the nearest singularities r e^(+-i phi), cos phi = c, and the exponent nu there.
+inline drawn_series at_pair(power_series<mpfr> a, const mpfr& r, const mpfr& c, const mpfr& nu) {
+    return {std::move(a), r, {{{mpfr(r * c), mpfr(r * sqrt(mpfr(1 - c * c)))}, nu}}};
+}
+
+/// A series with the nearest singularities x0 and -x0 and their exponents.
+inline drawn_series opposite_points(power_series<mpfr> a, const mpfr& x0, const std::pair<mpfr, mpfr>& exponents) {
+    return {std::move(a), abs(x0), {{{x0, mpfr(0)}, exponents.first}, {{mpfr(-x0), mpfr(0)}, exponents.second}}};
 }
 
 /// An angle's cosine that no few coefficients take for 1: 20 to 160 degrees.

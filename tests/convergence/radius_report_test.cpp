@@ -138,7 +138,7 @@ TEST_CASE("a verdict tells a kind and an exponent only where they are seen, and 
         REQUIRE(found.radius);
         CHECK(covers(found, mpfr(2)));
         CHECK(found.uncertainty < mpfr("0.1"));
-        CHECK((found.kind == singularity_kind::algebraic || found.kind == singularity_kind::unknown));
+        CHECK((found.kind == singularity_kind::branch || found.kind == singularity_kind::unknown));
         if (found.exponent) {
             CHECK(found.exponent_uncertainty > 0);
             CHECK(abs(mpfr(*found.exponent - mpfr(3) / 2)) <= found.exponent_uncertainty);
@@ -192,7 +192,7 @@ TEST_CASE("answers in a unit are lengths", "[convergence][radius_report]") {
 TEST_CASE("exponents are told as simple fractions within their uncertainty", "[convergence][radius_verdict]") {
     radius_estimate<double> found;
     CHECK_FALSE(simple_exponent(found));
-    CHECK(kind_of(found) == singularity_kind::unknown);
+    CHECK(kind_of(found, true) == singularity_kind::unknown);
     const auto with = [](double exponent, double uncertainty) {
         radius_estimate<double> e;
         e.exponent = exponent;
@@ -203,11 +203,51 @@ TEST_CASE("exponents are told as simple fractions within their uncertainty", "[c
     CHECK(*simple_exponent(with(0.3333, 0.001)) == rational(1, 3));
     CHECK_FALSE(simple_exponent(with(0.3333, 0.00001)));
     CHECK_FALSE(simple_exponent(with(0.3333, 0.1)));
-    CHECK(kind_of(with(-2.0001, 0.001)) == singularity_kind::pole);
-    CHECK(kind_of(with(0.0001, 0.001)) == singularity_kind::logarithm);
-    CHECK(kind_of(with(0.3333, 0.00001)) == singularity_kind::algebraic);
-    CHECK(kind_of(with(0.3333, 0.5)) == singularity_kind::unknown);
-    CHECK(kind_of(with(0.01, 0.06)) == singularity_kind::unknown);
+    // A pure one.
+    CHECK(kind_of(with(-2.0001, 0.001), true) == singularity_kind::pole);
+    CHECK(kind_of(with(0.0001, 0.001), true) == singularity_kind::logarithm);
+    CHECK(kind_of(with(0.3333, 0.00001), true) == singularity_kind::algebraic);
+    CHECK(kind_of(with(0.3333, 0.5), true) == singularity_kind::unknown);
+    CHECK(kind_of(with(0.01, 0.06), true) == singularity_kind::unknown);
+    // One with other powers or logarithms: only that the exponent is not an integer is decided.
+    CHECK(kind_of(with(-2.0001, 0.001), false) == singularity_kind::unknown);
+    CHECK(kind_of(with(0.0001, 0.001), false) == singularity_kind::unknown);
+    CHECK(kind_of(with(0.3333, 0.001), false) == singularity_kind::branch);
+    CHECK(kind_of(with(0.3333, 0.5), false) == singularity_kind::unknown);
+}
+
+TEST_CASE("an exponent is no more certain than the radius lets it be", "[convergence][radius_verdict]") {
+    const auto with = [](double exponent, double uncertainty, double of_radius) {
+        radius_estimate<double> e;
+        e.radius = 2;
+        e.uncertainty = of_radius * 2;
+        e.exponent = exponent;
+        e.exponent_uncertainty = uncertainty;
+        return e;
+    };
+    const list_quality<double> list{100, 0x1p-52};
+    const double l = std::log(100.0);
+    // Sharp: n delta, which does not narrow anything.
+    auto sharp = with(0.3, 1e-12, 1e-9);
+    add_position_to_exponent(sharp, list);
+    CHECK(sharp.exponent_uncertainty == Approx(1e-7));
+    auto wide = with(0.3, 0.1, 1e-9);
+    add_position_to_exponent(wide, list);
+    CHECK(wide.exponent_uncertainty == 0.1);
+    // Not sharp: n log^2 n delta, and 2 n log^3 n delta away from simple fractions.
+    auto near_half = with(0.5001, 1e-12, 1e-6);
+    add_position_to_exponent(near_half, list);
+    CHECK(near_half.exponent_uncertainty == Approx(1e-4 * l * l));
+    auto near_none = with(0.6, 1e-12, 1e-6);
+    add_position_to_exponent(near_none, list);
+    CHECK(near_none.exponent_uncertainty == Approx(2e-4 * l * l * l));
+    // Sharp is N^-4, pure N^-6 or the noise.
+    CHECK(is_sharp(with(0, 0, 0.99e-8), list));
+    CHECK_FALSE(is_sharp(with(0, 0, 1.01e-8), list));
+    CHECK(is_pure(with(0, 0, 0.99e-12), list));
+    CHECK_FALSE(is_pure(with(0, 0, 1e-11), list));
+    CHECK(is_pure(with(0, 0, 1e-11), list_quality<double>{100, 1e-14}));
+    CHECK_FALSE(is_pure(with(0, 0, 1e-7), list_quality<double>{100, 1e-10}));
 }
 
 }  // namespace convergence_radius_report_test

@@ -412,4 +412,19 @@ FAULTS = [
         ("a first step that is not where it says", "const ball distance = from_rational<ball>(step);",
          "const ball distance = route.shortened(magnitude::of(1, exponent)).exact() * 2;"),
     ),
+    *in_file(
+        ROOM + "convergence/estimate/exponent_drift.hpp", ["convergence/estimate/exponent_drift_test.cpp"],
+        ("the drift of an exponent dropped", "        if (!value.settles() && value.last_step() > noise) {",
+         "        if (false && value.last_step() > noise) {"),
+        ("the last step taken for the whole drift", "value.last_step() * steps +", "value.last_step() +"),
+    ),
+    *in_file(
+        ROOM + "convergence/estimate/recurrence_estimate.hpp", ["convergence/estimate/exponent_drift_test.cpp"],
+        ("roots that are not told apart counted twice", "if (stays && on_circle && apart) {", "if (stays && on_circle) {"),
+    ),
+    *in_file(
+        ROOM + "convergence/radius_verdict.hpp", ["convergence/radius_report_test.cpp"],
+        ("the radius left out of the exponent", "    allowed *= logarithm * logarithm;\n", ""),
+        ("a kind named for any exponent", "if (!pure || !simple) {", "if (!simple) {"),
+    ),
 ]

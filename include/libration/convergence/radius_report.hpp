@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/convergence/estimate/exponent_drift.hpp"
 #include "libration/convergence/list/coefficient_growth.hpp"
 #include "libration/convergence/list/coefficient_pattern.hpp"
 #include "libration/convergence/radius_verdict.hpp"
@@ -96,6 +97,21 @@ bool is_certain(const radius_estimate<T>& verdict) {
     return verdict.radius && verdict.uncertainty * 1'000'000 <= *verdict.radius;
 }
 
+/// Adds to the uncertainty of a verdict's exponent what the radius allows and how far the exponent may drift still,
+/// where the radius is not so certain that slow corrections are excluded; then names the kind, if that decides it.
+template <rounding_scalar T>
+void judge_exponent(radius_estimate<T>& verdict, const strided_series<T>& part, const list_quality<T>& list) {
+    add_position_to_exponent(verdict, list);
+    if (verdict.exponent && verdict.position && !is_sharp(verdict, list)) {
+        if (const auto local = local_exponents_of(part, *verdict.position, verdict.count)) {
+            verdict.exponent_uncertainty =
+                std::max(verdict.exponent_uncertainty, drift_of_exponent(*local, *verdict.exponent, list));
+        }
+    }
+    drop_uncertain_exponent(verdict);
+    verdict.kind = kind_of(verdict, is_pure(verdict, list));
+}
+
 /// All tests on a_0 .. a_N, known to `noise` of their size and scaled so that the radius is about 1: coefficients
 /// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the
 /// tests.
@@ -103,6 +119,7 @@ template <rounding_scalar T>
 radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noise) {
     radius_report<T> report;
     report.pattern = pattern_of(a, noise);
+    const list_quality<T> quality{report.pattern.order, noise};
     const auto tests = all_radius_tests<T>();
     report.tests.reserve(tests.size());
     const bool regular = report.pattern.last >= 0 && !report.pattern.polynomial;
@@ -115,11 +132,15 @@ radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noi
         for (const auto& test : tests) {
             report.tests.push_back(test.run(test.as_given ? all : part));
             report.tests.back().may_decide = test.may_decide;
+            add_position_to_exponent(report.tests.back(), quality);
             if (!test.may_decide) {
                 report.tests.back().caution = caution_of(test.kind);
             }
         }
         report.verdict = verdict_of(report.tests, report.pattern);
+        if (report.verdict.radius && !report.pattern.lacunary) {
+            judge_exponent(report.verdict, part, quality);
+        }
     }
     const std::string reason = reason_for_no_radius(report.pattern, report.growth.kind);
     if (!reason.empty() && !is_certain(report.verdict)) {

@@ -12,18 +12,41 @@
 
 namespace libration::convergence {
 
-/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with
-/// the smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
+/// Whether an answer is certain to N^-p of the radius. Coefficients of the form that its test assumes let it be so for
+/// any p as N grows, corrections by logarithms or by other powers do not.
 template <rounding_scalar T>
-std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
-    using std::abs;
-    constexpr int largest_denominator = 6;
-    if (!estimate.exponent || estimate.exponent_uncertainty * (4 * largest_denominator * largest_denominator) > 1) {
-        return std::nullopt;
+bool is_certain_to_power(const radius_estimate<T>& estimate, const list_quality<T>& list, int p) {
+    if (!estimate.radius || list.order < 1) {
+        return false;
     }
-    for (int q = 1; q <= largest_denominator; ++q) {
-        const integer p = nearest_integer(widen(T(*estimate.exponent * q)));
-        const rational nearest(p, q);
+    T scaled = estimate.uncertainty / *estimate.radius;
+    for (int i = 0; i < p; ++i) {
+        scaled *= list.order;
+    }
+    return scaled <= 1;
+}
+
+/// More certain than slow corrections allow.
+template <rounding_scalar T>
+bool is_sharp(const radius_estimate<T>& estimate, const list_quality<T>& list) {
+    return is_certain_to_power(estimate, list, 4);
+}
+
+/// So certain that a pole or a logarithm is a pure one: to N^-6, or where the noise of the coefficients does not let an
+/// answer be more certain. Psi series reach N^-5.
+template <rounding_scalar T>
+bool is_pure(const radius_estimate<T>& estimate, const list_quality<T>& list) {
+    const T least = list.noise * list.order * list.order;
+    return is_sharp(estimate, list) &&
+           (is_certain_to_power(estimate, list, 6) || estimate.uncertainty <= *estimate.radius * least);
+}
+
+/// The fraction p/q, q <= most, with the smallest q that lies within the uncertainty of the exponent, if there is one.
+template <rounding_scalar T>
+std::optional<rational> fraction_within(const radius_estimate<T>& estimate, int most) {
+    using std::abs;
+    for (int q = 1; q <= most; ++q) {
+        const rational nearest(nearest_integer(widen(T(*estimate.exponent * q))), q);
         if (abs(T(*estimate.exponent - from_rational<T>(nearest))) <= estimate.exponent_uncertainty) {
             return nearest;
         }
@@ -31,22 +54,63 @@ std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
     return std::nullopt;
 }
 
-/// pole for a negative integer, logarithm for 0 and other integers, algebraic otherwise; unknown where an integer lies
-/// within an uncertainty that allows other exponents too.
+/// Adds to the uncertainty of the exponent what that of the radius allows. The coefficients near n do not tell a change
+/// of the radius by a part delta from one of the exponent by n delta. Logarithms and other slow corrections hide more: of
+/// k/log n in the exponent k/(n log^2 n) shows in the radius as a straight line through the ratios gives it, and less in
+/// that of a curve through them; where the radius is not sharp, n log^2(n) delta is allowed for, calibrated, and
+/// 2 n log^3(n) delta if no fraction with a denominator of 3 or less is within that: the exponents of most equations are
+/// such fractions, and a local exponent that a logarithm shifts is near one by chance only.
 template <rounding_scalar T>
-singularity_kind kind_of(const radius_estimate<T>& estimate) {
+void add_position_to_exponent(radius_estimate<T>& estimate, const list_quality<T>& list) {
+    using std::log;
+    if (!estimate.radius || !estimate.exponent || list.order < 2) {
+        return;
+    }
+    constexpr int simple_denominator = 3;
+    T allowed = estimate.uncertainty / *estimate.radius * list.order;
+    const auto allow = [&] { estimate.exponent_uncertainty = std::max(estimate.exponent_uncertainty, allowed); };
+    if (is_sharp(estimate, list)) {
+        return allow();
+    }
+    const T logarithm = log(T(list.order));
+    allowed *= logarithm * logarithm;
+    allow();
+    if (!fraction_within(estimate, simple_denominator)) {
+        allowed *= logarithm * 2;
+        allow();
+    }
+}
+
+/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with
+/// the smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
+template <rounding_scalar T>
+std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
+    constexpr int largest_denominator = 6;
+    if (!estimate.exponent || estimate.exponent_uncertainty * (4 * largest_denominator * largest_denominator) > 1) {
+        return std::nullopt;
+    }
+    return fraction_within(estimate, largest_denominator);
+}
+
+/// What the interval of the exponent decides. Of a verdict that is pure: pole for a negative integer, logarithm for 0
+/// and other integers, algebraic otherwise; of another one, whose coefficients may contain logarithms or powers upon the
+/// leading one: branch where the interval contains no integer. Otherwise unknown.
+template <rounding_scalar T>
+singularity_kind kind_of(const radius_estimate<T>& estimate, bool pure) {
     using std::abs;
     if (!estimate.exponent) {
         return singularity_kind::unknown;
     }
-    const auto simple = simple_exponent(estimate);
-    if (simple && boost::multiprecision::denominator(*simple) == 1) {
-        return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
-    }
     const rational nearest(nearest_integer(widen(*estimate.exponent)));
-    const bool may_be_whole = abs(T(*estimate.exponent - from_rational<T>(nearest))) <= estimate.exponent_uncertainty;
-    return may_be_whole || estimate.exponent_uncertainty * 8 > 1 ? singularity_kind::unknown
-                                                                 : singularity_kind::algebraic;
+    const T away = abs(T(*estimate.exponent - from_rational<T>(nearest)));
+    if (away > estimate.exponent_uncertainty) {
+        return pure ? singularity_kind::algebraic : singularity_kind::branch;
+    }
+    const auto simple = simple_exponent(estimate);
+    if (!pure || !simple) {
+        return singularity_kind::unknown;
+    }
+    return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
 }
 
 /// The root test's answer for a lacunary series, which has its whole circle of convergence as a boundary if its
@@ -198,6 +262,15 @@ void add_nearer(witness<T>& said, const std::vector<weighed_answer<T>>& answers,
     }
 }
 
+/// Drops an exponent that is uncertain by more than a half.
+template <rounding_scalar T>
+void drop_uncertain_exponent(radius_estimate<T>& verdict) {
+    if (verdict.exponent && verdict.exponent_uncertainty * 2 > 1) {
+        verdict.exponent.reset();
+        verdict.exponent_uncertainty = T(0);
+    }
+}
+
 /// The exponent of an answer, or, where that is the assumption of its test, the one that an agreeing test has measured
 /// and is more certain of; nothing that is uncertain by more than a half.
 template <rounding_scalar T>
@@ -216,10 +289,7 @@ void choose_exponent(radius_estimate<T>& verdict, const std::vector<weighed_answ
     if (verdict.exponent && own < verdict.uncertainty) {
         verdict.exponent_uncertainty *= verdict.uncertainty / own;
     }
-    if (verdict.exponent && verdict.exponent_uncertainty * 2 > 1) {
-        verdict.exponent.reset();
-        verdict.exponent_uncertainty = T(0);
-    }
+    drop_uncertain_exponent(verdict);
 }
 
 /// The answer for which the others speak most, with what is left of its certainty where they do not confirm it.
@@ -244,7 +314,6 @@ radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, cons
     verdict.method = "verdict";
     verdict.uncertainty = said.uncertainty;
     choose_exponent(verdict, answers, own);
-    verdict.kind = kind_of(verdict);
     return verdict;
 }
 

@@ -25,6 +25,7 @@ struct fitted_singularity {
     mpfr exponent;
     fitting::leftover moved;
     mpfr exponent_moved;
+    mpfr exponent_sensitivity;  ///< how the exponent changes with the root
 };
 
 /// The nearest singularities of one fit by growing modulus, the first one defining the radius in w.
@@ -48,6 +49,22 @@ inline mpfr exponent_at(const leading_polynomials& q, const complex_number<mpfr>
     return form.highest - 1 - (above / below).re;
 }
 
+/// By how much the exponent d - 1 + e at a root w of Q_d changes with the root: |e Q_d''/(2 Q_d')|, which is |e| over
+/// the distance of another root that is near. Where that is within the uncertainty of the root, as at a double root, the
+/// formula for a simple root gives an arbitrary number.
+inline mpfr sensitivity_of_exponent(const series::power_series<mpfr>& top, const complex_number<mpfr>& w,
+                                    const mpfr& e) {
+    if (e == 0 || top.order() < 2) {
+        return mpfr(0);
+    }
+    auto slope = series::power_series<mpfr>::zero(top.order() - 1);
+    for (int j = 1; j <= top.order(); ++j) {
+        slope[j - 1] = top[j] * j;
+    }
+    const auto at = polynomial_values(slope).at(w);
+    return abs(e) * modulus_of(at.slope) / (modulus_of(at.value) * 2);
+}
+
 /// A root followed through the recurrences from fewer coefficients. Nothing where one of them has no root near.
 inline std::optional<fitted_singularity> followed(const std::vector<leading_polynomials>& fits,
                                                   complex_number<mpfr> start, const recurrence_form& form, int stride,
@@ -65,7 +82,8 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
         complex_number<mpfr> exponent{exponent_at(q, *root, form, stride)};
         exponents.push_back(std::move(exponent));
     }
-    return fitted_singularity{at[0], exponents[0].re, left_after(at, s), left_after(exponents, s).likely};
+    return fitted_singularity{at[0], exponents[0].re, left_after(at, s), left_after(exponents, s).likely,
+                              sensitivity_of_exponent(fits[0].top, at[0], mpfr(exponents[0].re - (form.highest - 1)))};
 }
 
 /// A list and what the fits of all degrees share.
@@ -185,13 +203,20 @@ inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std:
         return;
     }
     std::vector<mpfr> apart;
+    std::vector<mpfr> exponents_apart;
     for (std::size_t other = best < 2 ? 0 : best - 2; other < all.size() && other <= best + 2; ++other) {
         if (other != best) {
-            apart.push_back(modulus_of(nearest_to(all[other], first.at).at - first.at));
+            const fitted_singularity& there = nearest_to(all[other], first.at);
+            apart.push_back(modulus_of(there.at - first.at));
+            exponents_apart.push_back(abs(there.exponent - first.exponent));
         }
     }
-    std::sort(apart.begin(), apart.end());
-    first.moved.likely = std::max(first.moved.likely, apart[apart.size() > 1 ? 1 : 0]) * 4;
+    const auto second_of = [](std::vector<mpfr>& of) -> const mpfr& {
+        std::sort(of.begin(), of.end());
+        return of[of.size() > 1 ? 1 : 0];
+    };
+    first.moved.likely = std::max(first.moved.likely, second_of(apart)) * 4;
+    first.exponent_moved = std::max(first.exponent_moved, second_of(exponents_apart));
 }
 
 /// A weak singularity nearer than a strong one shows in some degrees only, and less certain than that: how much nearer
@@ -251,64 +276,6 @@ inline std::optional<fitted_singularities> nearest_singularities(const fitting::
     fitting::compare_with_neighbours(all, best, fine);
     all[best].nearer = fitting::distance_of_nearer(all, best);
     return std::move(all[best]);
-}
-
-/// The exponent that the form presupposes is known no better than the position allows: another one moves the root by
-/// about 1/K^2 of its size, K the number of coefficients.
-inline mpfr uncertainty_of_assumption(const fitted_singularity& found, int count) {
-    return found.moved.likely / modulus_of(found.at) * count * count;
-}
-
-/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the error
-/// that is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and a rounding
-/// of the coefficients. A verdict takes three times that of a form that presupposes the exponent, unless six digits are
-/// certain: what is neither a pole nor a logarithm settles slowly there.
-template <rounding_scalar T>
-radius_estimate<T> estimate_by_recurrence(const std::string& method, const strided_series<T>& c,
-                                          const recurrence_form& form) {
-    constexpr int safety = 4;
-    constexpr long guard_digits = 20;
-    const int needed = coefficients_needed(form, 1);
-    if (c.last() + 1 < needed) {
-        return too_short<T>(method, needed, c.last() + 1);
-    }
-    const T rounding = epsilon<T>();
-    std::optional<fitted_singularities> found;
-    {
-        const precision_scope scope(decimal_digits(digits<T>()) + guard_digits);
-        found = nearest_singularities(fitting::widened(c), form, widen(rounding));
-    }
-    if (!found) {
-        return no_estimate<T>(method, "no degree of its recurrence has a root that settles");
-    }
-    const auto in_scalar = [](const mpfr& x) { return narrow<T>(x); };
-    const fitted_singularity& first = found->nearest.front();
-    radius_estimate<T> result;
-    result.method = method;
-    result.position = complex_number<T>{in_scalar(first.at.re), in_scalar(first.at.im)};
-    const mpfr radius = modulus_of(first.at);
-    result.exponent_assumed = form.highest == form.lowest;
-    result.caution = result.exponent_assumed && first.moved.likely * 1'000'000 > radius ? 3 : 1;
-    result.radius = in_scalar(radius);
-    result.uncertainty = in_scalar(first.moved.likely) * safety + *result.radius * rounding;
-    if (result.uncertainty >= *result.radius) {
-        return no_estimate<T>(method, "its roots do not settle");
-    }
-    result.nearer = in_scalar(found->nearer);
-    const int count = c.last() + 1;
-    result.exponent = in_scalar(first.exponent);
-    result.exponent_uncertainty =
-        in_scalar(result.exponent_assumed ? uncertainty_of_assumption(first, count) : first.exponent_moved) * safety +
-        rounding * count;
-    const mpfr certain = first.moved.likely + radius * widen(rounding);
-    for (const fitted_singularity& each : found->nearest) {
-        // Roots that mean nothing lie near the circle too, but they do not stay: half of the digits are asked for.
-        const bool stays = each.moved.safe * each.moved.safe <= certain * radius;
-        const bool on_circle = abs(modulus_of(each.at) - radius) <= (each.moved.likely + certain) * safety;
-        result.count += stays && on_circle ? (each.at.im == 0 ? 1 : 2) : 0;
-    }
-    result.note = "denominator of degree " + std::to_string(found->degree);
-    return in_variable(std::move(result), c.stride());
 }
 
 }  // namespace libration::convergence

@@ -12,16 +12,18 @@
 
 namespace libration::convergence {
 
-/// How f behaves at x0, with z = 1 - x/x0: z^-m, log z, z^nu with any other exponent, or a boundary where it ends.
-enum class singularity_kind { unknown, pole, logarithm, algebraic, boundary };
+/// How f behaves at x0, with z = 1 - x/x0: z^-m, log z, z^nu with any other exponent, a boundary where it ends, or z^nu
+/// with an exponent that is not an integer, to which logarithms or other powers may be joined.
+enum class singularity_kind { unknown, pole, logarithm, algebraic, boundary, branch };
 
-/// unknown | pole | logarithm | algebraic | boundary.
+/// unknown | pole | logarithm | algebraic | boundary | branch.
 inline std::string name_of(singularity_kind kind) {
     switch (kind) {
         case singularity_kind::pole: return "pole";
         case singularity_kind::logarithm: return "logarithm";
         case singularity_kind::algebraic: return "algebraic";
         case singularity_kind::boundary: return "boundary";
+        case singularity_kind::branch: return "branch";
         default: return "unknown";
     }
 }
@@ -42,6 +44,13 @@ struct radius_estimate {
     std::string note;         ///< the reason for no radius, or what a reader should know
     bool may_decide = false;  ///< its test is one whose uncertainty can be trusted (radius_test)
     int caution = 1;          ///< a verdict takes its uncertainty so many times
+};
+
+/// A list a_0 .. a_N, each known to `noise` of its size.
+template <rounding_scalar T>
+struct list_quality {
+    int order;  ///< N
+    T noise;
 };
 
 /// The answer of a test that does not apply.

@@ -7,7 +7,7 @@
 // varying A and B. Fails where singularities lie so close together that the degree does not part them.
 #pragma once
 
-#include "libration/convergence/estimate/fitted_singularities.hpp"
+#include "libration/convergence/estimate/recurrence_estimate.hpp"
 
 namespace libration::convergence {
 

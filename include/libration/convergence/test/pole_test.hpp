@@ -7,7 +7,7 @@
 // slowly converging, where the singularities are neither; its uncertainty is then of the size of its error.
 #pragma once
 
-#include "libration/convergence/estimate/fitted_singularities.hpp"
+#include "libration/convergence/estimate/recurrence_estimate.hpp"
 
 namespace libration::convergence {
 

@@ -1,0 +1,162 @@
+// How far an exponent may still drift: what corrections that decay like 1/log n hide from estimates that agree.
+//
+// Of (1 - x/x0)^nu log(1 - x/x0)^k the coefficients are x0^-n n^(-nu-1) (log n)^k (1 + ...): every estimate from
+// coefficients near n sees the local exponent nu - k/log n, and all estimates from one list share that error however
+// well they agree. It shows in lists of different lengths: over a factor f < 1 of n the local exponent moves by about
+// k log(1/f)/(log n)^2, the part log(1/f)/log n of its error, and hardly less from f^2 n to f n, where a correction
+// n^-p, p >= 1, moves by the factor f^-p more.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "libration/convergence/estimate/fitted_singularities.hpp"
+#include "libration/scalar/exact.hpp"
+
+namespace libration::convergence {
+
+/// A quantity at the ends n, f n and f^2 n of lists.
+template <rounding_scalar T>
+struct drifting_value {
+    std::array<T, 3> at;
+    T factor;  ///< f < 1
+
+    T last_step() const { return distance(0, 1); }
+    /// Whether the steps decrease as those of a correction like 1/n do, to a quarter.
+    bool settles() const { return last_step() * 4 <= distance(1, 2) * factor * 5; }
+
+private:
+    T distance(std::size_t i, std::size_t j) const {
+        using std::abs;
+        return abs(T(at[i] - at[j]));
+    }
+};
+
+/// Exponents from the recurrence of least degree at the ends n, f n, f^2 n and f^3 n of lists.
+template <rounding_scalar T>
+struct local_exponents {
+    std::array<T, 4> at;
+    T factor;
+
+    drifting_value<T> themselves() const { return {{at[0], at[1], at[2]}, factor}; }
+    /// Without their part like 1/n: (e_n - f e_{f n})/(1 - f).
+    drifting_value<T> extrapolated() const {
+        const auto without = [&](std::size_t i) { return T((at[i] - factor * at[i + 1]) / (1 - factor)); };
+        return {{without(0), without(1), without(2)}, factor};
+    }
+};
+
+namespace fitting {
+
+/// The exponent at the root nearest to w. Returns std::nullopt if that is further away than a quarter of |w|.
+inline std::optional<mpfr> exponent_near(const leading_polynomials& q, const complex_number<mpfr>& w,
+                                         const recurrence_form& form, int stride) {
+    const auto roots = starting_roots(q.top);
+    if (roots.empty()) {
+        return std::nullopt;
+    }
+    const auto nearest = *std::min_element(roots.begin(), roots.end(), [&](const auto& a, const auto& b) {
+        return modulus_of(a - w) < modulus_of(b - w);
+    });
+    const auto root = polished(q.top, nearest);
+    if (!root || modulus_of(*root - w) * 4 > modulus_of(w)) {
+        return std::nullopt;
+    }
+    return exponent_at(q, *root, form, stride);
+}
+
+/// The ends n, f n, f^2 n, f^3 n of the lists, and f.
+struct shorter_lists {
+    std::vector<int> lasts;
+    rational factor;
+};
+
+/// f is 1/2, or 2/3 for a list whose eighth has less than `needed` coefficients. Returns std::nullopt if neither does.
+inline std::optional<shorter_lists> shorter_lists_of(int last, int needed) {
+    for (const auto& [above, below] : {std::pair(1, 2), std::pair(2, 3)}) {
+        std::vector<int> lasts{last};
+        for (int power = 1, divisor = 1; lasts.size() < 4;) {
+            power *= above;
+            divisor *= below;
+            lasts.push_back(last * power / divisor);
+        }
+        if (lasts.back() >= needed) {
+            return shorter_lists{std::move(lasts), rational(above, below)};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The exponents at the root w of the fits. Returns std::nullopt if one has no root near w.
+inline std::optional<std::vector<mpfr>> exponents_near(const wide_series& series, const std::vector<int>& lasts,
+                                                       int degree, const complex_number<mpfr>& w) {
+    constexpr recurrence_form form{0, 1};
+    const auto fits = recurrence_fits(series, form).up_to(lasts, degree);
+    std::vector<mpfr> exponents;
+    for (std::size_t i = 0; fits && i < fits->size(); ++i) {
+        auto exponent = exponent_near((*fits)[i], w, form, series.stride);
+        if (!exponent) {
+            return std::nullopt;
+        }
+        exponents.push_back(*std::move(exponent));
+    }
+    return fits ? std::optional(std::move(exponents)) : std::nullopt;
+}
+
+/// x0^stride with im >= 0.
+template <rounding_scalar T>
+complex_number<mpfr> upper_power(const complex_number<T>& x0, int stride) {
+    complex_number<mpfr> w{mpfr(1)};
+    for (int i = 0; i < stride; ++i) {
+        w = w * complex_number<mpfr>{widen(x0.re), widen(x0.im)};
+    }
+    return {w.re, mpfr(abs(w.im))};
+}
+
+}  // namespace fitting
+
+/// The local exponents at a singularity x0 (im >= 0) that is one of `count` on the circle of convergence. Returns
+/// std::nullopt if the list is too short for four of them or one has no root near x0. In 20 digits more than T has. O(N).
+template <rounding_scalar T>
+std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c, const complex_number<T>& x0,
+                                                     int count) {
+    constexpr long guard_digits = 20;
+    constexpr int most_degree = 4;
+    const int degree = std::clamp(count / c.stride(), x0.im == 0 ? 1 : 2, most_degree);
+    const auto lists = fitting::shorter_lists_of(c.last(), unknowns_of({0, 1}, degree) + degree);
+    if (!lists) {
+        return std::nullopt;
+    }
+    const auto exponents = [&] {
+        const precision_scope scope(decimal_digits(digits<T>()) + guard_digits);
+        return fitting::exponents_near(fitting::widened(c), lists->lasts, degree, fitting::upper_power(x0, c.stride()));
+    }();
+    if (!exponents) {
+        return std::nullopt;
+    }
+    local_exponents<T> found{{}, from_rational<T>(lists->factor)};
+    std::transform(exponents->begin(), exponents->end(), found.at.begin(), [](const mpfr& e) { return narrow<T>(e); });
+    return found;
+}
+
+/// How wrong an exponent may be for corrections like 1/log n, n the last power: 0 where the local exponents settle
+/// faster, otherwise their last step times log n/log(1/f), and their distance from the exponent.
+template <rounding_scalar T>
+T drift_of_exponent(const local_exponents<T>& local, const T& exponent, const list_quality<T>& list) {
+    using std::abs;
+    using std::log;
+    const T steps = log(T(list.order)) / -log(local.factor);
+    const T noise = list.noise * list.order * list.order * 8;
+    T drift(0);
+    for (const drifting_value<T>& value : {local.themselves(), local.extrapolated()}) {
+        if (!value.settles() && value.last_step() > noise) {
+            drift = std::max(drift, T(value.last_step() * steps + abs(T(value.at[0] - exponent))));
+        }
+    }
+    return drift;
+}
+
+}  // namespace libration::convergence
