@@ -196,7 +196,7 @@ int run_radius(const radius_options& options) {
     }
     const std::size_t nearest = nearest_of(all);
     const table data = radius_table_of_unknowns(all, names, nearest, known, numbers.digits);
-    options.output.write(data, radius_text_of_unknowns(all[nearest], names[nearest], known, data));
+    options.output.write(data, radius_text_of_unknowns(all, names, nearest, known, data));
     return 0;
 }
 

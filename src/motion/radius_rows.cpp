@@ -55,7 +55,7 @@ table_row_cells row_of(const radius_estimate<mpfr>& estimate, const known_radius
             "heuristic"};
 }
 
-// "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points".
+// "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points", "2 branch points".
 std::string what_in_words(const radius_estimate<mpfr>& estimate) {
     const bool one = estimate.count == 1;
     const char* const plural = one ? "" : "s";
@@ -68,6 +68,8 @@ std::string what_in_words(const radius_estimate<mpfr>& estimate) {
         what = fmt::format("logarithm{}", plural);
     } else if (estimate.kind == singularity_kind::algebraic) {
         what = fmt::format("algebraic branch point{}", plural);
+    } else if (estimate.kind == singularity_kind::branch) {
+        what = fmt::format("branch point{}", plural);
     }
     return estimate.count > 0 ? fmt::format("{} {}", estimate.count, what) : what;
 }
@@ -84,16 +86,22 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_
         words += " at " + (im == "0" ? re : re == "0" ? im + " i" : fmt::format("{} + {} i", re, im));
         words += estimate.count > 2 ? " and its images" : estimate.count == 2 ? " and its image" : "";
     }
-    return words;
+    return estimate.kind == singularity_kind::unknown ? words + ", of a kind that the coefficients do not decide"
+                                                      : words;
 }
 
-std::string verdict_in_words(const radius_answers& answers, const known_radius& known, const table& data) {
+// `unknown` is whose verdict it is; empty for a list that has no name.
+std::string verdict_in_words(const radius_answers& answers, const known_radius& known, const table& data,
+                             const std::string& unknown = "") {
     const radius_estimate<mpfr>& verdict = answers.rows.front();
     const auto& row = data.rows().front();
     std::string text;
     const auto say = [&](const char* name, const std::string& what) { text += fmt::format("{:<14}{}\n", name, what); };
     say("coefficients", fmt::format("n = 0 .. {}; {}{}{}", answers.pattern.order, answers.pattern.text(),
                                     answers.floor.empty() ? "" : "; ", answers.floor));
+    if (!unknown.empty()) {
+        say("unknown", unknown);
+    }
     if (verdict.radius) {
         say("radius", fmt::format("{} +- {}", row[1].text(), row[2].text()));
         say("nearest", nearest_in_words(verdict, row));
@@ -107,6 +115,33 @@ std::string verdict_in_words(const radius_answers& answers, const known_radius& 
         say("exact", row[4].is_empty() ? known.text : fmt::format("{}, relative error {}", known.text, row[4].text()));
     }
     say("why", row[9].text());
+    return text;
+}
+
+// "y; the radii of x, z agree with it; that of w is another one or not found": whose verdict the first one is, and what those of the
+// others say.
+std::string whose_verdict(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
+                          std::size_t nearest) {
+    const radius_estimate<mpfr>& verdict = all[nearest].rows.front();
+    std::vector<std::string> agree;
+    std::vector<std::string> differ;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i != nearest) {
+            const radius_estimate<mpfr>& other = all[i].rows.front();
+            const bool agrees = verdict.radius && other.radius &&
+                                abs(*verdict.radius - *other.radius) <= verdict.uncertainty + other.uncertainty;
+            (agrees ? agree : differ).push_back(names[i]);
+        }
+    }
+    std::string text = names[nearest];
+    if (!agree.empty()) {
+        text += agree.size() == 1 ? fmt::format("; the radius of {} agrees with it", agree.front())
+                                  : fmt::format("; the radii of {} agree with it", fmt::join(agree, ", "));
+    }
+    if (!differ.empty()) {
+        text += differ.size() == 1 ? fmt::format("; that of {} is another one or not found", differ.front())
+                                   : fmt::format("; those of {} are others or not found", fmt::join(differ, ", "));
+    }
     return text;
 }
 
@@ -146,11 +181,11 @@ table radius_table_of_unknowns(const std::vector<radius_answers>& all, const std
     return data;
 }
 
-std::string radius_text_of_unknowns(const radius_answers& nearest, const std::string& name, const known_radius& known,
-                                    const table& data) {
+std::string radius_text_of_unknowns(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
+                                    std::size_t nearest, const known_radius& known, const table& data) {
     const table shown = data.with_columns({radius_columns.size(), 0, 1, 2, 9});
     const table rows(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
-    return verdict_in_words(nearest, known, data) + "unknown       " + name + "\n\n" + to_text(rows) +
+    return verdict_in_words(all[nearest], known, data, whose_verdict(all, names, nearest)) + "\n" + to_text(rows) +
            "\nheuristic: coefficients prove no radius\n";
 }
 

@@ -29,8 +29,10 @@ table radius_table_of_unknowns(const std::vector<convergence::radius_answers>& a
                                const std::vector<std::string>& names, std::size_t nearest, const known_radius& known,
                                long digits);
 
-/// The verdict of the nearest in words, and that table below it.
-std::string radius_text_of_unknowns(const convergence::radius_answers& nearest, const std::string& name,
+/// The verdict of the nearest in words, with the name of its unknown and of those that agree with it, and that table
+/// below it.
+std::string radius_text_of_unknowns(const std::vector<convergence::radius_answers>& all,
+                                    const std::vector<std::string>& names, std::size_t nearest,
                                     const known_radius& known, const table& data);
 
 }  // namespace libration

@@ -1,0 +1,39 @@
+// `libration radius` of several unknowns: whose radius the verdict is, and what it says of psi series and logarithms.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "command/printed.hpp"
+#include "command/refusal.hpp"
+
+namespace command_radius_unknowns_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+TEST_CASE("the text says whose radius the verdict is and which unknowns agree", "[command][radius]") {
+    // x = 1/(1 - t), y = -log(1 - t), z = 1/(2 - t).
+    const std::string text =
+        output_of({"radius", "--problem", "x' = x^2; y' = x; z' = z^2; x(0) = 1; y(0) = 0; z(0) = 1/2", "--order", "30",
+                   "--scalar", "mpfr:30"});
+    INFO(text);
+    const bool of_x = text.find("unknown       x; the radius of y agrees with it; that of z is another") != text.npos;
+    const bool of_y = text.find("unknown       y; the radius of x agrees with it; that of z is another") != text.npos;
+    CHECK((of_x || of_y));
+    CHECK(text.find("\nunknown  method") != std::string::npos);
+    for (const char* const row : {"\nx        verdict", "\ny        verdict", "\nz        verdict"}) {
+        CHECK(text.find(row) != std::string::npos);
+    }
+}
+
+TEST_CASE("a psi series has an exponent and no kind", "[command][radius]") {
+    const words blasius{"radius", "--problem", "blasius", "--order", "100"};
+    const auto verdict = rows_of(blasius).at(0);
+    CHECK(verdict.at("kind").empty());
+    if (!verdict.at("exponent").empty()) {
+        CHECK(abs(number_of(verdict.at("exponent")) + 1) <= number_of(verdict.at("exponent_uncertainty")));
+    }
+    CHECK_THAT(output_of(blasius), Catch::Contains("3 singularities at") &&
+                                       Catch::Contains("of a kind that the coefficients do not decide"));
+}
+
+}  // namespace command_radius_unknowns_test
