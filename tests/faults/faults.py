@@ -371,6 +371,23 @@ FAULTS = [
         ("singularities of what an unknown depends on", "return each.group + 1 == names_.size();", "return true;"),
     ),
     *in_file(
+        "src/libration/ode/singularity/singularity_search.cpp", [SYSTEMS],
+        ("several poles in a loop taken for one", "if (!loop->single_valued || is_one_pole(*loop, place)) {",
+         "if (true) {"),
+        ("estimates of another group", "const auto estimate = series_.nearest(groups_[group]);\n    if",
+         "const auto estimate = series_.nearest(groups_.front());\n    if"),
+    ),
+    *in_file(
+        "src/libration/ode/singularity/scaled_problem.cpp", [SYSTEMS],
+        ("no units of time", "constexpr double usual_time = 6;", "constexpr double usual_time = 1'000;"),
+        ("the start of a derivative in other units", "power_of_two(j * time - sizes[i])", "power_of_two(-sizes[i])"),
+    ),
+    *in_file(
+        "src/libration/ode/singularity/refined_place.cpp", [SYSTEMS],
+        ("a power that is none", "found.kind = singularity_kind::unclear;\n            found.offset",
+         "found.kind = kind_of(found);\n            found.offset"),
+    ),
+    *in_file(
         "src/libration/ode/lifted_system.cpp", [SYSTEMS],
         ("products of own unknowns taken for linear", "if (holds_own || !is_entire(by)) {", "if (!is_entire(by)) {"),
     ),

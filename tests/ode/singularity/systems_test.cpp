@@ -207,6 +207,25 @@ TEST_CASE("equal places, and places close together", "[ode][singularity][systems
     CHECK(is_at(of_unknown(close, 1)[0], 1 / (1 - mpfr("1e-9"))));
 }
 
+// p = y + z and q = y - z of poles at 1 and at 1/s: both are singular at both, in one component.
+TEST_CASE("two poles of one unknown that are close together", "[ode][singularity][systems]") {
+    const precision_scope scope(40);
+    for (const char* const s : {"2", "2/3", "0.98", "0.999"}) {
+        INFO(s);
+        const std::string start(s);
+        const auto map = map_within("p' = (p + q)^2/4 + (p - q)^2/4; q' = (p + q)^2/4 - (p - q)^2/4; p(0) = 1 + " +
+                                        start + "; q(0) = 1 - " + start,
+                                    2);
+        const mpfr other = 1 / value_of(start);
+        REQUIRE(map.all.size() == 2);
+        const bool is_first = other < 1;
+        CHECK(is_at(map.all[is_first ? 1 : 0], 1));
+        CHECK(is_at(map.all[is_first ? 0 : 1], other));
+        CHECK(map.all[0].exponent == -1.0);
+        CHECK(map.all[1].exponent == -1.0);
+    }
+}
+
 TEST_CASE("what an unknown depends on shows where it is singular itself", "[ode][singularity][systems]") {
     const precision_scope scope(40);
     // y = 1/(1 - t): z = 1/(1 - t); -log(1 - t); t - t^2/2, which is entire.
@@ -267,6 +286,11 @@ TEST_CASE("maps at any scale of time and unknowns", "[ode][singularity][systems]
         REQUIRE(pole.size() == 1);
         CHECK(is_at(pole[0], mpfr(scale)));
         CHECK(pole[0].exponent == -1.0);
+        // 1/(s - t)^2
+        const auto square = singularities_of(typed("u'' = 6*u^2; u(0) = 1/" + s + "^2; u'(0) = 2/" + s + "^3"), {}).all;
+        REQUIRE(square.size() == 1);
+        CHECK(is_at(square[0], mpfr(scale)));
+        CHECK(square[0].exponent == -2.0);
         // a t with all its poles, and an unknown of another size.
         const auto tangent =
             singularities_of(typed("y' = " + s + "*(1 + (y/" + s + ")^2)*" + s + "; y(0) = 0"), {}).all;

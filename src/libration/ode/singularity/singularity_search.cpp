@@ -32,6 +32,10 @@ constexpr double least_search_cell = 1e-4;
 constexpr int polishing_steps = 10;
 constexpr double polishing_part = 0.5;
 constexpr double axis_part = 1e-3;
+// Laurent coefficients from values on a loop that are below so much of these are 0.
+constexpr int laurent_points = 64;
+constexpr int laurent_terms = 12;
+constexpr double laurent_slack = 1e-6;
 
 complex_number<double> as_number(const plane_point& z) { return {z.real(), z.imag()}; }
 plane_point as_point(const complex_number<double>& z) { return {z.re, z.im}; }
@@ -295,6 +299,8 @@ plane_point singularity_search::polished(plane_point centre, std::size_t group) 
         }
     }
     points_.resize(count);
+    return_to(points_.back());
+    points_.pop_back();
     return result;
 }
 
@@ -310,11 +316,45 @@ plane_point singularity_search::on_axis(const plane_point& z, double reach) cons
     return z;
 }
 
+// Whether the loop of the last points has one pole in it, at this place: of the Laurent series about it, from the values
+// on the circle, the coefficients behind that of the order of the pole are 0.
+bool singularity_search::is_one_pole(const candidate& loop, const plane_point& place) const {
+    const std::size_t first = points_.size() - 1 - loop_points;
+    const plane_point arm = points_[first].at - loop.at;
+    for (const std::size_t leaf : of_.functions) {
+        if (std::ranges::find(groups_[loop.group], leaf) == groups_[loop.group].end()) {
+            continue;
+        }
+        const plane_point exponent =
+            as_point(series_.exponent(leaf, as_number(place - points_.back().at), search_order));
+        const double order = std::clamp(std::round(-exponent.real()), 0.0, 1.0 * laurent_terms);
+        std::vector<plane_point> sums(laurent_terms, 0);
+        double size = 0;
+        for (int k = 0; k < laurent_points; ++k) {
+            const plane_point turn = std::polar(1.0, 2 * std::numbers::pi * k / laurent_points);
+            const plane_point z = loop.at + arm * turn;
+            const auto near = static_cast<std::size_t>((k * loop_points + laurent_points / 2) / laurent_points);
+            plane_point term = as_point(values_at(points_[first + near], z)[leaf]) * turn;
+            size = std::max(size, std::abs(term));
+            for (plane_point& sum : sums) {
+                sum += term / (1.0 * laurent_points);
+                term *= (z - place) / loop.reach;
+            }
+        }
+        for (std::size_t k = static_cast<std::size_t>(order); k < sums.size(); ++k) {
+            if (!(std::abs(sums[k]) < laurent_slack * size)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 // Into the sector, at the polished place, unless it is known.
-void singularity_search::keep(candidate made) {
+void singularity_search::keep(candidate made, plane_point place) {
     bool mirrored = false;
     int turns = 0;
-    made.at = on_axis(folded(polished(made.at, made.group), mirrored, turns), made.reach);
+    made.at = on_axis(folded(place, mirrored, turns), made.reach);
     for (plane_point& each : made.path) {
         each *= std::polar(1.0, -turns * 2 * std::numbers::pi / rotation_);
         each = mirrored ? std::conj(each) : each;
@@ -330,27 +370,34 @@ void singularity_search::keep(candidate made) {
 // Nearer to a guess until a loop round it sees nothing else.
 void singularity_search::approach(const plane_point& guess, std::size_t group) {
     plane_point centre = guess;
+    plane_point aim = guess;
     int settled = 0;
     for (int attempt = 0; attempt < most_approaches; ++attempt) {
         const auto estimate = series_.nearest(groups_[group]);
         const double away = std::abs(points_.back().at - centre);
         if (estimate && estimate->agreement < good_agreement) {
             const plane_point again = points_.back().at + as_point(estimate->distance);
-            if (std::abs(again - guess) > 0.5 * std::abs(points_.back().at - guess) + 0.1 * away) {
+            if (std::abs(again - aim) > 0.5 * std::abs(points_.back().at - aim) + 0.1 * away) {
                 break;  // it points elsewhere
             }
             settled = std::abs(again - centre) < settled_part * away ? settled + 1 : 0;
             centre = again;
             if (estimate->agreement < better_agreement) {
                 if (const auto loop = loop_round(centre, group)) {
-                    keep(*loop);
-                    return;
+                    const plane_point place = polished(centre, group);
+                    if (!loop->single_valued || is_one_pole(*loop, place)) {
+                        keep(*loop, place);
+                        return;
+                    }
+                    centre = aim = place;  // of several in the loop the one that is nearest
+                    settled = 0;
                 }
             }
             // No loop of any size closes where singularities of other sheets accumulate.
             if (settled >= enough_settled) {
                 keep({centre, std::abs(points_.back().at - centre), false, false,
-                      path_to(static_cast<int>(points_.size()) - 1), group});
+                      path_to(static_cast<int>(points_.size()) - 1), group},
+                     polished(centre, group));
                 return;
             }
         }

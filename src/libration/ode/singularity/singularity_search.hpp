@@ -70,7 +70,8 @@ private:
     bool look_at(std::size_t group);
     void return_to(const point& of);
     void approach(const plane_point& guess, std::size_t group);
-    void keep(candidate made);
+    void keep(candidate made, plane_point place);
+    bool is_one_pole(const candidate& loop, const plane_point& place) const;
     plane_point polished(plane_point centre, std::size_t group);
     plane_point on_axis(const plane_point& z, double reach) const;
     std::optional<candidate> loop_round(const plane_point& centre, std::size_t group);
