@@ -63,19 +63,6 @@ void check_states(const ode::explicit_system& system, const std::vector<exact>& 
     }
 }
 
-void check_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                  const std::vector<ode::printed_event>& first) {
-    const auto second = ode::proved_events(system, request, digits + digits_of_second, ode::proof_route::second());
-    const auto columns = columns_of_states(system);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        const std::string event = " of event " + std::to_string(i + 1);
-        require_agreement(first[i].time, second[i].time, "the time" + event);
-        for (std::size_t j = 0; j < first[i].values.size(); ++j) {
-            require_agreement(first[i].values[j], second[i].values[j], columns[j + 1].name + event);
-        }
-    }
-}
-
 }  // namespace
 
 table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits, bool check) {
@@ -95,29 +82,6 @@ table problem_reference(const ode::explicit_system& system, const std::vector<ex
         row.emplace_back(digits);
         row.emplace_back("proved");
         row.emplace_back(times[i].text);
-        data.add_row(std::move(row));
-    }
-    return data;
-}
-
-table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits, bool check) {
-    auto columns = columns_of_states(system);
-    columns.back() = {"count", ""};
-    table data(std::move(columns));
-    long count = 0;
-    const auto checked = checked_products(check);
-    const auto events = ode::proved_events(system, request, digits);
-    if (check) {
-        check_events(system, request, digits, events);
-    }
-    for (const ode::printed_event& event : events) {
-        table_row_cells row{cell::number(event.time.text, digits)};
-        for (const proved_decimal& value : event.values) {
-            row.push_back(cell::number(value.text, digits));
-        }
-        row.emplace_back(digits);
-        row.emplace_back("proved");
-        row.emplace_back(++count);
         data.add_row(std::move(row));
     }
     return data;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/explicit_system.hpp"
 #include "libration/scalar/exact.hpp"
 #include "text/table.hpp"
 
@@ -17,12 +17,7 @@ namespace libration {
 table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
                         bool check = false);
 
-/// time,<unknown and its lower derivatives>...,digits,rigour,count: the events of a problem (ode::proved_events), the
-/// first of them in the first row. With `check` as problem_reference.
-table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                     bool check = false);
-
-/// The same for people: each time a paragraph, each column a line.
+/// States for people: each time a paragraph, each column a line.
 std::string lines_of_states(const table& data);
 
 }  // namespace libration

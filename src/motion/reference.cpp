@@ -9,8 +9,9 @@
 #include "equation/problem_options.hpp"
 #include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
-#include "libration/ode/parse.hpp"
+#include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
+#include "motion/problem_events.hpp"
 #include "motion/typed_times.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
@@ -30,13 +31,13 @@ struct reference_options {
     motion_options motion;
     problem_options problem;
     output_options output;
-    std::optional<std::string> digits, times, motions, columns, jobs, until, count, way, before;
+    event_options events;
+    std::optional<std::string> digits, times, motions, columns, jobs;
     bool check = false;
 };
 
 // The second route sums about D/3 columns of D digits: minutes at this many, hours far above.
 constexpr long most_checked_digits = 10'000;
-constexpr int most_events = 100'000;
 
 const std::vector<column> reference_columns{
     {"energy", ""},       {"gap", ""},       {"regime", ""},       {"theta0", ""},      {"omega0", ""},
@@ -210,53 +211,28 @@ std::vector<asked_motion> motions_of_file(const reference_options& options) {
     return asked;
 }
 
-std::vector<std::pair<const char*, std::optional<std::string>>> event_words(const reference_options& options) {
-    return {{"--count", options.count}, {"--crossing", options.way}, {"--before", options.before}};
-}
-
-ode::crossing way_of(const std::string& word) {
-    if (word != "up" && word != "down") {
-        throw input_error("--crossing", word, "is no way through 0", "write up or down, or leave it out");
-    }
-    return word == "up" ? ode::crossing::up : ode::crossing::down;
-}
+// What the reference of a problem is, and why it is not all that was asked for.
+struct problem_answer {
+    table data;
+    std::optional<error> missing = std::nullopt;
+};
 
 // When a condition holds.
-table events_of_problem(const reference_options& options, long digits) {
+problem_answer events_of_problem(const reference_options& options, long digits) {
     if (options.times) {
         throw input_error("--times", *options.times, "comes with --until, which finds the times", "leave one out");
     }
     const auto system = options.problem.choose();
-    ode::event_request request;
-    request.g =
-        naming_option("--until", [&] { return ode::parse_condition(options.problem.equations(), *options.until); });
-    if (request.g.is_constant()) {
-        throw input_error("--until", *options.until, "is no condition on the solution",
-                          "write one, such as \"x' = 0\"");
-    }
-    if (options.way) {
-        request.way = way_of(*options.way);
-    }
-    if (options.count) {
-        request.count = reading("--count", *options.count, "write a number of events, 1 or more",
-                                [&] { return read_count(*options.count, most_events); });
-        if (request.count == 0) {
-            throw input_error("--count", *options.count, "is no event at all", "write a number of events, 1 or more");
-        }
-    }
-    if (options.before) {
-        const auto end = times_of_problem(*options.before);
-        if (end.size() != 1) {
-            throw input_error("--before", *options.before, "is a list", "write one time");
-        }
-        request.before = as_expression(end.front());
-        request.direction = (*request.before - system.point()).sign() < 0 ? -1 : 1;
-    }
-    return naming_option("--until", [&] { return problem_events(system, request, digits, options.check); });
+    const auto request = options.events.request(options.problem, system);
+    auto found = naming_option("--until", [&] {
+        return problem_events(system, request, digits, options.check,
+                              [&](const table& data) { options.output.write(data, lines_of_states(data)); });
+    });
+    return {std::move(found.data), std::move(found.missing)};
 }
 
 // In place of a motion, any problem.
-table reference_of_problem(const reference_options& options, long digits) {
+problem_answer reference_of_problem(const reference_options& options, long digits) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
@@ -268,14 +244,10 @@ table reference_of_problem(const reference_options& options, long digits) {
     refuse("--motions", options.motions);
     refuse("--columns", options.columns);
     refuse("--jobs", options.jobs);
-    if (options.until) {
+    if (options.events.given()) {
         return events_of_problem(options, digits);
     }
-    for (const auto& [option, value] : event_words(options)) {
-        if (value) {
-            throw input_error(option, *value, "is of an event and there is none", "add --until \"x = 0\"");
-        }
-    }
+    options.events.require_none();
     if (!options.times) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
@@ -283,19 +255,24 @@ table reference_of_problem(const reference_options& options, long digits) {
         if (options.check) {
             throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
         }
-        return state_at_infinity(options.problem.equations(), digits);
+        return {state_at_infinity(options.problem.equations(), digits)};
     }
     const auto system = options.problem.choose();
     const auto times = times_of_problem(*options.times);
-    return naming_option("--problem", [&] { return problem_reference(system, times, digits, options.check); });
+    return {naming_option("--problem", [&] { return problem_reference(system, times, digits, options.check); })};
 }
 
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
     if (options.problem.given()) {
-        const table data = reference_of_problem(options, digits);
-        options.output.write(data, lines_of_states(data));
+        const problem_answer answer = reference_of_problem(options, digits);
+        if (!answer.missing || !answer.data.rows().empty()) {
+            options.output.write(answer.data, lines_of_states(answer.data));
+        }
+        if (answer.missing) {
+            throw error(*answer.missing);
+        }
         return 0;
     }
     options.problem.require_problem();
@@ -338,11 +315,7 @@ subcommand reference_command(CLI::App& program) {
     command->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, - for none of these")
         ->type_name("THEIRS=OURS,...");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
-    command->add_option("--until", options->until, "of a problem: the times of an event, \"x' = 0\"")->type_name("G=H");
-    command->add_option("--count", options->count, "so many of them (1)")->type_name("K");
-    command->add_option("--crossing", options->way, "those where G - H passes 0 this way: up or down")
-        ->type_name("WAY");
-    command->add_option("--before", options->before, "none beyond this time")->type_name("TIME");
+    options->events.add_to(*command);
     command->add_flag("--check", options->check,
                       "compare with a second proof by another route, exit 1 where they disagree");
     return {command, [options] { return run_reference(*options); }};

@@ -150,6 +150,23 @@ TEST_CASE("a reference that cannot be proved ends with 1, says why, and prints n
     CHECK(typed.err.find("lemma") != std::string::npos);
 }
 
+TEST_CASE("events that are found are printed also where others are not", "[command][problem]") {
+    const words reference{"reference", "--problem", "y'' = -y; y(0)=0; y'(0)=1", "--format", "csv", "--digits", "20"};
+    const auto some = run_libration(reference + words{"--until", "y = 1/2", "--before", "1", "--count", "2"});
+    CHECK(some.exit_code == 1);
+    CHECK(some.out.find("\n0.52359877559829887308,") != std::string::npos);
+    CHECK(some.err.find("event '2' is not before that time: 1 were found") != std::string::npos);
+    const auto none = run_libration(reference + words{"--until", "y = 2", "--horizon", "10"});
+    CHECK(none.exit_code == 1);
+    CHECK(none.out.empty());
+    CHECK(none.err.find("within 10 steps, from time 0 up to ") != std::string::npos);
+    const auto start = rows_of({"reference", "--problem", "y' = 1; y(1)=1", "--until", "y = 1", "--from-start"});
+    CHECK(start[0].at("y").substr(0, 5) == "1.000");
+    check_refused({"reference", "--problem", "lorenz", "--time", "1", "--horizon", "2"}, {"--horizon", "--until"});
+    check_refused({"reference", "--problem", "lorenz", "--time", "1", "--from-start"}, {"--from-start", "--until"});
+    check_refused({"reference", "--problem", "lorenz", "--until", "x = 0", "--horizon", "0"}, {"--horizon"});
+}
+
 TEST_CASE("find proves parameters, starts and periodic orbits", "[command][problem]") {
     const auto shear =
         rows_of({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'(inf) = 1", "--digits", "32"});

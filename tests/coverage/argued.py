@@ -60,15 +60,10 @@ ARGUED = {
         "a map that is not finite ends the march; kept, because the comparison behind it would take infinity",
     (CONDITIONS, "if (radius * 2048 <= middle || contains_zero(size)) {"):
         "an unknown that is 0 has been moved by 0 exactly; kept for enclosures of it",
-    (EVENTS, "for (std::size_t k = 0; k < form.leaves.size(); ++k) {"): "every unknown of a condition is a leaf of the system",
-    (EVENTS, "if (contains_zero(sampled(hull(first, last)).slope)) {"): MORE_BITS,
-    (EVENTS, "if (before == 0 || behind == 0) {"): "the second time: " + MORE_BITS,
-    (EVENTS, "if (behind != forwards) {"): "a monotone function does not turn: it says a mistake of the program",
-    (EVENTS, "for (int i = 0; i < most_newton_steps; ++i) {"): "Newton's method on balls settles long before, and need not",
-    (EVENTS, "if (!is_finite(next) ||"): "the slope excludes 0 on the place",
-    (EVENTS, "arb_intersection(narrower.handle(), place.handle(), next.handle(), ball::working_bits()) == 0) {"):
-        "both hold the zero that the signs have shown",
-    (EVENTS, "if (march_.steps() - first > most_steps_between) {"): "a hundred thousand steps are no test",
+    (EVENTS, "if (open_) {"): "a monotone function does not turn: it says a mistake of the library",
+    (EVENTS, "if (parts_.empty()) {"): "the zero of joined pieces is on one of them: it says a mistake of the library",
+    (ODE + "ball/start_sign.cpp", "for (std::size_t k = 0; k < form.leaves.size(); ++k) {"):
+        "every unknown of a condition is a leaf of the system",
     (ODE + "proved/frame.cpp", "if (!(norm <= magnitude(1U) / 4U)) {"):
         "columns are orthogonal to the last of 64 bits; kept, because the bound of the inverse rests on it",
     (LAYERS, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",

@@ -78,7 +78,8 @@ TEST_CASE("conditions may hold the time and functions", "[ode][proved]") {
 }
 
 TEST_CASE("what touches 0 is not decided, and an event that does not come before the end is none", "[ode][proved]") {
-    CHECK_THROWS_WITH(events_of("y'' = -y; y(0) = 1; y'(0) = 0", "y = 1", 1, 20), Catch::Contains("touches 0"));
+    CHECK_THROWS_WITH(events_of("y'' = -y; y(0) = 1; y'(0) = 0", "y = 1", 1, 20),
+                      Catch::Contains("is not decided by") && Catch::Contains("[6.28318530717, 6.28318530718]"));
     CHECK_THROWS_WITH(events_of("y' = y^2; y(0) = 1", "y = -1", 1, 20), Catch::Contains("proved to exist"));
     CHECK_THROWS_WITH(events_of("y' = y; y(0) = 1", "y' = 2", 1, 20), Catch::Contains("no part of the state"));
     const auto system = parse("y'' = -y; y(0) = 0; y'(0) = 1");
@@ -99,6 +100,100 @@ TEST_CASE("backwards in time the first event is the last one before the start", 
     const precision_scope scope(60);
     CHECK(within_a_unit(found[0].time, -pi<ball>(), 30));
     CHECK(within_a_unit(found[1].time, pi<ball>() * -2, 30));
+}
+
+// Sections next to the start, which numbers of the working precision do not tell from it.
+TEST_CASE("no event is at the start or before it", "[ode][proved][events]") {
+    const auto missing = [](const std::string& text, const std::string& condition) {
+        const auto system = parse(text);
+        event_request request;
+        request.g = parse_condition(system, condition);
+        request.before = number(rational(2));
+        const auto report = searched_events(explicit_system(system), request, 30);
+        CHECK(report.events.empty());
+        return std::string(report.missing ? report.missing->what() : "");
+    };
+    CHECK_THAT(missing("y' = 1; y(1) = 1 + 1e-400", "y = 1"), Catch::Contains("0 were found"));
+    CHECK_THAT(missing("y' = 1; y(1) = 1", "y = 1"), Catch::Contains("0 were found"));
+    CHECK_THAT(missing("y'' = -y; y(1) = pi/3 + pi/6; y'(1) = 1", "y = pi/2"), Catch::Contains("0 were found"));
+    CHECK_THAT(missing("y'' = -y; y(1) = 2*asin(sqrt(1/2)); y'(1) = 1", "y = pi/2"), Catch::Contains("is not decided"));
+    CHECK_THAT(missing("y' = y; y(1) = 0", "y = 0"), Catch::Contains("derivatives hold there"));
+    CHECK_THAT(missing("y''' = 1; y(0) = 0; y'(0) = 0; y''(0) = 0", "y = 0"), Catch::Contains("0 were found"));
+    const auto late = events_of("x'' = -x; x(1) = 1 + 1e-51; x'(1) = 1", "x = 1", 1, 40);
+    const precision_scope scope(80);
+    // A sin t + B cos t about 1, with A = B to 50 digits.
+    CHECK(within_a_unit(late.front().time, ball(1) + atan2(ball(1), pow(ball(10), -51) + 1) * 2, 40));
+}
+
+TEST_CASE("the start is an event where that is asked for", "[ode][proved][events]") {
+    const auto system = parse("y'' = -y; y(2) = pi/2; y'(2) = 1");
+    event_request request;
+    request.g = parse_condition(system, "y = pi/2");
+    request.from_start = true;
+    request.way = crossing::up;
+    const auto first = proved_events(explicit_system(system), request, 20).front();
+    CHECK(first.time.text == "2.0000000000000000000");
+    CHECK(first.time.uncertainty == "0");
+    request.way = crossing::down;
+    CHECK(proved_events(explicit_system(system), request, 20).front().time.text != "2.0000000000000000000");
+}
+
+TEST_CASE("events are certainly before the end, or refused with their bounds", "[ode][proved][events]") {
+    const auto system = parse("y'' = -y; y(0) = 0; y'(0) = 1");
+    const auto found = [&](const std::string& condition, const std::string& end, long count) {
+        event_request request;
+        request.g = parse_condition(system, condition);
+        request.before = parse_constant(end).constant();
+        request.direction = request.before->sign();
+        request.count = count;
+        return searched_events(explicit_system(system), request, 20);
+    };
+    CHECK_THAT(found("y = 0", "1e-10", 1).missing->what(), Catch::Contains("0 were found"));
+    CHECK_THAT(found("y = 1/2", "0.1", 2).missing->what(), Catch::Contains("0 were found"));
+    CHECK_THAT(found("y = -1/2", "-0.1", 2).missing->what(), Catch::Contains("0 were found"));
+    CHECK_THAT(found("y = -1/2", "-0.6", 2).missing->what(), Catch::Contains("1 were found"));
+    CHECK(found("y = 1/2", "1", 2).events.size() == 1);
+    CHECK(found("y = 1/2", "pi/6 + 1e-30", 1).events.size() == 1);
+    CHECK(found("y = 1/2", "pi/6 - 1e-30", 1).events.empty());
+    for (const std::string end : {"pi/6", "-7*pi/6"}) {
+        const auto open = found("y = 1/2", end, 1);
+        CHECK(open.events.empty());
+        CHECK_THAT(open.missing->what(), Catch::Contains("do not tell from the end of the search"));
+    }
+    CHECK_THAT(found("y = 1/2", "pi/6", 1).missing->what(), Catch::Contains("[0.523598775598, 0.523598775599]"));
+}
+
+TEST_CASE("a search without an end gives up", "[ode][proved][events]") {
+    const auto system = parse("y'' = -y; y(0) = 0; y'(0) = 1");
+    event_request request;
+    request.g = parse_condition(system, "y = 2");
+    request.horizon = 20;
+    const auto report = searched_events(explicit_system(system), request, 20);
+    REQUIRE(report.missing);
+    CHECK_THAT(report.missing->what(), Catch::Contains("is not found within 20 steps, from time 0 up to "));
+}
+
+TEST_CASE("two events about a turn, and one far away from where nothing has a length", "[ode][proved][events]") {
+    const precision_scope scope(80);
+    const auto twins = events_of("y'' = -y; y(0) = 0; y'(0) = 1", "y = 1 - 1e-30", 2, 40);
+    const ball away = acos(ball(1) - pow(ball(10), -30));
+    CHECK(within_a_unit(twins[0].time, pi<ball>() / 2 - away, 40));
+    CHECK(within_a_unit(twins[1].time, pi<ball>() / 2 + away, 40));
+    CHECK(within_a_unit(events_of("y'' = -9.81; y(0) = 1; y'(0) = 0", "y = 0", 1, 40).front().time,
+                        sqrt(ball(200) / 981), 40));
+}
+
+// y = sin t: y' = cos t is -1 at -pi and 1 at -2 pi.
+TEST_CASE("up and down are those of increasing time, also backwards", "[ode][proved][events]") {
+    const auto system = parse("y'' = -y; y(0) = 0; y'(0) = 1");
+    event_request request;
+    request.g = parse_condition(system, "y = 0");
+    request.direction = -1;
+    const precision_scope scope(60);
+    request.way = crossing::down;
+    CHECK(within_a_unit(proved_events(explicit_system(system), request, 30).front().time, -pi<ball>(), 30));
+    request.way = crossing::up;
+    CHECK(within_a_unit(proved_events(explicit_system(system), request, 30).front().time, pi<ball>() * -2, 30));
 }
 
 }  // namespace ode_proved_proved_events_test

@@ -1,7 +1,8 @@
 #include "libration/ode/proved/event_search.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "libration/scalar/ball/predicates.hpp"
@@ -13,193 +14,336 @@ namespace libration::ode {
 namespace {
 
 constexpr int first_pieces = 4;
-constexpr int deepest = 60;
-constexpr int most_newton_steps = 100;
-
-bool vanishes_at_start(const expression& g, const first_order_form& form, const number& point) {
-    const expression value = replaced(g, [&](const expression& leaf) -> std::optional<expression> {
-        if (leaf.kind() == node_kind::variable) {
-            return expression(point);
-        }
-        for (std::size_t k = 0; k < form.leaves.size(); ++k) {
-            if (same_form(leaf, form.leaves[k])) {
-                return expression(form.starts[k]);
-            }
-        }
-        return std::nullopt;
-    });
-    return value.is(0);
-}
+constexpr long few_digits = 20;  // in which pieces are judged first
+constexpr long most_pieces_of_a_step = 100'000;
 
 }  // namespace
 
 event_search::event_search(const explicit_system& system, const expression& g, long bits, int direction,
-                           const proof_route& route)
+                           const proof_route& route, march_watch watch)
     : form_(system),
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
-      zero_at_start_(vanishes_at_start(g_, form_, system.point())),
       march_(system, bits, {}, proved_march::usual_error_bits, route),
-      direction_(direction < 0 ? -1 : 1) {
-    if (march_.before().empty()) {
+      digits_(decimal_digits(bits) + 10),
+      direction_(direction < 0 ? -1 : 1),
+      watch_(std::move(watch)) {
+    const precision_scope scope(digits_);
+    if (system.singular()) {
+        require_no_event_before_first_step(constant_value<ball>::of(system.point()));
         return;
     }
+    start_ = sign_at_start(form_, g_, slope_, system.point());
+    sign_ = start_.beside(direction_);
+}
+
+void event_search::require_no_event_before_first_step(const ball& start) {
     if (direction_ < 0) {
         throw error(error_kind::argument, "problem", "",
                     "starts where its equation is singular, behind which alone events are searched");
     }
-    // After a singular start: no event on the way to the first step.
-    zero_at_start_ = false;
-    const ball start = constant_value<ball>::of(system.point());
     expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
     for (const ball& each : march_.before()) {
         values.push_back(each);
     }
-    if (contains_zero(values.of(g_))) {
+    sign_ = known_sign(values.of(g_));
+    if (sign_ == 0) {
         throw error(error_kind::undecided, "event", "",
                     "is not told from one within the first step from the start, where the equation is singular");
     }
 }
 
-event_search::sample event_search::sampled(const ball& distance) const {
+const expression& event_search::curvature() {
+    if (!curvature_) {
+        curvature_ = form_.slope_of(slope_);
+    }
+    return *curvature_;
+}
+
+// Those of expressions in leaves at a distance.
+expression_values<ball> event_search::values_at(const ball& distance) const {
     expression_values<ball> values(form_.leaves, march_.reached() + distance);
-    auto state = march_.values_at(distance);
-    for (const ball& each : state) {
+    for (const ball& each : march_.values_at(distance)) {
         values.push_back(each);
     }
-    return {values.of(g_), values.of(slope_), std::move(state)};
+    return values;
 }
 
-bool event_search::is_start(const ball& distance) const {
-    return zero_at_start_ && march_.steps() == 0 && arb_is_zero(distance.handle()) != 0;
+event_search::sample event_search::sampled(const ball& distance) const {
+    auto values = values_at(distance);
+    return {values.of(g_), values.of(slope_), values.values()};
 }
 
-// The piece, a little longer, where g has opposite signs at its ends; nothing where it has the same.
-std::optional<ball> event_search::bracket(const ball& from, const ball& to, const ball& slope) const {
-    const auto sign_at = [&](const ball& distance) {
-        const ball value = sampled(distance).value;
-        return contains_zero(value) ? 0 : arb_is_positive(value.handle()) != 0 ? 1 : -1;
-    };
-    if (is_start(from)) {
-        return std::nullopt;  // g is monotone, and 0 at the start
+// Of g, at an exact distance; 0 where it is not decided.
+int event_search::sign_at(const ball& distance) const {
+    const auto sign = [&] { return known_sign(of_state(g_, distance * direction_)); };
+    {
+        const precision_scope few(few_digits);
+        if (const int known = sign(); known != 0) return known;
     }
-    const int forwards = (arb_is_positive(slope.handle()) != 0 ? 1 : -1) * direction_;
-    int before = sign_at(from);
-    int behind = sign_at(to);
-    ball first = from;
-    ball last = to;
-    // An end too near to a zero is moved outwards, where the derivative still has its sign.
-    const ball more = (to - from) / 8;
-    if (before == 0) {
-        first = from - more;
-    }
-    if (behind == 0) {
-        last = to + more;
-    }
-    if (before == 0 || behind == 0) {
-        if (contains_zero(sampled(hull(first, last)).slope)) {
-            throw precision_exhausted("an event");
-        }
-        before = before == 0 ? sign_at(first) : before;
-        behind = behind == 0 ? sign_at(last) : behind;
-    }
-    if (before == 0 || behind == 0) {
-        throw precision_exhausted("an event");
-    }
-    if (before == behind) {
+    return sign();
+}
+
+std::optional<proved_event> event_search::at_start() const {
+    if (start_.order == 0) {
         return std::nullopt;
     }
-    if (behind != forwards) {
-        throw std::logic_error("a monotone function that turns");
+    proved_event event{march_.reached(), {}, crossing::any};
+    for (const number& each : form_.starts) {
+        event.state.push_back(constant_value<ball>::of(each));
     }
-    return hull(first, last);
+    if (start_.order % 2 != 0) {
+        event.way = start_.sign > 0 ? crossing::up : crossing::down;
+    }
+    return event;
 }
 
-void event_search::add_event(const ball& within) {
-    ball place = within;
-    for (int i = 0; i < most_newton_steps; ++i) {
-        ball middle;
-        arf_set(arb_midref(middle.handle()), arb_midref(place.handle()));
-        const ball next = middle - sampled(middle).value / sampled(place).slope;
-        ball narrower;
-        if (!is_finite(next) ||
-            arb_intersection(narrower.handle(), place.handle(), next.handle(), ball::working_bits()) == 0) {
-            break;
-        }
-        const bool done = magnitude::radius_of(place) <= magnitude::radius_of(narrower) * magnitude(2U);
-        place = narrower;
-        if (done) {
-            break;
-        }
+// No zero but the start: gamma^(k) excludes 0 on the piece.
+event_search::verdict event_search::judged_at_start(const step_piece& p) {
+    const ball span = span_of(p);
+    if (known_sign(of_state(start_.leading, span)) != 0) {
+        return {finding::no_zero, sign_};
     }
-    sample here = sampled(place);
-    proved_event event{march_.reached() + place, std::move(here.state),
-                       (arb_is_positive(here.slope.handle()) != 0) == (direction_ > 0) ? crossing::up : crossing::down};
-    if (last_ && overlaps(*last_, event.time)) {
-        return;  // the same one, seen from the step before
-    }
-    last_ = event.time;
-    found_.push_back(std::move(event));
+    return p.is_narrow(march_.bits()) ? undecided_on(span, sampled(span)) : verdict{finding::open, 0};
 }
 
-void event_search::examine(const ball& from, const ball& to, int depth) {
-    sample all;
-    {
-        const precision_scope few(20);
-        all = sampled(hull(from, to));
-    }
-    if (!contains_zero(all.value)) {
-        return;
-    }
-    if (!contains_zero(all.slope)) {
-        if (const auto place = bracket(from, to, all.slope)) {
-            add_event(*place);
-        }
-        return;
-    }
-    if (depth == 0) {
-        throw precision_exhausted("an event");
-    }
-    ball middle;
-    const ball centre = (from + to) / 2;
-    arf_set(arb_midref(middle.handle()), arb_midref(centre.handle()));
-    examine(from, middle, depth - 1);
-    examine(middle, to, depth - 1);
+event_search::verdict event_search::undecided_on(const ball& span, const sample& all) {
+    const ball times = march_.reached() + span;
+    undecided_ = {lower_bound(times), upper_bound(times), magnitude(all.value), magnitude(all.slope)};
+    return {finding::undecided, 0};
 }
 
-std::optional<proved_event> event_search::next(crossing way, const std::optional<number>& end) {
-    for (const long first = march_.steps();;) {
-        if (march_.steps() - first > most_steps_between) {
-            throw error(error_kind::undecided, "event", "",
-                        "is not found within " + std::to_string(most_steps_between) + " steps");
+event_search::verdict event_search::judged(step_piece& p) {
+    const precision_scope scope(p.digits);
+    const ball span = span_of(p);
+    sample all = sampled(span);
+    if (const int sign = known_sign(all.value); sign != 0) {
+        return {finding::no_zero, sign};
+    }
+    if (const int sign = known_sign(all.slope); sign != 0) {
+        return {finding::monotone, sign};
+    }
+    const sample middle = sampled(exact_midpoint(span));
+    const ball beside = span - exact_midpoint(span);
+    // By the mean value of gamma', and that by the one of gamma''.
+    for (const bool curved : {false, true}) {
+        if (curved) {
+            all.slope = middle.slope + of_state(curvature(), span) * beside;
+            if (const int sign = known_sign(all.slope); sign != 0) {
+                return {finding::monotone, sign};
+            }
         }
-        while (!found_.empty()) {
-            proved_event event = std::move(found_.front());
-            found_.erase(found_.begin());
-            if (way == crossing::any || way == event.way) {
+        all.value = middle.value + all.slope * beside;
+        if (const int sign = known_sign(all.value); sign != 0) {
+            return {finding::no_zero, sign};
+        }
+    }
+    const bool no_use = magnitude(all.slope) * magnitude::radius_of(span) <= magnitude::radius_of(middle.value);
+    if (no_use && p.digits < digits_) {
+        p.digits = std::min(2 * p.digits, digits_);
+        return judged(p);
+    }
+    const bool give_up = no_use || p.is_narrow(march_.bits()) || ++examined_ > most_pieces_of_a_step;
+    return give_up ? undecided_on(span, all) : verdict{finding::open, 0};
+}
+
+// The later part first, so that the earlier one is the next.
+void event_search::split(const step_piece& p) {
+    if (is_start(p) || !split_at_turn(p)) {
+        const ball middle = p.middle();
+        pieces_.push_back(p.behind(middle));
+        pieces_.push_back(p.before(middle));
+    }
+}
+
+// Where gamma'' excludes 0 on the piece gamma turns there once at most: around that place, on both sides of which gamma
+// is monotone. False where that is not proved.
+bool event_search::split_at_turn(const step_piece& p) {
+    const precision_scope scope(p.digits);
+    const ball span = span_of(p);
+    const int bent = known_sign(of_state(curvature(), span)) * direction_;
+    if (bent == 0) {
+        return false;
+    }
+    const auto place = zero_within(
+        span, [&](const ball& at) { return of_state(slope_, at); },
+        [&](const ball& at) { return of_state(curvature(), at); });
+    if (!place) {
+        return false;
+    }
+    const ball wide = widened(*place, magnitude::radius_of(*place) * magnitude(8U)) * direction_;
+    const ball first = lower_bound(wide);
+    const ball last = upper_bound(wide);
+    const bool inside = exactly_less(p.from, last) && exactly_less(first, p.to) &&
+                        magnitude::radius_of(wide) * magnitude(2U) <= magnitude::radius_of(span);
+    const bool before = exactly_less(p.from, first);
+    const bool behind = exactly_less(last, p.to);
+    if (!inside || (before && known_sign(of_state(slope_, first * direction_)) != -bent) ||
+        (behind && known_sign(of_state(slope_, last * direction_)) != bent)) {
+        return false;
+    }
+    step_piece rest = p;
+    if (behind) {
+        pieces_.push_back(p.behind(last));
+        pieces_.back().slope = bent;
+        rest = p.before(last);
+    }
+    pieces_.push_back(before ? rest.behind(first) : rest);
+    if (before) {
+        pieces_.push_back(rest.before(first));
+        pieces_.back().slope = -bent;
+    }
+    return true;
+}
+
+std::optional<proved_event> event_search::examined(step_piece p) {
+    const verdict found = p.slope != 0  ? verdict{finding::monotone, p.slope}
+                          : is_start(p) ? judged_at_start(p)
+                                        : judged(p);
+    switch (found.kind) {
+        case finding::no_zero: return with_sign(found.sign);
+        case finding::monotone: return passed(p, found.sign);
+        case finding::open: split(p); return std::nullopt;
+        default: end_ = search_end::undecided; return std::nullopt;
+    }
+}
+
+// g has this sign from here on.
+std::optional<proved_event> event_search::with_sign(int sign) {
+    if (sign != sign_) {
+        return joined();
+    }
+    parts_.clear();
+    open_ = false;
+    return std::nullopt;
+}
+
+// A piece on which g is monotone.
+std::optional<proved_event> event_search::passed(const step_piece& p, int slope) {
+    if (slope * direction_ == sign_) {
+        if (open_) {
+            throw std::logic_error("a monotone function that turns");
+        }
+        return std::nullopt;
+    }
+    const int behind = sign_at(p.to);
+    if (behind == sign_) {
+        return with_sign(behind);
+    }
+    add_part(p);
+    open_ = true;
+    return behind == 0 ? std::nullopt : joined();
+}
+
+// Where the zero is if it is on the piece, on which gamma is monotone: by Newton's method, and by the sign in the middle
+// as long as its slope contains 0. Nothing is added where it is not on the piece.
+void event_search::add_part(step_piece p) {
+    for (;;) {
+        const auto place = zero_within(
+            span_of(p), [&](const ball& at) { return sampled(at).value; },
+            [&](const ball& at) { return sampled(at).slope; });
+        if (!place) {
+            return;
+        }
+        sample here = sampled(*place);
+        const ball middle = p.middle();
+        const int sign = known_sign(here.slope) == 0 && !p.is_narrow(march_.bits()) ? sign_at(middle) : 0;
+        if (sign == 0) {
+            parts_.push_back({march_.reached() + *place, std::move(here.state), crossing::any});
+            return;
+        }
+        p = sign == sign_ ? p.behind(middle) : p.before(middle);
+    }
+}
+
+// The one zero of the pieces that were joined.
+std::optional<proved_event> event_search::joined() {
+    if (parts_.empty()) {
+        throw std::logic_error("a zero that is on none of its pieces");
+    }
+    proved_event event = std::move(parts_.front());
+    for (std::size_t k = 1; k < parts_.size(); ++k) {
+        event.time = hull(event.time, parts_[k].time);
+        for (std::size_t i = 0; i < event.state.size(); ++i) {
+            event.state[i] = hull(event.state[i], parts_[k].state[i]);
+        }
+    }
+    sign_ = -sign_;
+    event.way = sign_ * direction_ > 0 ? crossing::up : crossing::down;
+    parts_.clear();
+    open_ = false;
+    return event;
+}
+
+// The pieces of the next step. False for the reason end_.
+bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
+    if (examining_) {
+        march_.step(direction_);
+        examining_ = false;
+        if (watch_) {
+            watch_(march_.reached(), march_.bits());
+        }
+    }
+    if (!open_ && march_.steps() >= last_step) {
+        end_ = search_end::horizon;
+        return false;
+    }
+    if (!march_.prepare()) {
+        end_ = march_.end() == march_end::steps ? search_end::steps : search_end::precision;
+        return false;
+    }
+    ball first = march_.length().exact();
+    if (end) {
+        const ball rest = upper_bound((*end - march_.reached()) * direction_);
+        const bool beyond = !exactly_less(ball(0), rest);
+        if (beyond && !open_) {
+            end_ = search_end::time;
+            return false;
+        }
+        if (!beyond && exactly_less(rest, first)) {
+            pieces_.push_back({rest, first, few_digits, 0, 0, true});
+            first = rest;
+        }
+    }
+    for (unsigned long k = first_pieces; k-- > 0;) {
+        pieces_.push_back({exact_multiple(first, k, -2), exact_multiple(first, k + 1, -2), few_digits});
+    }
+    examined_ = 0;
+    examining_ = true;
+    return true;
+}
+
+std::optional<proved_event> event_search::next(crossing way, const std::optional<number>& end,
+                                               const std::optional<long>& horizon) {
+    const precision_scope scope(digits_);
+    const std::optional<ball> last = end ? std::optional(constant_value<ball>::of(*end)) : std::nullopt;
+    const auto is_beyond = [&](const ball& time) { return last && known_sign((time - *last) * direction_) > 0; };
+    const long last_step = horizon ? march_.steps() + *horizon
+                           : end   ? std::numeric_limits<long>::max()
+                                   : march_.steps() + usual_horizon;
+    end_ = search_end::none;
+    try {
+        while (end_ == search_end::none) {
+            if (pieces_.empty() && !begin_step(last, last_step)) {
+                break;
+            }
+            if (!open_ && pieces_.back().beyond) {
+                end_ = search_end::time;
+                break;
+            }
+            step_piece next = std::move(pieces_.back());
+            pieces_.pop_back();
+            auto event = examined(std::move(next));
+            if (event && is_beyond(event->time)) {
+                end_ = search_end::time;
+            } else if (event && (way == crossing::any || way == event->way)) {
                 return event;
             }
         }
-        if (examined_) {
-            march_.step(direction_);
-            examined_ = false;
-        }
-        if (end) {
-            const ball rest = (constant_value<ball>::of(*end) - march_.reached()) * direction_;
-            if (arb_is_nonpositive(rest.handle()) != 0) {
-                return std::nullopt;
-            }
-        }
-        if (!march_.prepare()) {
-            stopped_ = true;
-            return std::nullopt;
-        }
-        const ball length = march_.length().exact() * direction_;
-        for (int piece = 0; piece < first_pieces; ++piece) {
-            examine(length * piece / first_pieces, length * (piece + 1) / first_pieces, deepest);
-        }
-        examined_ = true;
+    } catch (const precision_exhausted&) {
+        end_ = search_end::precision;
     }
+    return std::nullopt;
 }
 
 }  // namespace libration::ode

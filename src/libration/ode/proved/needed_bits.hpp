@@ -13,6 +13,13 @@ inline constexpr long most_bits = 1'000'000;
 
 inline long bits_of_digits(long digits) { return digits * 3322 / 1000 + 4; }
 
+/// The time up to which a solution is proved to exist, rounded towards the start.
+inline std::string proved_reach_text(const ball& reached, bool forward) {
+    const precision_scope scope(20);
+    const mpfr bound = midpoint_of(forward ? lower_bound(reached) : upper_bound(reached));
+    return bound == 0 ? "0" : parts_of(bound, 12, forward ? MPFR_RNDD : MPFR_RNDU).text();
+}
+
 /// The bits of a run, and of the next one.
 class needed_bits {
 public:

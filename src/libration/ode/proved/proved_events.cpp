@@ -1,5 +1,6 @@
 #include "libration/ode/proved/proved_events.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -10,7 +11,10 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int most_undecided_runs = 5;
+// What so many bits, and so many times those of the first run, do not decide is refused.
+constexpr long most_undecided_bits = 4096;
+constexpr long most_undecided_factor = 16;
+constexpr long digits_of_bounds = 12;
 
 // The value that g = 0 alone gives each unknown: of a leaf in which g is linear without another one.
 std::vector<std::optional<number>> given_values(const explicit_system& system, const expression& g) {
@@ -30,45 +34,98 @@ std::vector<std::optional<number>> given_values(const explicit_system& system, c
     return values;
 }
 
+// A number that is exact, rounded down or up.
+std::string bound_text(const ball& exact, mpfr_rnd_t rounding) {
+    const mpfr value = midpoint_of(exact);
+    return value == 0 ? "0" : parts_of(value, digits_of_bounds, rounding).text();
+}
+
+// Decimals between which every number of the ball lies.
+std::string bounds_text(const ball& x) {
+    return "[" + bound_text(lower_bound(x), MPFR_RNDD) + ", " + bound_text(upper_bound(x), MPFR_RNDU) + "]";
+}
+
 class event_runs {
 public:
-    event_runs(const explicit_system& system, const event_request& request, long digits, const proof_route& route)
-        : system_(system), request_(request), given_(given_values(system, request.g)), route_(route), bits_(digits) {}
+    event_runs(const explicit_system& system, const event_request& request, long digits, const proof_route& route,
+               const event_watch& watch)
+        : system_(system),
+          request_(request),
+          route_(route),
+          watch_(watch),
+          given_(given_values(system, request.g)),
+          bits_(digits),
+          most_undecided_(std::max(most_undecided_bits, most_undecided_factor * bits_.now())) {}
 
-    std::vector<printed_event> result() {
-        while (!complete()) {
+    event_report result() {
+        try {
+            while (!complete()) {
+            }
+        } catch (const error& problem) {
+            if (problem.kind() != error_kind::undecided) {
+                throw;
+            }
+            return {std::move(known_), problem};
         }
-        return std::move(events_);
+        return {std::move(known_), std::nullopt};
     }
 
 private:
+    // One run; false where the next one needs more bits.
     bool complete() {
         events_.clear();
         const precision_scope scope(decimal_digits(bits_.now()) + 10);
-        event_search search(system_, request_.g, bits_.now(), request_.direction, route_);
-        try {
-            while (static_cast<long>(events_.size()) < request_.count) {
-                const auto event = search.next(request_.way, request_.before);
-                if (!event) {
-                    return require_more_bits(search);
-                }
-                if (!printed(*event)) {
-                    return false;
-                }
-            }
-        } catch (const precision_exhausted&) {
-            if (++undecided_ >= most_undecided_runs) {
-                throw error(error_kind::undecided, "event", name_of_next(),
-                            "is not decided by " + std::to_string(bits_.now()) +
-                                " bits: the function touches 0 there, or nearly");
-            }
-            bits_.raise_to(2 * bits_.now(), "event", name_of_next());
+        event_search search(system_, request_.g, bits_.now(), request_.direction, route_,
+                            [&](const ball& reached, long bits) { tell(reached, bits); });
+        if (const auto start = request_.from_start ? search.at_start() : std::nullopt;
+            start && (request_.way == crossing::any || request_.way == start->way) && !taken(*start)) {
             return false;
+        }
+        while (static_cast<long>(events_.size()) < request_.count) {
+            const auto event = search.next(request_.way, request_.before, request_.horizon);
+            if (!event) {
+                require_more_bits(search);
+                return false;
+            }
+            if (!certainly_asked_for(event->time) || !taken(*event)) {
+                return false;
+            }
+            tell(search.march().reached(), bits_.now());
         }
         return true;
     }
 
-    bool printed(const proved_event& event) {
+    void tell(const ball& reached, long bits) const {
+        if (watch_) {
+            watch_(reached, bits, known_);
+        }
+    }
+
+    // Before `before` or at it; false, and more bits, where that is not decided.
+    bool certainly_asked_for(const ball& time) {
+        if (!request_.before) {
+            return true;
+        }
+        const ball end = constant_value<ball>::of(*request_.before);
+        const ball rest = (end - time) * (request_.direction < 0 ? -1 : 1);
+        if (arb_is_nonnegative(rest.handle()) != 0) {
+            return true;
+        }
+        raise_bits_for("lies in " + bounds_text(time) + ", which " + std::to_string(bits_.now()) +
+                       " bits do not tell from the end of the search in " + bounds_text(end));
+        return false;
+    }
+
+    // Twice the bits, unless that was enough to refuse.
+    void raise_bits_for(const std::string& undecided) {
+        if (2 * bits_.now() > most_undecided_) {
+            throw error(error_kind::undecided, "event", name_of_next(), undecided);
+        }
+        bits_.raise_to(2 * bits_.now(), "event", name_of_next());
+    }
+
+    // Prints it; false, and more bits, where digits are missing.
+    bool taken(const proved_event& event) {
         printed_event made;
         std::vector<ball> values = event.state;
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -87,40 +144,72 @@ private:
         made.time = made.values.front();
         made.values.erase(made.values.begin());
         events_.push_back(std::move(made));
+        if (events_.size() > known_.size()) {
+            known_.push_back(events_.back());
+        }
         return true;
     }
 
-    bool require_more_bits(const event_search& search) {
-        if (!search.stopped()) {
-            throw error(error_kind::undecided, "event", name_of_next(),
-                        "is not before that time: " + std::to_string(events_.size()) + " were found");
+    std::string reached_text(const ball& reached) const { return proved_reach_text(reached, request_.direction >= 0); }
+
+    // Throws where more bits are of no use.
+    void require_more_bits(const event_search& search) {
+        const auto refused = [&](const std::string& reason) {
+            throw error(error_kind::undecided, "event", name_of_next(), reason);
+        };
+        const std::string reached = reached_text(search.march().reached());
+        switch (search.end()) {
+            case search_end::time:
+                refused("is not before that time: " + std::to_string(events_.size()) + " were found");
+                break;
+            case search_end::horizon:
+                refused("is not found within " + std::to_string(search.march().steps()) + " steps, from time " +
+                        bound_text(exact_midpoint(constant_value<ball>::of(system_.point())), MPFR_RNDN) + " up to " +
+                        reached + ": search up to a time that you give, or with a larger horizon");
+                break;
+            case search_end::steps:
+                refused("is not reached: the solution is proved to exist up to " + reached +
+                        ", where the steps become too small, as they do near a singularity");
+                break;
+            case search_end::undecided: raise_bits_for(text_of(search.undecided())); break;
+            default: bits_.raise_to(2 * bits_.now(), "event", name_of_next());
         }
-        if (search.march().end() == march_end::steps) {
-            throw error(error_kind::undecided, "event", name_of_next(),
-                        "is not reached: the solution is proved to exist up to " +
-                            upper_bound_text(search.march().reached()) +
-                            ", where the steps become too small, as they do near a singularity");
-        }
-        bits_.raise_to(2 * bits_.now(), "event", name_of_next());
-        return false;
+    }
+
+    std::string text_of(const undecided_place& place) const {
+        return "is not decided by " + std::to_string(bits_.now()) + " bits: the condition is not told from one that " +
+               "holds in [" + bound_text(place.from, MPFR_RNDD) + ", " + bound_text(place.to, MPFR_RNDU) +
+               "], where its two sides differ by at most " + upper_bound_text(place.value.exact()) +
+               " and the derivatives of the two sides by at most " + upper_bound_text(place.slope.exact());
     }
 
     std::string name_of_next() const { return std::to_string(events_.size() + 1); }
 
     const explicit_system& system_;
     const event_request& request_;
+    const proof_route& route_;
+    const event_watch& watch_;
     std::vector<std::optional<number>> given_;
-    proof_route route_;
-    std::vector<printed_event> events_;
+    std::vector<printed_event> events_;  // of this run
+    std::vector<printed_event> known_;   // of the run that found most
     needed_bits bits_;
-    int undecided_ = 0;
+    long most_undecided_;
 };
 
 }  // namespace
 
+event_report searched_events(const explicit_system& system, const event_request& request, long digits,
+                             const proof_route& route, const event_watch& watch) {
+    return event_runs(system, request, digits, route, watch).result();
+}
+
 std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits,
                                          const proof_route& route) {
-    return event_runs(system, request, digits, route).result();
+    event_report report = searched_events(system, request, digits, route);
+    if (report.missing) {
+        throw error(*report.missing);
+    }
+    return std::move(report.events);
 }
 
 }  // namespace libration::ode

@@ -68,11 +68,8 @@ inline void require_more_bits(const proved_march& march, const number& time, boo
     if (march.end() == march_end::precision) {
         return;
     }
-    const precision_scope scope(20);
-    const mpfr reached = midpoint_of(forward ? lower_bound(march.reached()) : upper_bound(march.reached()));
-    const std::string until = reached == 0 ? "0" : parts_of(reached, 12, forward ? MPFR_RNDD : MPFR_RNDU).text();
     throw error(error_kind::undecided, "time", text_of_time(time),
-                "is not reached: the solution is proved to exist up to " + until +
+                "is not reached: the solution is proved to exist up to " + proved_reach_text(march.reached(), forward) +
                     ", where the steps become too small, as they do near a singularity");
 }
 

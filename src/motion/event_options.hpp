@@ -1,0 +1,30 @@
+// The options of a command that ask for the events of a problem.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+#include "equation/problem_options.hpp"
+#include "libration/ode/proved/proved_events.hpp"
+
+namespace libration {
+
+/// --until "x = 0" and what belongs to it: --count, --crossing, --before, --from-start, --horizon.
+class event_options {
+public:
+    void add_to(CLI::App& command);
+    /// Whether there is --until.
+    bool given() const { return until_.has_value(); }
+    /// Throws input_error for an option that has no meaning without --until.
+    void require_none() const;
+    /// Throws input_error.
+    ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
+
+private:
+    std::optional<std::string> until_, count_, way_, before_, horizon_;
+    bool from_start_ = false;
+};
+
+}  // namespace libration

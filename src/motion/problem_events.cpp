@@ -1,0 +1,165 @@
+#include "motion/problem_events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "equation/problem_trajectory.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
+#include "libration/ode/constant_value.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "run/ending_signal.hpp"
+#include "run/progress.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr std::size_t parts_of_progress = 1000;
+constexpr int failed = 1;
+
+table table_of_events(const ode::explicit_system& system, const std::vector<ode::printed_event>& events, long digits) {
+    auto columns = columns_of_states(system);
+    columns.back() = {"count", ""};
+    table data(std::move(columns));
+    long count = 0;
+    for (const ode::printed_event& event : events) {
+        table_row_cells row{cell::number(event.time.text, digits)};
+        for (const proved_decimal& value : event.values) {
+            row.push_back(cell::number(value.text, digits));
+        }
+        row.emplace_back(digits);
+        row.emplace_back("proved");
+        row.emplace_back(++count);
+        data.add_row(std::move(row));
+    }
+    return data;
+}
+
+// How much of a search is done: of the time up to its end, else of its events and of the horizon of the next one. A run
+// that begins again does not go back.
+class search_progress {
+public:
+    search_progress(const ode::explicit_system& system, const ode::event_request& request)
+        : shown_("reference", parts_of_progress),
+          count_(static_cast<double>(request.count)),
+          horizon_(static_cast<double>(request.horizon.value_or(ode::event_search::usual_horizon))) {
+        const precision_scope scope(20);
+        origin_ = ode::constant_value<mpfr>::of(system.point());
+        if (request.before && !request.horizon) {
+            whole_ = abs(ode::constant_value<mpfr>::of(*request.before) - origin_);
+        }
+    }
+
+    void reached(const ball& time, long bits, std::size_t known) {
+        steps_ = bits == bits_ && known == known_ ? steps_ + 1 : 0;
+        bits_ = bits;
+        known_ = known;
+        const double part = std::clamp(whole_ > 0 ? of_time(time) : of_steps(), 0.0, 1.0);
+        const auto now = static_cast<std::size_t>(part * static_cast<double>(parts_of_progress));
+        if (now > done_) {
+            shown_.step(now - done_);
+            done_ = now;
+        }
+    }
+
+private:
+    double of_time(const ball& time) const {
+        const precision_scope scope(20);
+        return mpfr(abs(midpoint_of(time) - origin_) / whole_).convert_to<double>();
+    }
+    double of_steps() const {
+        return (static_cast<double>(known_) + std::min(static_cast<double>(steps_) / horizon_, 1.0)) / count_;
+    }
+
+    progress shown_;
+    mpfr origin_;
+    mpfr whole_ = mpfr(0);
+    double count_, horizon_;
+    long steps_ = 0;
+    long bits_ = 0;
+    std::size_t known_ = 0;
+    std::size_t done_ = 0;
+};
+
+// What is known of a search when a signal ends it, told from one thread and read in another.
+class known_so_far {
+public:
+    void tell(const ball& reached, const std::vector<ode::printed_event>& known) {
+        const std::lock_guard lock(mutex_);
+        reached_ = reached;
+        for (std::size_t i = events_.size(); i < known.size(); ++i) {
+            events_.push_back(known[i]);
+        }
+    }
+
+    /// Writes the events, says how far the search came, and ends the process.
+    [[noreturn]] void end(const ode::explicit_system& system, const ode::event_request& request, long digits,
+                          const std::function<void(const table&)>& write) {
+        const std::lock_guard lock(mutex_);
+        try {
+            if (!events_.empty()) {
+                write(table_of_events(system, events_, digits));
+            }
+            const precision_scope scope(20);
+            say_line(fmt::format("the search for events was interrupted about time {}, with {} of {} events proved",
+                                 reached_ ? to_decimal(midpoint_of(*reached_), 12) : "of the start", events_.size(),
+                                 request.count));
+        } catch (const std::exception& problem) {
+            say_line(problem.what());
+        }
+        std::_Exit(failed);
+    }
+
+private:
+    std::mutex mutex_;
+    std::optional<ball> reached_;
+    std::vector<ode::printed_event> events_;
+};
+
+void check_events(const ode::explicit_system& system, ode::event_request request, long digits,
+                  const std::vector<ode::printed_event>& first) {
+    if (first.empty()) {
+        return;
+    }
+    request.count = static_cast<long>(first.size());
+    const auto second =
+        ode::proved_events(system, request, digits + ode::more_digits_of_second_proof, ode::proof_route::second());
+    const auto columns = columns_of_states(system);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const std::string event = fmt::format(" of event {}", i + 1);
+        require_agreement(first[i].time, second[i].time, "the time" + event);
+        for (std::size_t j = 0; j < first[i].values.size(); ++j) {
+            require_agreement(first[i].values[j], second[i].values[j], columns[j + 1].name + event);
+        }
+    }
+}
+
+}  // namespace
+
+events_found problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
+                            bool check, const std::function<void(const table&)>& write) {
+    const auto checked = checked_products(check);
+    search_progress shown(system, request);
+    known_so_far known;
+    const at_ending_signal interrupted([&] { known.end(system, request, digits, write); });
+    const auto report =
+        ode::searched_events(system, request, digits, {},
+                             [&](const ball& reached, long bits, const std::vector<ode::printed_event>& events) {
+                                 shown.reached(reached, bits, events.size());
+                                 known.tell(reached, events);
+                             });
+    if (check) {
+        check_events(system, request, digits, report.events);
+    }
+    return {table_of_events(system, report.events, digits), report.missing};
+}
+
+}  // namespace libration
