@@ -12,7 +12,7 @@
 
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
-#include "option/near_word.hpp"
+#include "libration/scalar/text/near_word.hpp"
 #include "option/subcommand.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -122,6 +123,7 @@ def radius_of(tests: Table) -> Radius:
 _start = re.compile(r"(?:^|[;\n])\s*(\w+'*)\s*\(([^()=]*)\)\s*=")
 _parameter = re.compile(r"(?:^|[;\n])\s*([A-Za-z]\w*)\s*=")
 _unknown = re.compile(r"([A-Za-z]\w*)'")
+_name = re.compile(r"(?<![\w.])[A-Za-z]\w*")
 
 
 def _without_comments(text: str) -> str:
@@ -133,7 +135,8 @@ def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, 
 
     Keywords give or change starts, x=1 for x(0) = 1, and parameters, r=28; `starts` takes derivatives: {"x'": 0}. `at`
     is the time of starts that the text does not have. Numbers as for motion(). Raises ArgumentError with line and
-    column for what cannot be read.
+    column for what cannot be read, and for a keyword that the text has no use for; warns of a parameter that the text
+    defines and uses nowhere.
     """
     if not isinstance(text, str):
         from .equations import text_of_equations
@@ -146,18 +149,24 @@ def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, 
     given = {left: point.strip() for left, point in _start.findall(bare)}
     unknowns = set(_unknown.findall(bare))
     parameters = set(_parameter.findall(bare)) - unknowns
+    names = _name.findall(bare)
+    for name in sorted(each for each in parameters if names.count(each) == 1):
+        warnings.warn(f"the parameter {name} is defined and used nowhere: leave it out", stacklevel=2)
     settings: list[str] = []
     added: list[str] = []
-    for name, value in {**values, **(starts or {})}.items():
-        number = text_of(value, name)
+    numbers = {name: text_of(value, name) for name, value in {**values, **(starts or {})}.items()}
+    names += [name for number in numbers.values() for name in _name.findall(number)]
+    for name, number in numbers.items():
         if name in given:
             settings.append(f"{name}({given[name]}) = {number}")
         elif name in parameters:
             settings.append(f"{name} = {number}")
         elif name.rstrip("'") in unknowns:
             added.append(f"{name}({text_of(at, 'at')}) = {number}")
-        else:
+        elif name in names:
             added.append(f"{name} = {number}")
+        else:
+            settings.append(f"{name} = {number}")  # which the library refuses, with the name that is near
     return Problem("\n".join([text.rstrip().rstrip(";"), *added]) if added else text, "; ".join(settings))
 
 

@@ -96,3 +96,23 @@ def test_errors_say_where():
     with pytest.raises(lb.UndecidedError, match="proved to exist up to 1.5707"):
         tangent().reference(2)
     assert "lorenz" in lb.catalogue()
+
+
+@pytest.mark.parametrize(
+    "text, keywords, near",
+    [("van_der_pol", {"mu": 5}, "did you mean m?"), ("lorenz", {"rho": 30}, "did you mean r?"), ("y' = y; y(0) = 1", {"k": 2}, "")],
+)
+def test_keywords_that_the_text_has_no_use_for_are_refused(text, keywords, near):
+    with pytest.raises(lb.ArgumentError, match="is not a parameter of this problem") as raised:
+        lb.problem(text, **keywords)
+    assert near in str(raised.value)
+
+
+def test_keywords_may_use_each_other():
+    p = lb.problem("y' = -a*y", y=1, a="b/2", b=3)
+    assert near(p.reference(1, 40)["y"], mpmath.exp(mpmath.mpf(-3) / 2), 40)
+
+
+def test_unused_parameters_are_warned_of():
+    with pytest.warns(UserWarning, match="the parameter k is defined and used nowhere"):
+        lb.problem("y' = y; y(0) = 1; k = 3")

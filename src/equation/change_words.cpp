@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-#include "option/near_word.hpp"
+#include "libration/scalar/text/near_word.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

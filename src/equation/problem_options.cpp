@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "equation/change_words.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/unused_parameters.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "option/near_word.hpp"
+#include "libration/scalar/text/near_word.hpp"
 #include "run/stream_content.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -51,6 +54,7 @@ problem_source problem_named(const std::string& words) {
 }
 
 void problem_options::add_to(CLI::App& command) {
+    command_ = &command;
     command.add_option("--problem", problem_, "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
         ->type_name("P");
     command.add_option("--set", changes_, "another parameter or start of the problem: k=1/3, \"f'(0)=1\"")
@@ -63,10 +67,32 @@ void problem_options::require_problem() const {
     }
 }
 
+// Once, a line to stderr for each parameter that neither the problem nor the condition of --until uses: right for what is
+// written, but perhaps not what was meant. So it is a warning, and stdout stays the same.
+void problem_options::warn_of_unused(const std::string& written) const {
+    if (std::exchange(warned_, true)) {
+        return;
+    }
+    std::string used = written;
+    const CLI::Option* const until = command_->get_option_no_throw("--until");
+    for (const std::string& condition : until == nullptr ? std::vector<std::string>() : until->results()) {
+        used += "\n" + condition;
+    }
+    try {
+        for (const std::string& name : ode::unused_parameters(used)) {
+            fmt::print(stderr, "libration: warning: --problem defines {}, which nothing uses: leave it out\n",
+                       quotation(name));
+        }
+    } catch (const error&) {
+        // The condition cannot be read, which its own option reports.
+    }
+}
+
 ode::equation_system problem_options::equations() const {
     require_problem();
     const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
+    warn_of_unused(written);
     for (const std::string& each : changes_) {
         require_changeable(system, each);
         system = naming_option("--set", [&] { return ode::changed(system, each); });

@@ -52,8 +52,12 @@ public:
     const std::vector<std::string>& changes() const { return changes_; }
 
 private:
+    void warn_of_unused(const std::string& written) const;
+
+    const CLI::App* command_ = nullptr;
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
+    mutable bool warned_ = false;
 };
 
 }  // namespace libration

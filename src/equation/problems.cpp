@@ -7,7 +7,7 @@
 
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "option/near_word.hpp"
+#include "libration/scalar/text/near_word.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/unused_parameters.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace ode_parse_test {
@@ -91,13 +92,38 @@ TEST_CASE("a problem's statements are read in any order and on any lines", "[ode
     CHECK(parse("invariant(0) = 1; invariant' = invariant").unknowns().front() == "invariant");
 }
 
+TEST_CASE("an interval is refused wherever a number may stand", "[ode][parse]") {
+    // As an expression 1 +- 0.1 would be 0.9.
+    for (const std::string sign : {"+-", " +-", "-+", "\u00b1", " \u2213 "}) {
+        INFO(sign);
+        const auto of_interval = Catch::Contains("stands for an interval, which is not supported");
+        CHECK_THROWS_WITH(parse("x' = -x; x(0) = 1" + sign + "0.1"), of_interval);
+        CHECK_THROWS_WITH(parse("x' = -k*x; x(0) = 1; k = 2" + sign + "1e-3"), of_interval);
+        CHECK_THROWS_WITH(parse("x' = 1" + sign + "x; x(0) = 1"), of_interval);
+        CHECK_THROWS_WITH(changed(parse("x' = -x; x(0) = 1"), "x(0) = 1" + sign + "0.1"), of_interval);
+        CHECK_THROWS_WITH(parse_constant("1" + sign + "0.1"), of_interval);
+    }
+    CHECK(parse_constant("1 + (-0.1)").constant().plain()->coefficient == rational(9, 10));
+    CHECK(parse_constant("1 + -0.1").constant().plain()->coefficient == rational(9, 10));
+}
+
+TEST_CASE("unused parameters are those that stand in their definition alone", "[ode][parse]") {
+    CHECK(unused_parameters("y' = y; y(0) = 1; k = 3") == std::vector<std::string>{"k"});
+    CHECK(unused_parameters("y' = -a*y; y(0) = b; a = c; b = 1; c = 2 # d = 1").empty());
+    CHECK(unused_parameters("y' = y; y(0) = 1; y1 = 3; invariant y*k; k = 1") == std::vector<std::string>{"y1"});
+    CHECK(unused_parameters("y' = y; y(0) = 1; exact y = a*exp(t); a = 1").empty());
+}
+
 TEST_CASE("parameters and starts are changed one at a time", "[ode][parse]") {
     const auto system = parse("f'' = -k*f; f(0) = 1; f'(0) = 0; k = 1");
     const explicit_system solved(changed(changed(system, "k = 1/3"), "f'(0) = 2*k"));
     CHECK(solved.starts()[0][1].fraction() == rational(2, 3));
     CHECK(same_form(solved.right()[0], expression(rational(-1, 3)) * unknown("f")));
     CHECK_THROWS_WITH(changed(system, "m = 1"),
-                      "problem 'm' at line 1, column 1 is no parameter of this problem: choose one of its own");
+                      "problem 'm' at line 1, column 1 is not a parameter of this problem: choose one of its own, k");
+    CHECK_THROWS_WITH(changed(system, "kk = 1"), Catch::Contains("of this problem (did you mean k?): choose"));
+    CHECK_THROWS_WITH(changed(parse("f' = f; f(0) = 1"), "k = 1"),
+                      Catch::Contains("is not a parameter of this problem, which has none: leave it out"));
     CHECK_THROWS_WITH(changed(system, "f''(0) = 1"),
                       "problem 'f''' at line 1, column 1 has no start in this problem: choose one of its own");
     CHECK_THROWS_WITH(changed(system, "f'' = f"),

@@ -11,6 +11,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
+#include "libration/ode/unused_parameters.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
 
@@ -119,6 +120,13 @@ struct published {
 mpfr number_in(const std::string& text) { return mpfr_from_exact(read_exact(text)); }
 
 }  // namespace
+
+TEST_CASE("no problem of the catalogue has a parameter that it does not use", "[problem]") {
+    for (const catalogue_entry& each : catalogue()) {
+        INFO(each.name);
+        CHECK(unused_parameters(each.text).empty());
+    }
+}
 
 TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") {
     std::vector<std::string> names{"pendulum",

@@ -1,17 +1,24 @@
 #include "libration/problem/catalogue.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/text/near_word.hpp"
 
 namespace libration {
 
 std::string_view problem_text(std::string_view name) {
     const auto found = std::ranges::find(catalogue(), name, &catalogue_entry::name);
     if (found == catalogue().end()) {
-        throw error(
-            error_kind::argument, "problem", std::string(name),
-            "is not in the catalogue (`libration problems` lists it); a file has a / or ends in .ode, a text has =");
+        std::vector<std::string> names;
+        std::ranges::transform(catalogue(), std::back_inserter(names),
+                               [](const catalogue_entry& each) { return std::string(each.name); });
+        throw error(error_kind::argument, "problem", std::string(name),
+                    "is not in the catalogue" + suggestion(name, names) +
+                        " (`libration problems` lists it); a file has a / or ends in .ode, a text has =");
     }
     return found->text;
 }

@@ -152,6 +152,9 @@ TEST_CASE("a wrong formula is refused with what is wrong and where", "[scalar][e
     CHECK_THAT(refusal("(1,2)"), Equals("has an unexpected , at column 3"));
     CHECK_THAT(refusal("2*\x01"), Equals("has an unexpected character at column 3"));
     CHECK_THAT(refusal("sin*2"), Equals("has sin without a ( behind it at column 1"));
+    for (const std::string sign : {"+-", " +- ", "-+", "\u00b1", " \u2213"}) {
+        CHECK_THAT(refusal("1" + sign + "0.1"), Contains("stands for an interval, which is not supported"));
+    }
     CHECK_THAT(refusal("2*3x"), Contains("directly behind a number"));
     CHECK_THAT(refusal("2sqrt(2)"), Contains("directly behind a number"));
     CHECK_THAT(refusal("1/2pi"), Equals("is ambiguous at column 3: write parentheses, as 1/(2*pi) or (1/2)*pi"));

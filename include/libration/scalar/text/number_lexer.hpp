@@ -26,4 +26,12 @@ struct lexed_number {
 /// libration::error of kind argument beyond 1e-100000 .. 1e100000 and for more than 200000 digits.
 std::optional<lexed_number> take_number(std::string_view& rest, radix base = radix::decimal);
 
+/// The sign of an interval at the front of a text, +-, -+ or the one character for it: 1 +- 0.1 is no number, and as
+/// 1 + (-0.1) it would be another one.
+std::optional<std::string_view> interval_sign_at(std::string_view rest);
+
+/// What is wrong with such a sign, and the remedy.
+inline constexpr const char* interval_reason =
+    "stands for an interval, which is not supported: write one number, and a negative summand in parentheses";
+
 }  // namespace libration

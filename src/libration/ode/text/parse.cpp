@@ -1,9 +1,13 @@
 #include "libration/ode/parse.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "formula_parser.hpp"
+#include "libration/ode/unused_parameters.hpp"
+#include "libration/scalar/text/near_word.hpp"
 #include "statement.hpp"
 
 namespace libration::ode {
@@ -118,6 +122,20 @@ public:
 
     equation_system& result() { return result_; }
 
+    // The parameters that stand in their definition alone.
+    std::vector<std::string> unused() const {
+        std::map<std::string_view, int> times;
+        for (const statement& words : all_) {
+            for (const token& word : words) {
+                times[word.text] += word.kind == token_kind::name ? 1 : 0;
+            }
+        }
+        std::vector<std::string> found;
+        std::ranges::copy_if(names_.parameters, std::back_inserter(found),
+                             [&](const std::string& name) { return times[name] == 1; });
+        return found;
+    }
+
 private:
     bool is_definition(const statement& words) const {
         return words[0].kind == token_kind::name && words[0].primes == 0 && is_symbol(words[1], '=') &&
@@ -211,9 +229,24 @@ private:
     equation_system result_;
 };
 
+// A parameter that a problem does not have.
+[[noreturn]] void refuse_parameter(const definition& of, const equation_system& system) {
+    std::vector<std::string> own;
+    std::ranges::transform(system.parameters, std::back_inserter(own), &definition::name);
+    std::string list;
+    for (const std::string& name : own) {
+        list += ", " + name;
+    }
+    refuse(of.name, of.at,
+           "is not a parameter of this problem" + suggestion(of.name, own) +
+               (own.empty() ? ", which has none: leave it out" : ": choose one of its own" + list));
+}
+
 }  // namespace
 
 equation_system parse(std::string_view text) { return problem_reader(text).read(); }
+
+std::vector<std::string> unused_parameters(std::string_view text) { return problem_reader(text).unused(); }
 
 equation_system changed(equation_system system, std::string_view text) {
     problem_reader reader(text, system);
@@ -226,7 +259,7 @@ equation_system changed(equation_system system, std::string_view text) {
     }
     for (const definition& each : more.parameters) {
         if (system.parameter_of(each.name) == nullptr) {
-            refuse(each.name, each.at, "is no parameter of this problem: choose one of its own");
+            refuse_parameter(each, system);
         }
         system.set(each.name, each.value);
     }

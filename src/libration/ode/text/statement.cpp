@@ -114,6 +114,9 @@ private:
             made.symbol = '^';
             return 2;
         }
+        if (const auto sign = interval_sign_at(rest_)) {
+            refuse(std::string(*sign), at_, interval_reason);
+        }
         made.symbol = c;
         if (std::string_view("()+-*/^=").find(c) != std::string_view::npos) {
             return 1;

@@ -41,6 +41,16 @@ private:
         return " at column " + std::to_string(text_.size() - place.size() + 1);
     }
 
+    // At an operator.
+    void refuse_interval() {
+        const std::string_view before = rest_;
+        skip_blanks();
+        if (const auto sign = interval_sign_at(rest_)) {
+            refuse("has a " + std::string(*sign) + column_of(rest_) + ", which " + interval_reason);
+        }
+        rest_ = before;
+    }
+
     // What is no formula at all is not a number; where one was begun, the place is named.
     [[noreturn]] void refuse_here(const std::string& what = "") const {
         if (text_.find_first_of("()*^") == std::string_view::npos) {
@@ -97,6 +107,7 @@ private:
         const bool negative = take_sign();
         expression total = negative ? -product() : product();
         for (;;) {
+            refuse_interval();
             if (take_operator("+")) {
                 total = total + product();
             } else if (take_operator("-")) {

@@ -100,4 +100,13 @@ std::optional<lexed_number> take_number(std::string_view& rest, radix base) {
     return lexed_number{digits.empty() ? integer(0) : integer(prefix + digits), scale, base};
 }
 
+std::optional<std::string_view> interval_sign_at(std::string_view rest) {
+    for (const std::string_view sign : {"+-", "-+", "\u00b1", "\u2213"}) {
+        if (rest.starts_with(sign)) {
+            return sign;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace libration

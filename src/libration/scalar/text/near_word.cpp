@@ -1,4 +1,4 @@
-#include "option/near_word.hpp"
+#include "libration/scalar/text/near_word.hpp"
 
 #include <algorithm>
 #include <cstddef>

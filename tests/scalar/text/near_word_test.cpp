@@ -1,8 +1,8 @@
-#include "option/near_word.hpp"
+#include "libration/scalar/text/near_word.hpp"
 
 #include <catch2/catch.hpp>
 
-namespace option_near_word_test {
+namespace scalar_text_near_word_test {
 
 using namespace libration;
 
@@ -40,4 +40,4 @@ TEST_CASE("the words that a remedy offers are known from what cannot be one", "[
     CHECK(words_offered("").empty());
 }
 
-}  // namespace option_near_word_test
+}  // namespace scalar_text_near_word_test
