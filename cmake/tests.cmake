@@ -20,6 +20,15 @@ target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2With
 # The C interface, as a program of its own would link it.
 target_link_libraries(libration-tests PRIVATE libration-c)
 target_compile_definitions(libration-tests PRIVATE LIBRATION_SYMBOLS="${c_symbols}")
+# What asks it while memory fails, by an allocation of its own.
+if(NOT LIBRATION_SANITIZE)
+    add_executable(libration-failing-memory ${PROJECT_SOURCE_DIR}/tests/c/failing_memory.cpp)
+    set_target_properties(libration-failing-memory PROPERTIES UNITY_BUILD OFF)
+    target_link_libraries(libration-failing-memory PRIVATE libration-c libration-warnings)
+    target_compile_definitions(libration-tests PRIVATE
+        LIBRATION_FAILING_MEMORY="$<TARGET_FILE:libration-failing-memory>")
+    add_dependencies(libration-tests libration-failing-memory)
+endif()
 # MPFI, under Boost's intervals: a type that the library does not know.
 target_link_libraries(libration-tests PRIVATE mpfi)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)

@@ -10,13 +10,16 @@
  *
  * Errors. A function that can fail returns a code, LIBRATION_OK = 0, and writes to its last arguments only then. What
  * was wrong is kept for each thread until its next call that fails: libration_error_message(). No exception leaves a
- * function. FLINT's own aborts (flint_throw, flint_abort), and memory that C++, GMP or FLINT do not get, become codes
- * and may leak what the call held; the message of FLINT goes to stderr all the same. Not promised: what the system does
- * beyond malloc (the OOM killer, a full stack), and pthread_cancel during a call.
+ * function. Memory that C++, GMP or FLINT do not get, and FLINT's own aborts (flint_throw, flint_abort), become codes;
+ * nothing is computed again in the thread in which that happened, and nothing is unwound through FLINT, so what the call
+ * held is not freed. A question whose memory is known before is refused at its beginning. Not promised: what the system
+ * does beyond malloc (the OOM killer, a full stack), and pthread_cancel during a call.
  *
  * Threads. Precision is an argument; no state is shared. Any number of threads may call, also with the same motion,
- * problem, sampler, table or number, which no call changes; freeing is the caller's affair. MPFR's settings of the
- * calling thread are as they were when a call returns, its flags apart.
+ * problem, sampler, table or number, which no call changes; freeing is the caller's affair. Each of them has another
+ * thread in which its calls are computed while it waits, from its first call until it ends, with signals blocked and
+ * floating point in its usual mode; MPFR's settings and flags of the calling thread are neither read nor changed. Only
+ * the sampler computes in the calling thread. A child process may call after fork().
  */
 #ifndef LIBRATION_H
 #define LIBRATION_H
@@ -34,7 +37,7 @@ enum {
     LIBRATION_RANGE = 2,     /* beyond the range of the type that was asked for, or a buffer too small */
     LIBRATION_UNDECIDED = 3, /* no precision within the limits decides: nothing is wrong with the value */
     LIBRATION_CANCELLED = 4, /* the watch said so */
-    LIBRATION_NO_MEMORY = 5,
+    LIBRATION_NO_MEMORY = 5, /* or less than the question needs, as the message says: ask for less */
     LIBRATION_FAULT = 6 /* a mistake of the library, or of one under it */
 };
 

@@ -1,19 +1,25 @@
 #include "program.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "libration/digits/memory_need.hpp"
+#include "libration/scalar/ball/failure.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/near_word.hpp"
 #include "option/subcommand.hpp"
+#include "run/ending_signal.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
@@ -22,6 +28,26 @@ namespace {
 
 constexpr int failed = 1;
 constexpr int bad_input = 2;
+constexpr const char* out_of_memory = "out of memory: ask for fewer digits, powers or times";
+
+// Where GMP or FLINT gets no memory nothing can be thrown: what a signal would call is called, stdout keeps its whole
+// rows, and the process ends as an error ends it.
+void end_process(libration::failure_kind kind) {
+    static std::atomic_flag ending;
+    if (ending.test_and_set()) {
+        for (;;) {
+            ::pause();  // another thread ends the process
+        }
+    }
+    constexpr unsigned seconds = 10;
+    ::alarm(seconds);  // an action may wait for what this thread holds
+    std::fflush(stdout);
+    libration::at_ending_signal::call_all();
+    std::fputs("libration: ", stderr);
+    std::fputs(kind == libration::failure_kind::no_memory ? out_of_memory : "FLINT gave up, as it says above", stderr);
+    std::fputs("\n", stderr);
+    ::_exit(failed);
+}
 
 // One line, whatever the message quotes, and no control characters.
 int complain(const std::string& message, int code) {
@@ -101,8 +127,14 @@ int run(const libration::subcommand& command) {
             case libration::error_kind::range: return complain_of_range(*command.options, problem);
             default: return complain(libration::message_of(problem), bad_input);
         }
+    } catch (const libration::memory_shortage& problem) {
+        return complain(problem.what(), failed);
     } catch (const std::bad_alloc&) {
-        return complain("out of memory: ask for fewer digits, powers or times", failed);
+        return complain(out_of_memory, failed);
+    } catch (const std::system_error& problem) {
+        const bool of_thread = problem.code() == std::errc::resource_unavailable_try_again;
+        return complain(of_thread ? "no thread can be started: memory or threads are at their limit" : problem.what(),
+                        failed);
     } catch (const std::exception& problem) {
         return complain(problem.what(), failed);
     }
@@ -118,6 +150,7 @@ int say_help(const CLI::App& program, const CLI::ParseError& problem) {
 }  // namespace
 
 int libration::run_program(int argc, char** argv) {
+    libration::set_failure_handler(end_process);
     const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
     CLI::App program("Exact power-series solutions of the nonlinear pendulum, in any arithmetic.", "libration");
     program.set_version_flag("--version", libration::version_text());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "libration/digits/memory_need.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/supplied_quotient.hpp"
 
@@ -23,29 +24,28 @@ last_error& error_here() {
 }
 
 // What a moment without memory leaves of it: texts this short need none.
-void keep_message(const char* message) noexcept {
-    last_error& here = error_here();
-    for (std::string* text : {&here.message, &here.subject, &here.value, &here.reason}) {
+void keep_message(last_error& kept, const char* message) noexcept {
+    for (std::string* text : {&kept.message, &kept.subject, &kept.value, &kept.reason}) {
         text->clear();
     }
-    constexpr std::size_t kept = 15;
-    here.message.append(message, std::min(std::string_view(message).size(), std::max(kept, here.message.capacity())));
+    constexpr std::size_t always = 15;
+    kept.message.append(message, std::min(std::string_view(message).size(), std::max(always, kept.message.capacity())));
 }
 
-int keep(int code, const char* message) noexcept {
+int keep(last_error& kept, int code, const char* message) noexcept {
     try {
-        error_here() = {message, "", "", message};
+        kept = {message, "", "", message};
     } catch (const std::bad_alloc&) {
-        keep_message(message);
+        keep_message(kept, message);
     }
     return code;
 }
 
-int keep(int code, const error& problem) noexcept {
+int keep(last_error& kept, int code, const error& problem) noexcept {
     try {
-        error_here() = {problem.what(), problem.subject(), problem.value(), problem.reason()};
+        kept = {problem.what(), problem.subject(), problem.value(), problem.reason()};
     } catch (const std::bad_alloc&) {
-        keep_message(problem.what());
+        keep_message(kept, problem.what());
     }
     return code;
 }
@@ -58,21 +58,75 @@ int code_of(error_kind kind) {
     }
 }
 
-}  // namespace
-
-int code_of_exception() noexcept {
+// The code of the exception that is being handled.
+int code_of_exception(last_error& kept) noexcept {
     try {
         throw;
     } catch (const cancelled& problem) {
-        return keep(LIBRATION_CANCELLED, problem.what());
+        return keep(kept, LIBRATION_CANCELLED, problem.what());
     } catch (const error& problem) {
-        return keep(code_of(problem.kind()), problem);
+        return keep(kept, code_of(problem.kind()), problem);
+    } catch (const memory_shortage& problem) {
+        return keep(kept, LIBRATION_NO_MEMORY, problem.what());
     } catch (const std::bad_alloc&) {
-        return keep(LIBRATION_NO_MEMORY, "no memory");
+        return keep(kept, LIBRATION_NO_MEMORY, "no memory");
     } catch (const std::exception& problem) {
-        return keep(LIBRATION_FAULT, problem.what());
+        return keep(kept, LIBRATION_FAULT, problem.what());
     } catch (...) {
-        return keep(LIBRATION_FAULT, "an unknown failure");
+        return keep(kept, LIBRATION_FAULT, "an unknown failure");
+    }
+}
+
+// Works with the precision that every call begins with.
+int code_of(const call_view<void>& work, last_error& kept) noexcept {
+    try {
+        constexpr long usual_digits = 50;
+        const precision_scope digits(usual_digits);
+        work();
+        return LIBRATION_OK;
+    } catch (...) {
+        return code_of_exception(kept);
+    }
+}
+
+}  // namespace
+
+int guarded(const call_view<void>& work) noexcept {
+    last_error& kept = error_here();
+    int code = LIBRATION_OK;
+    const auto with_code = [&] {
+        code = code_of(work, kept);
+        return code != LIBRATION_NO_MEMORY && code != LIBRATION_FAULT;
+    };
+    switch (in_proof_thread(with_code)) {
+        case call_ending::finished: break;
+        case call_ending::no_memory: return keep(kept, LIBRATION_NO_MEMORY, "no memory");
+        case call_ending::flint_failure: return keep(kept, LIBRATION_FAULT, "FLINT gave up; its message is on stderr");
+        case call_ending::no_thread: return keep(kept, LIBRATION_NO_MEMORY, "no memory for a thread");
+    }
+    return code;
+}
+
+int guarded_here(const call_view<void>& work) noexcept { return code_of(work, error_here()); }
+
+void watcher::operator()(double part) const {
+    if (watch_ == nullptr) {
+        return;
+    }
+    int answer = 0;
+    std::exception_ptr thrown;
+    in_calling_thread([&] {
+        try {
+            answer = watch_(part, context_);
+        } catch (...) {
+            thrown = std::current_exception();
+        }
+    });
+    if (thrown) {
+        std::rethrow_exception(thrown);
+    }
+    if (answer != 0) {
+        throw cancelled();
     }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "handles.hpp"
-#include "libration/scalar/ball/failure.hpp"
+#include "libration/scalar/ball/proof_thread.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/precision_scope.hpp"
 
@@ -21,22 +21,12 @@ public:
     const char* what() const noexcept override { return "the call was cancelled"; }
 };
 
-/// The code of the exception that is being handled, which is kept as the thread's error.
-int code_of_exception() noexcept;
+/// The code of what work() does in the proof thread of this thread, where it begins with the same precision in every
+/// call. An exception, and a failure below FLINT, become a code and the error of this thread.
+int guarded(const call_view<void>& work) noexcept;
 
-/// The code of what work() does. It begins with the same precision in every thread.
-template <class Work>
-int guarded(const Work& work) noexcept {
-    try {
-        constexpr long usual_digits = 50;
-        const failure_scope failures;
-        const precision_scope digits(usual_digits);
-        work();
-        return LIBRATION_OK;
-    } catch (...) {
-        return code_of_exception();
-    }
-}
+/// The same in the thread of the caller, for work that proves nothing and allocates nothing below GMP.
+int guarded_here(const call_view<void>& work) noexcept;
 
 /// Throws error of the kind argument for NULL.
 template <class T>
@@ -78,15 +68,11 @@ std::vector<std::pair<std::string, std::string>> settings_of(const std::string& 
 /// Without blanks around.
 std::string trimmed(std::string_view text);
 
-/// Tells a watch how much is done; throws cancelled.
+/// Calls a watch, in the thread of the caller, with how much is done; throws cancelled.
 class watcher {
 public:
     watcher(libration_watch watch, void* context) : watch_(watch), context_(context) {}
-    void operator()(double part) const {
-        if (watch_ != nullptr && watch_(part, context_) != 0) {
-            throw cancelled();
-        }
-    }
+    void operator()(double part) const;
     void operator()(std::size_t done, std::size_t all) const {
         (*this)(static_cast<double>(done) / static_cast<double>(all));
     }

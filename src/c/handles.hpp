@@ -58,9 +58,8 @@ namespace libration::c {
 /// A decimal that is right to one unit in the last; 0 and inf are exact.
 libration_number rounded_number(const std::string& decimal);
 inline libration_number rounded_number(const rounded_decimal& number) { return rounded_number(number.text); }
-inline libration_number proved_number(const proved_decimal& number) {
-    return {number.text, number.uncertainty, LIBRATION_PROVED};
-}
+/// Throws std::logic_error where no digit is proved.
+libration_number proved_number(const proved_decimal& number);
 /// A whole number.
 inline libration_number count_number(long n) { return {std::to_string(n), "0", LIBRATION_PROVED}; }
 /// What was typed, as it was typed.

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 
 #include "guarded.hpp"
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/scalar/ball/binary_parts.hpp"
 #include "libration/scalar/text/given_number.hpp"
+#include "libration/scalar/text/proved_digits.hpp"
 
 namespace libration::c {
 
@@ -20,6 +22,13 @@ libration_number rounded_number(const std::string& decimal) {
     const long exponent = e < decimal.size() ? std::stol(decimal.substr(e + 1)) : 0;
     const long places = point < e ? static_cast<long>(e - point - 1) : 0;
     return {decimal, place_point(false, "1", exponent - places + 1), LIBRATION_ROUNDED};
+}
+
+libration_number proved_number(const proved_decimal& number) {
+    if (!has_a_digit(number)) {
+        throw std::logic_error("a proved number has no proved digit");
+    }
+    return {number.text, number.uncertainty, LIBRATION_PROVED};
 }
 
 namespace {
@@ -77,6 +86,19 @@ std::string exact_text(const std::string& mantissa, long exponent) {
     return mantissa + "*2^" + (exponent < 0 ? "(" + std::to_string(exponent) + ")" : std::to_string(exponent));
 }
 
+// A decimal, and a bound that leaves a digit where one is proved.
+void require_bound(const libration_number& written) {
+    const rational value = given_fraction("decimal", written.decimal);
+    const rational bound = written.uncertainty.empty() ? 0 : given_fraction("uncertainty", written.uncertainty);
+    if (bound < 0) {
+        throw error(error_kind::argument, "uncertainty", written.uncertainty, "is negative");
+    }
+    if (written.rigour == LIBRATION_PROVED && value != 0 && bound > abs(value)) {
+        throw error(error_kind::argument, "uncertainty", written.uncertainty,
+                    "is larger than the number: no digit of it is proved");
+    }
+}
+
 std::size_t mantissa_size(const libration_number& x) {
     // The digits of the decimal and of the bits beyond, a sign, the 0 at the end.
     return x.decimal.size() + static_cast<std::size_t>(2 * digits_beyond);
@@ -105,10 +127,7 @@ int libration_number_of(const char* decimal, const char* uncertainty, int rigour
         }
         libration_number written{text_of(decimal, "decimal"), text_of(uncertainty, "uncertainty"), rigour};
         if (infinity_of(written) == 0) {
-            given_fraction("decimal", written.decimal);
-            if (!written.uncertainty.empty() && given_fraction("uncertainty", written.uncertainty) < 0) {
-                throw error(error_kind::argument, "uncertainty", written.uncertainty, "is negative");
-            }
+            require_bound(written);
         }
         return written;
     });

@@ -10,6 +10,7 @@
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/text/given_number.hpp"
+#include "libration/scalar/text/proved_digits.hpp"
 
 namespace libration::c {
 
@@ -62,11 +63,17 @@ std::vector<convergence::listed_function> functions_of(const ode::coefficient_li
     return functions;
 }
 
-// A part of a place to so many digits: what the disc round it holds is at most so far from the decimal.
+// A part of a place to so many digits: what the disc round it holds is at most so far from the decimal, which is 0 where
+// no digit of a proved one is.
 libration_number part_of_place(const mpfr& part, const magnitude& reach, long digits, int rigour) {
     const std::string decimal = to_decimal(part, digits);
-    const ball away = widened(ball(part), reach) - from_rational<ball>(read_exact(decimal).coefficient);
-    return {decimal, upper_bound_text(away), rigour};
+    const ball within = widened(ball(part), reach);
+    const ball away = within - from_rational<ball>(read_exact(decimal).coefficient);
+    const proved_decimal number{decimal, upper_bound_text(away)};
+    if (rigour == LIBRATION_PROVED && !has_a_digit(number)) {
+        return proved_number({"0", upper_bound_text(within)});
+    }
+    return {number.text, number.uncertainty, rigour};
 }
 
 // A part of an exponent: a whole number as such.

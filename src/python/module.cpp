@@ -50,7 +50,8 @@ using table_parts = std::pair<std::vector<std::string>, py::list>;
         throw py::error_already_set();
     }
     if (code == LIBRATION_NO_MEMORY) {
-        throw std::bad_alloc();
+        PyErr_SetString(PyExc_MemoryError, libration_error_message());
+        throw py::error_already_set();
     }
     const py::object raised = py::module_::import("libration.errors")
                                   .attr("error_of")(code, libration_error_message(), libration_error_subject(),

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <exception>
 #include <thread>
 #include <utility>
 
@@ -36,15 +37,20 @@ extern "C" void tell_of_signal(int number) {
     errno = before;
 }
 
+// With the lock held.
+void call_actions() {
+    for (const auto& action : registered().actions) {
+        action();
+    }
+}
+
 // Calls the actions and lets the signal do what it does by itself.
 void wait_for_signal() {
     unsigned char number = 0;
     while (::read(registered().pipe[0], &number, 1) != 1) {
     }
     const std::lock_guard lock(registered().mutex);
-    for (const auto& action : registered().actions) {
-        action();
-    }
+    call_actions();
     ::signal(number, SIG_DFL);
     ::kill(::getpid(), number);
     std::this_thread::sleep_for(std::chrono::seconds(10));  // with the lock held, so that nothing moves any more
@@ -84,5 +90,14 @@ at_ending_signal::~at_ending_signal() {
 }
 
 std::unique_lock<std::mutex> at_ending_signal::uninterrupted() { return std::unique_lock(registered().mutex); }
+
+void at_ending_signal::call_all() noexcept {
+    try {
+        const std::lock_guard lock(registered().mutex);
+        call_actions();
+    } catch (const std::exception&) {
+        // Memory is short, say: the others are not called.
+    }
+}
 
 }  // namespace libration

@@ -20,6 +20,9 @@ public:
     /// While it is held, these signals wait: for the moment in which files change places.
     static std::unique_lock<std::mutex> uninterrupted();
 
+    /// What a signal would call, for another sudden end. Nothing is thrown.
+    static void call_all() noexcept;
+
 private:
     std::list<std::function<void()>>::iterator place_;
 };

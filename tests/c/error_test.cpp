@@ -1,16 +1,9 @@
-// What the C interface says of bad arguments, and that what FLINT and GMP end a process for becomes an exception.
-
-#include <flint/flint.h>
-#include <gmp.h>
+// What the C interface says of bad arguments.
 
 #include <catch2/catch.hpp>
-#include <cstddef>
-#include <cstdint>
-#include <new>
 #include <string>
 
 #include "c/called.hpp"
-#include "libration/scalar/ball/failure.hpp"
 
 namespace c_error_test {
 
@@ -111,18 +104,17 @@ TEST_CASE("buffers that are too small are refused with what they need", "[c]") {
     CHECK(libration_exact_text("12.5", 3, text, sizeof text) == LIBRATION_ARGUMENT);
 }
 
-TEST_CASE("FLINT's abort and memory that is not there are exceptions in a scope", "[c][ball]") {
-    // The shared library in this process has set its own allocation, and the copy of the library in this program lets
-    // stand what others have set.
-    mp_set_memory_functions(nullptr, nullptr, nullptr);
-    const libration::failure_scope failures;
-    CHECK_THROWS_AS(flint_abort(), libration::flint_failure);
-#if !defined(__SANITIZE_ADDRESS__)  // which ends the process for such sizes itself
-    void* (*allocate)(std::size_t) = nullptr;
-    mp_get_memory_functions(&allocate, nullptr, nullptr);
-    CHECK_THROWS_AS(allocate(SIZE_MAX / 4), std::bad_alloc);
-    CHECK_THROWS_AS(flint_malloc(SIZE_MAX / 4), libration::flint_failure);
-#endif
+TEST_CASE("a proved number as it was written down has a digit", "[c]") {
+    libration_number* number = nullptr;
+    CHECK(libration_number_of("1.115", "1.96e100", LIBRATION_PROVED, &number) == LIBRATION_ARGUMENT);
+    CHECK(libration_error_message() ==
+          std::string("uncertainty '1.96e100' is larger than the number: no digit of it is proved"));
+    CHECK(libration_number_of("-1.115", "1.116", LIBRATION_PROVED, &number) == LIBRATION_ARGUMENT);
+    CHECK(number == nullptr);
+    // 0 with a bound is a statement, and of other rigour a bound may be as large as it is.
+    made<c_test::number>([](auto** to) { return libration_number_of("0", "1e-60", LIBRATION_PROVED, to); });
+    made<c_test::number>([](auto** to) { return libration_number_of("1.115", "1.96e100", LIBRATION_HEURISTIC, to); });
+    made<c_test::number>([](auto** to) { return libration_number_of("1.115", "0.001", LIBRATION_PROVED, to); });
 }
 
 }  // namespace c_error_test

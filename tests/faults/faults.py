@@ -460,4 +460,20 @@ FAULTS = [
         ("the radius left out of the exponent", "    allowed *= logarithm * logarithm;\n", ""),
         ("a kind named for any exponent", "if (!pure || !simple) {", "if (!simple) {"),
     ),
+    *in_file(
+        "src/libration/scalar/ball/proof_thread.cpp", ["scalar/ball/proof_thread_test.cpp"],
+        ("a thread used again after a failure", "if (usable) {", "if (true) {"),
+        ("the rounding of the caller", "std::fesetenv(FE_DFL_ENV);", ""),
+        ("a thread of the parent process", "if (thread_ && !thread_->lives_here()) {", "if (false) {"),
+        ("a question answered in the wrong thread", "if (this_proof_thread == nullptr) {\n        question();",
+         "if (true) {\n        question();"),
+    ),
+    *in_file(
+        "src/libration/scalar/text/proved_digits.cpp", ["scalar/text/proved_digits_test.cpp"],
+        ("a bound of the size of the number", "bound->place < decimal->place ||", "bound->place <= decimal->place ||"),
+    ),
+    *in_file(
+        "src/libration/scalar/text/number_lexer.cpp", ["scalar/text/expression_test.cpp", "ode/parse_test.cpp"],
+        ("an interval read as a difference", "if (rest.starts_with(sign)) {", "if (false) {"),
+    ),
 ]

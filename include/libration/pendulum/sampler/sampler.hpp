@@ -44,6 +44,11 @@ public:
         return state;
     }
 
+    /// Whether the clock reaches all times, so that nothing is reduced in mpfr, which allocates.
+    bool reaches(std::span<const T> times) const {
+        return std::all_of(times.begin(), times.end(), [&](const T& time) { return tables_.clock.reaches(time); });
+    }
+
     /// theta and omega at all times; any of the three may be the same memory. Throws error where their
     /// sizes differ, error where a time is not finite and error of the kind range where theta is not: what
     /// the arrays hold then is unspecified.

@@ -23,7 +23,8 @@ inline constexpr slong bits_for_fine_relations = 6000;
 
 /// arctan(y/x) by Gaussian primes, for 2^-9 < |y/x| < 1; nothing for other and for very wide balls.
 inline std::optional<ball> angle_by_primes(const ball& y, const ball& x, slong bits) {
-    static const bool known = turned_point::angles_are_known();
+    // For each thread: another one would wait for ever for a thread that a failure of FLINT keeps in here.
+    thread_local const bool known = turned_point::angles_are_known();
     ball ratio;
     arb_div(ratio.handle(), y.handle(), x.handle(), slong{64});
     const long size = is_finite(ratio) ? binary_exponent(ratio) : 1;

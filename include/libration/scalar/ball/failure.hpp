@@ -1,27 +1,25 @@
-// What FLINT and GMP end the process for, as exceptions: for a library whose host must go on.
+// What GMP, MPFR and FLINT end the process for, reported to a handler before.
+//
+// Below such a failure objects are half written: a number whose mantissa is being moved, a constant that FLINT keeps
+// for the thread with its new value and its old precision. An exception through these C frames would leave them to
+// destructors, which free some of them twice, and to the next proof, which would take half a constant for the whole.
+// So nothing is unwound: a handler ends the process, or keeps the thread where it is.
 #pragma once
-
-#include <stdexcept>
 
 namespace libration {
 
-/// FLINT gave up: a message of its own went to stderr.
-class flint_failure : public std::runtime_error {
-public:
-    flint_failure() : std::runtime_error("FLINT gave up; its message is on stderr") {}
+enum class failure_kind {
+    no_memory,  ///< GMP, MPFR or FLINT did not get memory
+    flint       ///< FLINT gave up: a message of its own went to stderr
 };
 
-/// In this thread, until the end of the scope, flint_abort throws flint_failure, and std::bad_alloc stands for memory
-/// that FLINT or GMP does not get. Scopes nest. The handler of FLINT is set for the whole process with the first scope;
-/// outside of one it aborts, as without it. GMP's functions are replaced only where they are its own, by such that
-/// differ from them in nothing else. The exceptions pass C frames, which have tables for that on the usual platforms;
-/// what those frames held is not freed.
-class failure_scope {
-public:
-    failure_scope();
-    failure_scope(const failure_scope&) = delete;
-    failure_scope& operator=(const failure_scope&) = delete;
-    ~failure_scope();
-};
+/// Must not throw and allocates nothing. Where it returns, the process is aborted, as without it.
+using failure_handler = void (*)(failure_kind kind);
+
+/// Sets what is called, in the thread of the failure, before GMP or FLINT end the process; for all threads. FLINT's
+/// abort function is replaced by one that calls the handler first. Memory still comes from where it came before: FLINT's
+/// allocation functions are called by ours, GMP's are replaced only where they are its own, by such that differ from
+/// them in nothing else. To be called before there are other threads, or from one at a time.
+void set_failure_handler(failure_handler handler);
 
 }  // namespace libration

@@ -19,7 +19,7 @@ struct product_state {
     bool guarded_is_right;
 };
 
-/// Of the FLINT in this process, tested once at the first call: 0.1 ms.
+/// Of the FLINT in this process, tested at the first call of each thread: 0.1 ms.
 const product_state& flint_products();
 
 /// Throws product_mismatch if guarded_is_right is false. Products and quotients of sequences of balls begin with it.

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "libration/scalar/text/proved_digits.hpp"
+
 namespace libration {
 
 std::vector<proved_decimal> proved_decimals(long digits, const std::function<std::vector<ball>()>& compute,
@@ -19,7 +21,7 @@ std::vector<proved_decimal> proved_decimals(long digits, const std::function<std
             }
             const bool vanishes = zero && i < zero->size() && (*zero)[i];
             auto decimal = vanishes ? proved_decimal{"0", "0"} : to_proved_decimal(values[i], digits);
-            if (!decimal) {
+            if (!decimal || !has_a_digit(*decimal)) {
                 return std::nullopt;
             }
             printed.push_back(*std::move(decimal));

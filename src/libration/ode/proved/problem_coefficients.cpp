@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "libration/digits/memory_need.hpp"
 #include "libration/digits/proved/printed_values.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
@@ -66,9 +67,18 @@ std::vector<complex_number<mpfr>> flat_values(const coefficient_request& request
     return values;
 }
 
+// The arrays of an expansion, one for each step of the tape.
+template <class R>
+void require_room(const tape& made, long order) {
+    require_memory(
+        "order " + std::to_string(order),
+        static_cast<double>(made.steps().size()) * static_cast<double>(order + 1) * static_cast<double>(bytes_of<R>()));
+}
+
 template <class T>
 std::vector<wide_t<T>> about_start(const coefficient_request& request, const tape& made,
                                    const series::block_product<T>* fast = fast_product<T>(), int more_terms = 0) {
+    require_room<T>(made, request.order + more_terms);
     taylor_expansion<T> expansion(made, static_cast<int>(request.order) + more_terms, fast);
     expansion.about_start();
     return flat_values(request, expansion);
@@ -76,6 +86,7 @@ std::vector<wide_t<T>> about_start(const coefficient_request& request, const tap
 
 template <class T>
 std::vector<wide_t<T>> about_time(const coefficient_request& request, const number& time) {
+    require_room<T>(tape::about_points(request.system), request.order);
     const T t = constant_value<T>::of(time);
     taylor_march<T> march(request.system, fast_product<T>());
     const auto state = march.advance_to(t);
@@ -88,6 +99,7 @@ std::vector<wide_t<T>> about_time(const coefficient_request& request, const numb
 // In balls the way there is proved.
 std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, const number& time,
                                             const proof_route& route) {
+    require_room<ball>(tape::about_points(request.system), request.order + route.more_terms);
     proved_march march(request.system, static_cast<long>(ball::working_bits()) + 64, {}, proved_march::usual_error_bits,
                        route);
     const auto values = march.at(time);
@@ -115,6 +127,7 @@ template <class T>
 std::vector<complex_number<mpfr>> about_point(const coefficient_request& request,
                                               const std::vector<complex_constant>& corners,
                                               const complex_constant& point) {
+    require_room<complex_number<T>>(tape::about_points(request.system), request.order);
     const auto state = states_along<T>(request.system, corners, {point}).front();
     const tape made = tape::about_points(request.system);
     taylor_expansion<complex_number<T>> expansion(made, static_cast<int>(request.order));
@@ -194,6 +207,7 @@ coefficient_list<rational> exact_coefficients(const coefficient_request& request
                     "is no point for fractions, which a solution has at its start alone");
     }
     const tape made = tape::about_start(request.system);
+    require_room<rational>(made, request.order);
     taylor_expansion<rational> exact(made, static_cast<int>(request.order));
     exact.about_start();
     coefficient_list<rational> found{{}, false, made.root()};

@@ -1,0 +1,60 @@
+// Want of memory, under a limit of the data of the process: one line, exit code 1, and stdout without half a row.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "command/child_process.hpp"
+
+namespace command_memory_test {
+
+using namespace libration::tests;
+
+#if !defined(__SANITIZE_ADDRESS__)  // whose addresses alone are beyond such limits
+
+// The process with so many kilobytes of data.
+finished_process run_within(long kilobytes, const std::string& line) {
+    const temporary_folder folder;
+    const std::string out = (folder.path() / "out").string();
+    const std::string err = (folder.path() / "err").string();
+    const int status = std::system(("ulimit -d " + std::to_string(kilobytes) +
+                                    "; exec timeout 60 '" LIBRATION_COMMAND "' " + line + " >" + out + " 2>" + err)
+                                       .c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of_file(out), text_of_file(err)};
+}
+
+void check_refused_for_memory(long kilobytes, const std::string& line, const std::string& mentioned) {
+    const auto done = run_within(kilobytes, line);
+    INFO(line << ", " << kilobytes << " kilobytes\n" << done.out << done.err);
+    CHECK(done.exit_code == 1);
+    CHECK(done.out.empty());
+    CHECK(std::count(done.err.begin(), done.err.end(), '\n') == 1);
+    CHECK(done.err.starts_with("libration: "));
+    CHECK(done.err.find(mentioned) != std::string::npos);
+}
+
+TEST_CASE("a series that needs more memory than there is is refused before it is computed", "[command][memory]") {
+    constexpr long two_gigabytes = 2'000'000;
+    for (const std::string scalar : {"mpfr:50", "ball:50", "double", "rational"}) {
+        check_refused_for_memory(two_gigabytes,
+                                 "coefficients --problem lorenz --from 99999999 --order 100000000 --scalar " + scalar,
+                                 "libration: order 100000000 needs at least");
+    }
+}
+
+TEST_CASE("memory that GMP or FLINT does not get ends the command with one line", "[command][memory]") {
+    int below_gmp = 0;
+    for (long kilobytes = 9'000; kilobytes <= 17'000; kilobytes += 2'000) {
+        const auto done = run_within(kilobytes, "reference --theta0 2.5 --omega0 0 --time 3 --digits 60000");
+        INFO(kilobytes << " kilobytes: exit code " << done.exit_code << "\n" << done.err);
+        CHECK((done.exit_code == 0 || done.exit_code == 1));
+        CHECK(done.out.empty() == (done.exit_code == 1));
+        CHECK(std::count(done.err.begin(), done.err.end(), '\n') == done.exit_code);
+        below_gmp += done.err == "libration: out of memory: ask for fewer digits, powers or times\n" ? 1 : 0;
+    }
+    CHECK(below_gmp > 0);
+}
+
+#endif
+
+}  // namespace command_memory_test
