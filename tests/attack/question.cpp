@@ -31,16 +31,16 @@ running_questions& running() {
 
 const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
-        {"value", "unknowns at a time", 38, ask_value},
-        {"event", "times of events, and the unknowns there", 14, ask_event},
-        {"count", "events before a time", 8, ask_count},
-        {"unknown", "parameters and starts that meet a condition", 4, ask_unknown},
-        {"periodic orbit", "period and start", 1, ask_orbit},
-        {"radius", "bounds of a radius of convergence", 1, ask_radius},
-        {"position", "singularities within a distance", 1, ask_position},
-        {"coefficient", "lists of Taylor coefficients, one for each unknown", 20, ask_coefficient},
-        {"exact zero", "unknowns that stay 0, and others beside them", 6, ask_zero},
-        {"refusal", "times behind a singularity", 7, ask_refusal},
+        {"value", "unknowns at a time", 420, ask_value},
+        {"event", "times of events, and the unknowns there", 160, ask_event},
+        {"count", "events before a time", 100, ask_count},
+        {"unknown", "parameters and starts that meet a condition", 50, ask_unknown},
+        {"periodic orbit", "period and start", 2, ask_orbit},
+        {"radius", "bounds of a radius of convergence", 4, ask_radius},
+        {"position", "singularities within a distance", 4, ask_position},
+        {"coefficient", "lists of Taylor coefficients, one for each unknown", 185, ask_coefficient},
+        {"exact zero", "unknowns that stay 0, and others beside them", 50, ask_zero},
+        {"refusal", "times behind a singularity", 25, ask_refusal},
     };
     return all;
 }

@@ -17,7 +17,7 @@ namespace libration::attack {
 struct statement_kind {
     const char* name;
     const char* about;  ///< one line of the published table
-    int share;          ///< of every hundred questions
+    int share;          ///< of every thousand questions
     /// Asks one question; errors of the library are refusals and are judged there.
     outcome (*ask)(choices& next);
 };

@@ -17,7 +17,7 @@ namespace libration::attack {
 namespace {
 
 constexpr auto longest_question = std::chrono::seconds(120);
-constexpr long shares = 100;
+constexpr long shares = 1000;
 
 // The counts of a kind.
 struct kind_counts {
@@ -91,7 +91,7 @@ public:
     }
 
     static std::size_t kind_of(long index) {
-        long place = index * 37 % shares;  // 37 and 100 have no common factor: kinds alternate
+        long place = index * 37 % shares;  // 37 and 1000 have no common factor: kinds alternate
         const auto& kinds = statement_kinds();
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             place -= kinds[k].share;

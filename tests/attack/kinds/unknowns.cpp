@@ -98,8 +98,9 @@ outcome ask_unknown(choices& next) {
 // u' = a u - w v - b u (u^2 + v^2), v' = w u + a v - b v (u^2 + v^2): the circle of radius sqrt(a/b), period 2 pi/w;
 // X = u, Y = v + k u^2.
 outcome ask_orbit(choices& next) {
-    const constant a = any_constant(next);
-    const constant w = any_constant(next);
+    // The orbit attracts like exp(-2 a t): within one period not beyond the usual precision.
+    const constant a = next.one_in(2) ? near_one(next) : constant_of(rational(1, next.between(1, 9)));
+    const constant w = next.one_in(2) ? near_one(next) : constant_of(next.between(1, 9));
     const long b = next.between(1, 4);
     const long k = next.between(0, 2);
     const truth radius = [=] { return mpfr(sqrt(mpfr(a.value() / b))); };
