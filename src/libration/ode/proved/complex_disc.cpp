@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -24,12 +25,6 @@ constexpr double terms_for_a_bit = 1.75;
 constexpr double singular_terms_for_a_bit = 3.2;
 // Parts of an estimated radius; the estimate may be below the radius by a power of the order.
 constexpr std::array<unsigned long, 8> parts_of_estimate{125, 116, 108, 100, 92, 82, 70, 55};
-
-ball exact_sum(const ball& a, const ball& b) {
-    ball result;
-    arb_add(result.handle(), a.handle(), b.handle(), ARF_PREC_EXACT);
-    return result;
-}
 
 // Powers of two near the sizes of the unknowns; that of the largest one where there is none.
 std::vector<long> scales_of(const std::vector<complex_ball>& centre) {
