@@ -17,7 +17,7 @@ void check_confirmed(const words& line) {
 
 }  // namespace
 
-TEST_CASE("--check proves values, events, unknowns, radii, positions and coefficients twice", "[command][check]") {
+TEST_CASE("the option --check proves values, events, unknowns, radii, positions and coefficients twice", "[command][check]") {
     check_confirmed({"reference", "--problem", "lorenz", "--time", "1,2", "--digits", "20"});
     check_confirmed({"reference", "--problem", "y' = (c/(1-t))*(c/(t-1)); y(0)=0; c = 1 - 2^(-349)", "--time", "1/16",
                      "--digits", "197"});
@@ -30,7 +30,7 @@ TEST_CASE("--check proves values, events, unknowns, radii, positions and coeffic
     check_confirmed({"coefficients", "--problem", "y' = 1+y^2; y(0)=1", "--order", "70", "--scalar", "ball:40"});
 }
 
-TEST_CASE("--check without two proofs is refused", "[command][check][bad input]") {
+TEST_CASE("the option --check without two proofs is refused", "[command][check][bad input]") {
     check_refused({"reference", "--problem", "sir", "--time", "inf", "--check"}, {"--check", "inf"});
     check_refused({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'(inf) = 1", "--check"},
                   {"--check", "infinity"});
