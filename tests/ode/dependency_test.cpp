@@ -111,6 +111,8 @@ TEST_CASE("subsystems without starts", "[ode][dependency]") {
     CHECK(part.system.unknowns().front().name == "b");
     CHECK(part.system.starts().empty());
     CHECK(same_form(part.system.right()[0], b + 1));
+    const auto coupled = explicit_system::first_order({a, b}, {a * b, b + 1}, number(rational(1)));
+    CHECK_THROWS_AS(subsystem_of(coupled, {0}), error);
 }
 
 // Each unknown has the same coefficients, in fractions, in its closure as in the whole system, also about a singular
