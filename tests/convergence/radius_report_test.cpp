@@ -244,9 +244,11 @@ TEST_CASE("an exponent is no more certain than the radius lets it be", "[converg
     // Sharp is N^-4, pure N^-6 or the noise.
     CHECK(is_sharp(with(0, 0, 0.99e-8), list));
     CHECK_FALSE(is_sharp(with(0, 0, 1.01e-8), list));
-    CHECK(is_pure(with(0, 0, 0.99e-12), list));
-    CHECK_FALSE(is_pure(with(0, 0, 1e-11), list));
-    CHECK(is_pure(with(0, 0, 1e-11), list_quality<double>{100, 1e-14}));
+    const list_quality<double> exact_list{100, 0};
+    CHECK(is_pure(with(0, 0, 0.99e-12), exact_list));
+    CHECK_FALSE(is_pure(with(0, 0, 1.01e-12), exact_list));
+    CHECK(is_pure(with(0, 0, 1e-11), list));
+    CHECK_FALSE(is_pure(with(0, 0, 1e-9), list));
     CHECK_FALSE(is_pure(with(0, 0, 1e-7), list_quality<double>{100, 1e-10}));
 }
 
