@@ -13,7 +13,7 @@ namespace libration::ode {
 
 namespace {
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_number = std::numeric_limits<std::size_t>::max();
 
 // The indices of the unknowns in an expression, ascending.
 std::vector<std::size_t> unknowns_in(const expression& e, const std::map<std::string, std::size_t>& index_of) {
@@ -40,14 +40,17 @@ std::map<std::string, std::size_t> indices_of(const std::vector<unknown_function
 
 // Tarjan's algorithm with a stack of its own: chains of unknowns may be long. A component is complete when the search
 // leaves its first unknown, after all components that it depends on.
-class component_search {
+class depth_first_search {
 public:
-    explicit component_search(const std::vector<std::vector<std::size_t>>& edges)
-        : edges_(edges), number_(edges.size(), none), least_(edges.size(), none), is_open_(edges.size(), false) {}
+    explicit depth_first_search(const std::vector<std::vector<std::size_t>>& edges)
+        : edges_(edges),
+          number_(edges.size(), no_number),
+          least_(edges.size(), no_number),
+          is_open_(edges.size(), false) {}
 
     std::vector<std::vector<std::size_t>> result() {
         for (std::size_t i = 0; i < edges_.size(); ++i) {
-            if (number_[i] == none) {
+            if (number_[i] == no_number) {
                 search_from(i);
             }
         }
@@ -68,7 +71,7 @@ private:
                 continue;
             }
             const std::size_t to = edges_[at][way_.back().next_edge++];
-            if (number_[to] == none) {
+            if (number_[to] == no_number) {
                 enter(to);
             } else if (is_open_[to]) {
                 least_[at] = std::min(least_[at], number_[to]);
@@ -200,7 +203,7 @@ dependency_graph::dependency_graph(const explicit_system& of) {
     for (const expression& each : of.right()) {
         direct_.push_back(unknowns_in(each, index_of));
     }
-    strong_ = component_search(direct_).result();
+    strong_ = depth_first_search(direct_).result();
     find_weak_components();
 }
 

@@ -41,10 +41,6 @@ constexpr double leading_part = 0.01;
 
 wide_complex wide_number(const plane_point& z) { return {mpfr(z.real()), mpfr(z.imag())}; }
 
-plane_point rounded_point(const wide_complex& z) { return {static_cast<double>(z.re), static_cast<double>(z.im)}; }
-
-double rounded_size(const wide_complex& z) { return static_cast<double>(mpfr(modulus_of(z))); }
-
 std::complex<double> tidied_exponent(const std::complex<double>& exponent) {
     for (int q = 1; q <= largest_denominator; ++q) {
         const double p = std::round(exponent.real() * q);

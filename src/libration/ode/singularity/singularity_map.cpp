@@ -23,10 +23,6 @@ using wide_complex = complex_number<mpfr>;
 constexpr double search_growth = 1.4;
 constexpr double farthest_search = 64;
 
-plane_point rounded_point(const wide_complex& z) { return {static_cast<double>(z.re), static_cast<double>(z.im)}; }
-
-double rounded_size(const wide_complex& z) { return static_cast<double>(mpfr(modulus_of(z))); }
-
 // The mirror images of a singularity under the symmetry, itself first.
 std::vector<found_singularity> images_of(const found_singularity& one, int rotation) {
     std::vector<found_singularity> all;
