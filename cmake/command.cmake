@@ -111,7 +111,10 @@ target_link_libraries(libration-command
     PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings)
 # GMP and MPFR inside the program, where their archives are installed: calls between the two, and to what MPFR keeps for
 # each thread, then go through no dynamic linker, which took a tenth of the time of a study. The whole archives, so that
-# FLINT, which is shared, finds the same copy. The libraries link the shared ones, and so do their tests.
+# FLINT, which is shared, finds the same copy: the linker exports what a shared library that it is given needs, and the
+# dynamic linker takes the program's before that of libmpfr.so, which FLINT loads too and nobody calls. One MPFR is used,
+# with one range of exponents and one set of constants for each thread (tests/command/product_bound_test.cpp). The
+# libraries link the shared ones, and so do their tests.
 if(LIBRATION_STATIC_ARITHMETIC)
     find_library(LIBRATION_MPFR_ARCHIVE NAMES libmpfr.a HINTS ${mpfr_LIBRARY_DIRS} ${mpfr_LIBDIR})
     find_library(LIBRATION_GMP_ARCHIVE NAMES libgmp.a HINTS ${gmp_LIBRARY_DIRS} ${gmp_LIBDIR})

@@ -10,13 +10,13 @@
 #include <atomic>
 #include <cstdlib>
 #include <mutex>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "attack/complex_route.hpp"
 #include "attack/motion_route.hpp"
+#include "corner_numbers.hpp"
 #include "libration/elliptic/proved/elliptic.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/scalar/ball/decimal.hpp"
@@ -32,19 +32,21 @@ using namespace libration::tests;
 // Random numbers as they are typed.
 class typed_numbers {
 public:
-    explicit typed_numbers(unsigned long seed) : engine_(seed) {}
+    explicit typed_numbers(unsigned long seed) : corners_(seed) {}
 
-    long below(long n) { return static_cast<long>(engine_() % static_cast<unsigned long>(n)); }
+    long below(long n) { return corners_.between(0, n - 1); }
     long between(long least, long most) { return least + below(most - least + 1); }
-    /// D.DDDDe+N with an exponent in a range.
+    /// D.DDDDe+N with an exponent in a range; half of the time D.D..D is a corner case.
     std::string number(long least, long most) {
-        return fmt::format("{}.{:04}e{}", between(1, 9), below(10000), between(least, most));
+        const std::string digits = corners_.half([&] { return corners_.decimal(); },
+                                                 [&] { return fmt::format("{}.{:04}", between(1, 9), below(10000)); });
+        return fmt::format("{}e{}", digits, between(least, most));
     }
     /// Few digits are asked for more often.
     long digits() { return between(1, between(1, 300)); }
 
 private:
-    std::mt19937_64 engine_;
+    corner_numbers corners_;
 };
 
 rational fraction_of(const std::string& text) { return read_exact(text).coefficient; }

@@ -32,8 +32,63 @@ SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
+INTEGERS = "scalar/ball/integer_product_test.cpp"
+SEQUENCES = "scalar/ball/polynomial_test.cpp"
+BALL_SOURCES = "src/libration/scalar/ball/"
 
 FAULTS = [
+    *in_file(
+        BALL_SOURCES + "integer_product.cpp", [INTEGERS, SEQUENCES],
+        ("the bound of the transform passed over", "near ? _fmpz_poly_mullow_KS", "false ? _fmpz_poly_mullow_KS"),
+        ("the bound looked for without signs", "return (s < 0 || t < 0) &&", "return !(s < 0 || t < 0) &&"),
+        ("the sign of one operand", "(s < 0 || t < 0)", "s < 0"),
+        ("the bound without the bit of the sign", "(FLINT_CLOG2(shorter)) + 1)", "(FLINT_CLOG2(shorter)))"),
+        ("the bound of the longer operand", "static_cast<ulong>(std::min(a_terms, b_terms))",
+         "static_cast<ulong>(std::max(a_terms, b_terms))"),
+        ("substitution replaced", "near ? _fmpz_poly_mullow_KS", "near ? _fmpz_poly_mullow_SS"),
+        ("operands at one address taken for the same", "if (a == b && a_terms != b_terms) {", "if (false) {"),
+        ("no check modulo a prime", "if (products_are_checked()) {", "if (false) {"),
+    ),
+    *in_file(
+        BALL_SOURCES + "product_check.cpp", [INTEGERS],
+        ("a mismatch ignored", "if (expected != of_c.back()) {", "if (false) {"),
+        ("checked at 0 alone", "% prime;\n}", "* 0;\n}"),
+    ),
+    *in_file(
+        BALL_SOURCES + "product_self_test.cpp", [INTEGERS],
+        ("a self-test that passes", "return right;", "return true;"),
+    ),
+    *in_file(
+        BALL_SOURCES + "radius_product.cpp", [SEQUENCES],
+        ("the radii of the right factor dropped",
+         "    add_product(sums, double_blocks(left.middles), double_blocks(right.radii));\n", ""),
+        ("the radii of the left factor dropped",
+         "    add_product(sums, double_blocks(left.radii), double_blocks(right.sums));\n", ""),
+        ("the product of two radii dropped", "double_blocks(right.sums)", "double_blocks(right.middles)"),
+        ("the radii of a block dropped", "for (const exponent_block& right : b.blocks) {\n            const int first",
+         "for (const exponent_block& right : b.blocks) {\n            if (right.first > 0) continue;\n"
+         "            const int first"),
+        ("one pair of each run left out", "magnitude(t + 1)", "magnitude(t)"),
+        ("the run before left out", "if (run > 1 && m > 0) {", "if (false) {"),
+    ),
+    *in_file(
+        BALL_SOURCES + "polynomial.cpp", [SEQUENCES],
+        ("pairs of blocks of a square counted once", "(square && i != j ? 1 : 0)", "0"),
+        ("a square of other lengths", "if (a == b && a_terms == b_terms) {", "if (a == b) {"),
+        ("without radii", "    add_radii(c, a, a_terms, b, b_terms, scale);\n", ""),
+        ("an undecided divisor taken", "if (!is_finite(inverse)) {", "if (false) {"),
+        ("the remainder from one term on", "d.begin() + known);", "d.begin() + known - 1);"),
+    ),
+    *in_file(
+        BALL_SOURCES + "exponent_blocks.cpp", [SEQUENCES],
+        ("blocks that cut the last bit", "high - static_cast<long>(arf_bits", "high + 1 - static_cast<long>(arf_bits"),
+        ("exponents of any size in blocks", "std::labs(*exponent) <= largest", "true"),
+    ),
+    *in_file(
+        "src/libration/scalar/expression_value.cpp", ["scalar/text/expression_test.cpp"],
+        ("quotients rounded to the nearest", "mpfr_div(result, x, y, rounding)", "mpfr_div(result, x, y, MPFR_RNDN)"),
+        ("powers of the lower end", "rising(mpfr_exp, exponent)", "rising(mpfr_exp, {exponent.lower, exponent.lower})"),
+    ),
     *in_file(
         "src/libration/ode/proved/neutral_atom.cpp", ["ode/proved/layers_at_infinity_test.cpp"],
         ("an eighth of the bound below", "y * y * sqrt(y) * 4", "y * y * sqrt(y) / 2"),

@@ -2,9 +2,9 @@
 #include "libration/ode/proved/frame.hpp"
 
 #include <catch2/catch.hpp>
-#include <random>
 #include <vector>
 
+#include "corner_numbers.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -16,7 +16,11 @@ using namespace libration::ode;
 namespace {
 
 // Small exact numbers.
-ball some(std::mt19937& random) { return ball(static_cast<int>(random() % 2001) - 1000) / 512; }
+// Up to 2 in size; half of them corner cases.
+ball some(tests::corner_numbers& random) {
+    return random.half([&] { return random.exact(random.length(200), 1); },
+                       [&] { return ball(random.between(-1000, 1000)) / 512; });
+}
 
 // Q^-1 of two columns by the cofactors.
 std::vector<ball> coordinates(const ball_matrix& q, const std::vector<ball>& x) {
@@ -36,10 +40,10 @@ bool holds(const error_frame& set, const std::vector<ball>& x) {
 // press flat and mirror; and in 20 bits, where frames are less orthogonal.
 TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
     const long digits = GENERATE(6, 20);
-    std::mt19937 random(20'261'123);
+    tests::corner_numbers random(20'261'123);
     for (int run = 0; run < 200; ++run) {
         const precision_scope exactly(400);
-        error_frame set({magnitude::of(1 + random() % 1000, -60), magnitude::of(1 + random() % 1000, -50)});
+        error_frame set({magnitude::of(1 + random.below(1000), -60), magnitude::of(1 + random.below(1000), -50)});
         std::vector<std::vector<ball>> corners;
         for (const int a : {-1, 1}) {
             for (const int b : {-1, 1}) {
@@ -47,13 +51,13 @@ TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
             }
         }
         for (int step = 0; step < 12; ++step) {
-            const bool flat = random() % 3 == 0;
+            const bool flat = random.below(3) == 0;
             const ball p = some(random);
             const ball q = some(random);
             const ball factor = some(random);
             const ball_matrix map = {{p, q}, {flat ? p * factor : some(random), flat ? q * factor : some(random)}};
-            const std::vector<magnitude> added = {magnitude::of(random() % 100, -58),
-                                                  magnitude::of(random() % 100, -58)};
+            const std::vector<magnitude> added = {magnitude::of(random.below(100), -58),
+                                                  magnitude::of(random.below(100), -58)};
             {
                 const precision_scope few(digits);
                 set = set.moved(map, added);
@@ -61,8 +65,8 @@ TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
             for (auto& x : corners) {
                 const ball first = map[0][0] * x[0] + map[0][1] * x[1];
                 const ball second = map[1][0] * x[0] + map[1][1] * x[1];
-                x = {first + added[0].exact() * (random() % 2 == 0 ? 1 : -1),
-                     second + added[1].exact() * (random() % 2 == 0 ? 1 : -1)};
+                x = {first + added[0].exact() * (random.below(2) == 0 ? 1 : -1),
+                     second + added[1].exact() * (random.below(2) == 0 ? 1 : -1)};
                 CAPTURE(run, step);
                 CHECK(holds(set, x));
                 CHECK(!certainly_less(set.reach(0).exact(), abs(x[0])));

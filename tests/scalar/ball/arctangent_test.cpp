@@ -1,9 +1,12 @@
 #include "libration/scalar/ball/arctangent.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <random>
+#include <limits>
 #include <thread>
 #include <vector>
+
+#include "corner_numbers.hpp"
 
 namespace scalar_ball_arctangent_test {
 
@@ -25,19 +28,29 @@ ball pi_of(slong bits) {
     return result;
 }
 
-// Fractions n/d with |n/d| <= 1, rounded to so many bits.
+// Fractions n/d with |n/d| <= 1, rounded to so many bits; half of them corner cases with d a power of 2.
 class random_balls {
 public:
     explicit random_balls(slong bits) : bits_(bits) {}
     ball operator()() {
-        ball result(static_cast<long>(engine_() >> 2U));
-        arb_div_ui(result.handle(), result.handle(), (engine_() >> 1U) | (1UL << 62U), bits_);
-        return engine_() % 2 == 0 ? result : -result;
+        const ball result = corners_.half([&] { return corner(); }, [&] { return quotient(); });
+        return corners_.one_in(2) ? result : -result;
     }
 
 private:
+    ball corner() {
+        const long length = corners_.length(std::max<long>(bits_, 3));
+        const precision_scope exactly(decimal_digits(length + 64));
+        return ldexp(from_rational<ball>(rational(corners_.positive(length))), -length);
+    }
+    ball quotient() {
+        ball result(corners_.between(0, std::numeric_limits<long>::max() / 2));
+        arb_div_ui(result.handle(), result.handle(), (1UL << 62U) | corners_.below(1UL << 62U), bits_);
+        return result;
+    }
+
     slong bits_;
-    std::mt19937_64 engine_{11};
+    tests::corner_numbers corners_{11};
 };
 
 bool is_narrow(const ball& x, slong bits) { return arb_rel_accuracy_bits(x.handle()) >= bits; }

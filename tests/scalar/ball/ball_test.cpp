@@ -5,11 +5,11 @@
 
 #include <catch2/catch.hpp>
 #include <functional>
-#include <random>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "corner_numbers.hpp"
 #include "proved.hpp"
 
 namespace scalar_ball_test {
@@ -19,15 +19,32 @@ using namespace libration::tests;
 
 namespace {
 
+// Half of the numbers are corner cases.
 class random_numbers {
 public:
-    long whole(long least, long most) { return std::uniform_int_distribution<long>(least, most)(bits_); }
-    rational fraction() { return {integer(whole(-1'000'000, 1'000'000)), integer(whole(1, 1'000'000))}; }
-    /// In (0, 1).
-    rational inside() { return {integer(whole(1, 999'999)), integer(1'000'000)}; }
+    long whole(long least, long most) { return corners_.between(least, most); }
+    /// Below 10^6 in size.
+    rational fraction() {
+        return corners_.half(
+            [&] {
+                const long bits = corners_.length(200);
+                return rational(corners_.whole(bits), integer(1) << static_cast<unsigned long>(bits)) *
+                       rational(integer(1) << static_cast<unsigned long>(whole(0, 19)));
+            },
+            [&] { return rational(integer(whole(-1'000'000, 1'000'000)), integer(whole(1, 1'000'000))); });
+    }
+    /// In (0, 1), 10^-6 or more from both ends: as corner cases, multiples of 1/64 and what is next to them.
+    rational inside() {
+        return corners_.half(
+            [&] {
+                const rational away(integer(whole(-1, 1)), integer(1) << static_cast<unsigned long>(whole(20, 200)));
+                return rational(rational(integer(whole(1, 63)), integer(64)) + away);
+            },
+            [&] { return rational(integer(whole(1, 999'999)), integer(1'000'000)); });
+    }
 
 private:
-    std::mt19937_64 bits_{20260229};  // any fixed seed
+    corner_numbers corners_{20260229};  // any fixed seed
 };
 
 // A function on balls beside the same on mpfr, and its domain as an interval of fractions.

@@ -1,9 +1,9 @@
 #include "libration/scalar/ball/decimal.hpp"
 
 #include <catch2/catch.hpp>
-#include <random>
 #include <string>
 
+#include "corner_numbers.hpp"
 #include "proved.hpp"
 
 namespace scalar_ball_decimal_test {
@@ -53,14 +53,16 @@ TEST_CASE("the number of proved digits is the largest that can be printed", "[sc
 }
 
 TEST_CASE("what is printed, with its uncertainty, contains the number", "[scalar][ball]") {
-    std::mt19937_64 bits(20260301);  // any fixed seed
-    const auto whole = [&bits](long least, long most) {
-        return std::uniform_int_distribution<long>(least, most)(bits);
-    };
+    corner_numbers next(20260301);  // any fixed seed
+    const auto whole = [&next](long least, long most) { return next.between(least, most); };
     for (int i = 0; i < 300; ++i) {
         const long count = whole(1, 40);
         const precision_scope scope(count + 3);
-        const rational q(integer(whole(-1'000'000, 1'000'000) * 2 + 1), integer(whole(1, 1'000'000'000)));
+        const rational q = next.half(
+            [&] {
+                return rational(read_exact(next.decimal()).coefficient * whole(1, 1000) / 8 * (whole(0, 1) * 2 - 1));
+            },
+            [&] { return rational(integer(whole(-1'000'000, 1'000'000) * 2 + 1), integer(whole(1, 1'000'000'000))); });
         const auto printed = to_proved_decimal(from_rational<ball>(q), count);
         REQUIRE(printed);
         const rational error = abs(rational(read_exact(printed->text).coefficient - q));

@@ -3,7 +3,8 @@
 #include <flint/fmpq.h>
 
 #include <catch2/catch.hpp>
-#include <random>
+
+#include "corner_numbers.hpp"
 
 namespace scalar_ball_fixed_test {
 
@@ -17,13 +18,14 @@ struct sample {
     rational member;
 };
 
-// Numbers between 2^-20 and 2^5 that no binary number holds, with radii up to 2^20 units.
+// Numbers between 2^-20 and 2^5, half of them corner cases and the others such that no binary number holds, with radii up
+// to 2^20 units.
 class samples {
 public:
     explicit samples(int n) : n_(n) {}
 
     sample operator()() {
-        const rational number(1 + below(1'000'000), 61'000 * (1L << below(6)));
+        const rational number = corners_.half([&] { return corner(); }, [&] { return usual(); });
         const long units = below(2) == 0 ? 0 : below(1L << 20U);
         fixed_ball held = at(number);
         held.widen_by(static_cast<int>(units));
@@ -36,10 +38,16 @@ private:
         const precision_scope scope(decimal_digits(64L * n_ + 80));
         return {n_, from_rational<ball>(number)};
     }
-    long below(long n) { return static_cast<long>(engine_() % static_cast<unsigned long>(n)); }
+    rational usual() { return {integer(1 + below(1'000'000)), integer(61'000 * (1L << below(6)))}; }
+    rational corner() {
+        const long bits = corners_.length(64L * n_ + 64);
+        return rational(corners_.positive(bits) << static_cast<unsigned long>(below(6)),
+                        integer(1) << static_cast<unsigned long>(bits + below(18)));
+    }
+    long below(long n) { return corners_.between(0, n - 1); }
 
     int n_;
-    std::mt19937_64 engine_{5};
+    tests::corner_numbers corners_{5};
 };
 
 // Exactly: Arb compares without rounding.

@@ -13,7 +13,6 @@
 
 #include "corner_numbers.hpp"
 #include "libration/scalar/ball/ball.hpp"
-#include "libration/scalar/ball/product_check.hpp"
 #include "libration/scalar/ball/product_self_test.hpp"
 #include "proved.hpp"
 
@@ -131,7 +130,6 @@ int wrong_ones(const ball_product& by, corner_numbers& next, int products) {
 // A product contains the sums at numbers of its operands; about `checked` of its coefficients are looked at.
 void require_products(const ball_product& by, corner_numbers& next, int products, int most_terms, long far,
                       int checked) {
-    const product_check_scope modular;
     for (int i = 0; i < products; ++i) {
         const long bits = next.length(900);
         const ball_operands of = corner_operands(next, most_terms, bits, far);
@@ -210,6 +208,23 @@ TEST_CASE("the radii of a product are those of its sums written out", "[ball_pol
     }
 }
 
+// (1 +- r) + (1 +- r) x + ...: the largest numbers of the operands have the largest sums, which the radii must reach.
+TEST_CASE("radii of products reach the largest sums, also where neighbours share them", "[ball_polynomial][ball]") {
+    const precision_scope scope(20);
+    const ball wide = enclose(ball(1), ball(1) / 8);
+    for (const int terms : {100, 4096, 4097, 9001}) {
+        const std::vector<ball> a(static_cast<std::size_t>(terms), wide);
+        const auto c = whole_product(a, a);
+        for (int n = 0; n < terms; n = 2 * n + 1) {
+            for (const int at : {n, terms - 1 - n}) {
+                INFO(at << " of " << terms);
+                CHECK(contains(c[static_cast<std::size_t>(at)], ball(81) / 64 * (at + 1)));
+                CHECK(certainly_less(radius_of(c[static_cast<std::size_t>(at)]), ball(18) / 64 * (at + 8)));
+            }
+        }
+    }
+}
+
 // q with b q = a at numbers of the balls, one after the other in many bits.
 std::vector<ball> quotient_by_recurrence(const std::vector<ball>& a, const std::vector<ball>& b, slong bits) {
     std::vector<ball> q(a.size());
@@ -225,7 +240,6 @@ std::vector<ball> quotient_by_recurrence(const std::vector<ball>& a, const std::
 
 TEST_CASE("quotients of sequences of balls contain the exact ones in corner cases", "[ball_polynomial][ball]") {
     corner_numbers next(2012);
-    const product_check_scope modular;
     for (int run = 0; run < 40; ++run) {
         const precision_scope scope(next.between(5, 200));
         const int terms = static_cast<int>(next.between(1, 120));

@@ -62,8 +62,13 @@ using integer_product = void (*)(fmpz* c, const fmpz* a, slong a_terms, const fm
 /// the largest |a_k| and |b_k|. Of random operands one pair of 64 is such.
 bool near_transform_bound(const fmpz* a, slong a_terms, const fmpz* b, slong b_terms);
 
-/// The product by _fmpz_poly_mullow, or by _fmpz_poly_mullow_KS where near_transform_bound() holds for the coefficients
-/// below count. In a product_check_scope it is checked, and product_mismatch is thrown if it is wrong.
+/// The product by a function of FLINT, which is given the longer operand first and no more coefficients than there are.
+/// In a product_check_scope it is checked, and product_mismatch is thrown if it is wrong.
+void checked_product(integer_product by, fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms,
+                     slong count);
+
+/// checked_product() by _fmpz_poly_mullow, or by _fmpz_poly_mullow_KS where near_transform_bound() holds for the
+/// coefficients below count.
 void guarded_product(fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms, slong count);
 
 }  // namespace libration

@@ -10,26 +10,6 @@
 
 namespace libration {
 
-namespace {
-
-// FLINT takes the longer operand first, and as many coefficients as the product has. Where both stand at one address,
-// it takes them for the same also if their lengths differ: then the shorter one is seen through a copy of its words,
-// which owns nothing.
-void by_flint(integer_product by, fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms, slong count) {
-    if (a_terms < b_terms) {
-        std::swap(a, b);
-        std::swap(a_terms, b_terms);
-    }
-    if (a == b && a_terms != b_terms) {
-        const std::vector<fmpz> seen(b, b + b_terms);
-        by(c, a, a_terms, seen.data(), b_terms, count);
-        return;
-    }
-    by(c, a, a_terms, b, b_terms, count);
-}
-
-}  // namespace
-
 bool near_transform_bound(const fmpz* a, slong a_terms, const fmpz* b, slong b_terms) {
     const slong s = _fmpz_vec_max_bits(a, a_terms);  // below 0 where a coefficient is
     const slong t = _fmpz_vec_max_bits(b, b_terms);
@@ -38,16 +18,32 @@ bool near_transform_bound(const fmpz* a, slong a_terms, const fmpz* b, slong b_t
            (std::labs(s) + std::labs(t) + static_cast<slong>(FLINT_CLOG2(shorter)) + 1) % FLINT_BITS == 0;
 }
 
-void guarded_product(fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms, slong count) {
+void checked_product(integer_product by, fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms,
+                     slong count) {
     a_terms = std::min(a_terms, count);
     b_terms = std::min(b_terms, count);
+    if (a_terms < b_terms) {
+        std::swap(a, b);
+        std::swap(a_terms, b_terms);
+    }
+    // FLINT takes operands at one address for the same even if their lengths differ: then the shorter one is seen
+    // through a copy of its words, which owns nothing.
+    std::vector<fmpz> shorter;
+    if (a == b && a_terms != b_terms) {
+        shorter.assign(b, b + b_terms);
+        b = shorter.data();
+    }
     const slong all = std::min(count, a_terms + b_terms - 1);
-    const bool by_substitution = near_transform_bound(a, a_terms, b, b_terms);
-    by_flint(by_substitution ? _fmpz_poly_mullow_KS : _fmpz_poly_mullow, c, a, a_terms, b, b_terms, all);
+    by(c, a, a_terms, b, b_terms, all);
     _fmpz_vec_zero(c + all, count - all);
     if (products_are_checked()) {
         require_product(c, a, a_terms, b, b_terms, count);
     }
+}
+
+void guarded_product(fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms, slong count) {
+    const bool near = near_transform_bound(a, std::min(a_terms, count), b, std::min(b_terms, count));
+    checked_product(near ? _fmpz_poly_mullow_KS : _fmpz_poly_mullow, c, a, a_terms, b, b_terms, count);
 }
 
 }  // namespace libration
