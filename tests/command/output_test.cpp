@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "libration/scalar/ball/product_self_test.hpp"
 
 namespace command_output_test {
 
@@ -328,6 +329,8 @@ TEST_CASE("option --version names the libraries and whether MPFR is thread-safe"
     CHECK(has("MPFR ", mpfr_get_version()));
     CHECK(has("GMP ", gmp_version));
     CHECK(has("MPFR thread-safe ", mpfr_buildopt_tls_p() != 0 ? "yes" : "no"));
+    CHECK(has("ball arithmetic ", flint_version));
+    CHECK(has("long products ", flint_products().transform_is_right ? "passed" : "_fmpz_poly_mullow_SS failed"));
 }
 
 TEST_CASE("help goes to stdout and succeeds", "[command][output]") {

@@ -76,7 +76,6 @@ FAULTS = [
         ("pairs of blocks of a square counted once", "(square && i != j ? 1 : 0)", "0"),
         ("a square of other lengths", "if (a == b && a_terms == b_terms) {", "if (a == b) {"),
         ("without radii", "    add_radii(c, a, a_terms, b, b_terms, scale);\n", ""),
-        ("an undecided divisor taken", "if (!is_finite(inverse)) {", "if (false) {"),
         ("the remainder from one term on", "d.begin() + known);", "d.begin() + known - 1);"),
     ),
     *in_file(
