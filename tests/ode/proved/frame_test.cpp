@@ -23,6 +23,17 @@ ball some(tests::corner_numbers& random) {
     return contains_zero(x) ? ball(1) : x;
 }
 
+// Whether the set is moved in so few digits: maps whose rows are nearly parallel are refused then.
+bool moves(error_frame& set, const ball_matrix& map, const std::vector<magnitude>& added, long digits) {
+    const precision_scope few(digits);
+    try {
+        set = set.moved(map, added);
+        return true;
+    } catch (const precision_exhausted&) {
+        return false;
+    }
+}
+
 // Q^-1 of two columns by the cofactors.
 std::vector<ball> coordinates(const ball_matrix& q, const std::vector<ball>& x) {
     const ball determinant = q[0][0] * q[1][1] - q[1][0] * q[0][1];
@@ -42,6 +53,7 @@ bool holds(const error_frame& set, const std::vector<ball>& x) {
 TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
     const long digits = GENERATE(6, 20);
     tests::corner_numbers random(20'261'123);
+    int undecided = 0;
     for (int run = 0; run < 200; ++run) {
         const precision_scope exactly(400);
         error_frame set({magnitude::of(1 + random.below(1000), -60), magnitude::of(1 + random.below(1000), -50)});
@@ -59,9 +71,9 @@ TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
             const ball_matrix map = {{p, q}, {flat ? p * factor : some(random), flat ? q * factor : some(random)}};
             const std::vector<magnitude> added = {magnitude::of(random.below(100), -58),
                                                   magnitude::of(random.below(100), -58)};
-            {
-                const precision_scope few(digits);
-                set = set.moved(map, added);
+            if (!moves(set, map, added, digits)) {
+                ++undecided;
+                break;
             }
             for (auto& x : corners) {
                 const ball first = map[0][0] * x[0] + map[0][1] * x[1];
@@ -74,6 +86,7 @@ TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
             }
         }
     }
+    CHECK(undecided < 50);
 }
 
 // A rotation, 64 times round in all: boxes along the axes would grow by (1 + sqrt 2)/.. in each step, as e^(0.5 n).
