@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,9 +40,10 @@ inline std::string command_line(const words& given) {
 }
 
 /// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it. Its stdin is
-/// `input`.
+/// `input`; `meanwhile` is called with its process id.
 inline finished_process run_libration(const words& given, const std::filesystem::path& folder,
-                                      const std::string& input = "/dev/null") {
+                                      const std::string& input = "/dev/null",
+                                      const std::function<void(pid_t)>& meanwhile = {}) {
     const temporary_folder captured;
     const std::string out = (captured.path() / "out").string();
     const std::string err = (captured.path() / "err").string();
@@ -65,6 +67,9 @@ inline finished_process run_libration(const words& given, const std::filesystem:
             ::execv(arguments.front(), arguments.data());
         }
         ::_exit(127);
+    }
+    if (child > 0 && meanwhile) {
+        meanwhile(child);
     }
     int status = 0;
     if (child < 0 || ::waitpid(child, &status, 0) != child) {

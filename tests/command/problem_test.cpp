@@ -1,8 +1,12 @@
 // Any equation on the command line: coefficients --problem and the catalogue.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "command/printed.hpp"
@@ -165,6 +169,21 @@ TEST_CASE("events that are found are printed also where others are not", "[comma
     check_refused({"reference", "--problem", "lorenz", "--time", "1", "--horizon", "2"}, {"--horizon", "--until"});
     check_refused({"reference", "--problem", "lorenz", "--time", "1", "--from-start"}, {"--from-start", "--until"});
     check_refused({"reference", "--problem", "lorenz", "--until", "x = 0", "--horizon", "0"}, {"--horizon"});
+}
+
+// A search of hours, ended after a second.
+TEST_CASE("a search that is interrupted prints the events that it knows", "[command][problem]") {
+    const temporary_folder folder;
+    const auto ended = run_libration({"reference", "--problem", "lorenz", "--until", "z = 30", "--count", "100000",
+                                      "--digits", "10", "--format", "csv"},
+                                     folder.path(), "/dev/null", [](pid_t search) {
+                                         std::this_thread::sleep_for(std::chrono::seconds(1));
+                                         ::kill(search, SIGINT);
+                                     });
+    CHECK(ended.exit_code == 1);
+    CHECK(ended.out.starts_with("time,x,y,z,digits,rigour,count\n0."));
+    CHECK(ended.err.starts_with("libration: the search for events was interrupted about time "));
+    CHECK(std::ranges::count(ended.err, '\n') == 1);
 }
 
 TEST_CASE("find proves parameters, starts and periodic orbits", "[command][problem]") {

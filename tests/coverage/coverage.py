@@ -40,6 +40,7 @@ TESTS = """
     pendulum/arc/bounds_test.cpp pendulum/arc/uniform_remainder_test.cpp
     ode/lifted_system_test.cpp ode/proved/complex_disc_test.cpp ode/proved/condition_numbers_test.cpp
     ode/proved/frame_test.cpp ode/proved/layers_at_infinity_test.cpp ode/proved/proved_events_test.cpp
+    ode/proved/event_laws_test.cpp
     ode/proved/proved_march_test.cpp ode/proved/proved_root_test.cpp ode/proved/radius_bounds_test.cpp
     ode/proved/singular_step_test.cpp ode/proved/tail_bound_test.cpp ode/proved/tritronquee_test.cpp
     ode/proved/ways_out_test.cpp ode/singularity/regular_coordinates_test.cpp

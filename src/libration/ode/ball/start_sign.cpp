@@ -1,6 +1,7 @@
 #include "libration/ode/ball/start_sign.hpp"
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "libration/ode/ball/step_pieces.hpp"
@@ -39,14 +40,17 @@ int exact_sign(const expression& e, const first_order_form& form, const number& 
         return sign;
     }
     try {
-        return at_start(e, form, point).constant().sign();
+        const expression value = at_start(e, form, point);
+        if (value.kind() != node_kind::constant) {
+            throw std::logic_error("an expression in leaves with others in it");
+        }
+        return value.constant().sign();
     } catch (const error& problem) {
         const std::string what =
             order == 0 ? "the condition holds there" : "its derivative number " + std::to_string(order) + " is 0 there";
         throw error(error_kind::undecided, "start", "",
                     "is not told from an event: whether " + what + " is not decided (" + problem.what() +
-                        "); write the start and the condition so that their difference is a fraction, or choose "
-                        "another start");
+                        "); write the start and the condition in the same form, or choose another start");
     }
 }
 
