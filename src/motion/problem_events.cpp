@@ -22,8 +22,8 @@ namespace libration {
 
 namespace {
 
-constexpr std::size_t parts_of_progress = 1000;
-constexpr int failed = 1;
+constexpr std::size_t parts_of_search = 1000;
+constexpr int interrupted_code = 1;
 
 table table_of_events(const ode::explicit_system& system, const std::vector<ode::printed_event>& events, long digits) {
     auto columns = columns_of_states(system);
@@ -48,7 +48,7 @@ table table_of_events(const ode::explicit_system& system, const std::vector<ode:
 class search_progress {
 public:
     search_progress(const ode::explicit_system& system, const ode::event_request& request)
-        : shown_("reference", parts_of_progress),
+        : shown_("reference", parts_of_search),
           count_(static_cast<double>(request.count)),
           horizon_(static_cast<double>(request.horizon.value_or(ode::event_search::usual_horizon))) {
         const precision_scope scope(20);
@@ -63,7 +63,7 @@ public:
         bits_ = bits;
         known_ = known;
         const double part = std::clamp(whole_ > 0 ? of_time(time) : of_steps(), 0.0, 1.0);
-        const auto now = static_cast<std::size_t>(part * static_cast<double>(parts_of_progress));
+        const auto now = static_cast<std::size_t>(part * static_cast<double>(parts_of_search));
         if (now > done_) {
             shown_.step(now - done_);
             done_ = now;
@@ -115,7 +115,7 @@ public:
         } catch (const std::exception& problem) {
             say_line(problem.what());
         }
-        std::_Exit(failed);
+        std::_Exit(interrupted_code);
     }
 
 private:
