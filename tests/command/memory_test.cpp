@@ -40,6 +40,8 @@ TEST_CASE("a series that needs more memory than there is is refused before it is
                                  "coefficients --problem lorenz --from 99999999 --order 100000000 --scalar " + scalar,
                                  "libration: order 100000000 needs at least");
     }
+    check_refused_for_memory(two_gigabytes, "coefficients --theta0 2.5 --omega0 0 --order 1000000 --scalar mpfr:100000",
+                             "libration: power 1000000 needs at least 40.");
 }
 
 TEST_CASE("memory that GMP or FLINT does not get ends the command with one line", "[command][memory]") {

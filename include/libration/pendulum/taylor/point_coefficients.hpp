@@ -4,15 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "libration/digits/memory_need.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
 
 namespace libration::pendulum {
 
 /// a_first .. a_last about a point, in the motion's unit of time. The scaled coefficients are rounded in T, and leave
-/// its range only here, in its wide arithmetic. Cost and exceptions as coefficients_about.
+/// its range only here, in its wide arithmetic. Cost and exceptions as coefficients_about; throws memory_shortage where
+/// the list alone needs more memory than there is.
 template <scalar T>
 std::vector<wide_t<T>> point_coefficients(const motion& m, const expansion_point& point, long first, long last) {
     using W = wide_t<T>;
+    require_memory("power " + std::to_string(last),
+                   static_cast<double>(last - first + 1) * static_cast<double>(bytes_of<W>()));
     const exact_solution<T> solution(m);
     const T scale = midpoint(radius_about(solution, point).value_or(T(1)));
     const auto scaled = coefficients_about(solution, point, scale, first, last);
