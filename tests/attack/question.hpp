@@ -49,7 +49,7 @@ public:
 };
 /// Throws no_answer where this thread's question takes longer than `seconds_of_a_question`.
 void require_time_left();
-inline constexpr std::chrono::seconds seconds_of_a_question{20};
+inline constexpr std::chrono::seconds seconds_of_a_question{5};
 
 /// Digits that are asked for: few most of the time, some hundred where products of series are long.
 long any_digits(choices& next);
