@@ -26,7 +26,12 @@ std::string text_of_file(const std::string& path) {
         throw input_error("--problem", path, "cannot be read",
                           "give a file, a name of `libration problems` or a text with =");
     }
-    return content_of(file, path);
+    std::string text = content_of(file, path, ode::longest_problem);
+    if (text.size() > ode::longest_problem) {
+        throw input_error("--problem", path, fmt::format("is longer than {} characters", ode::longest_problem),
+                          "write less, with parameters for what is repeated");
+    }
+    return text;
 }
 
 std::string text_of_catalogue(const std::string& name) {

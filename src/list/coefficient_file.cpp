@@ -23,9 +23,16 @@ using namespace convergence;
 
 namespace {
 
+constexpr std::size_t longest_list = std::size_t{1} << 28;
+
 std::string content_of_list(const std::string& path) {
     input_stream stream("--coefficients", path);
-    return content_of(stream.in(), path);
+    std::string content = content_of(stream.in(), path, longest_list);
+    if (content.size() > longest_list) {
+        throw input_error("--coefficients", path, fmt::format("is longer than {} characters", longest_list),
+                          "give fewer coefficients or fewer digits");
+    }
+    return content;
 }
 
 // The list in a text; a wrong line is named.

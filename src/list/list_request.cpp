@@ -56,7 +56,7 @@ reference_values by_formula(const std::string& formula, const std::vector<exact>
 // The rows time,value of a file, in this order where they have no names.
 reference_values by_file(const std::string& path, const std::vector<exact>& times) {
     input_stream stream("--reference", path);
-    column_file file(stream.in());
+    column_file file(stream);
     const auto place = [&](const char* name, std::size_t otherwise) {
         const auto at = std::find(file.names().begin(), file.names().end(), name);
         return at == file.names().end() ? otherwise : static_cast<std::size_t>(at - file.names().begin());

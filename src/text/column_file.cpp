@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -54,7 +55,8 @@ std::vector<std::string> names_in_comment(const std::string& comment, separator 
 
 }  // namespace
 
-input_stream::input_stream(const std::string& option, const std::string& path) : name_(path == "-" ? "stdin" : path) {
+input_stream::input_stream(const std::string& option, const std::string& path)
+    : option_(option), name_(path == "-" ? "stdin" : path) {
     if (path == "-") {
         return;
     }
@@ -74,7 +76,9 @@ std::istream& input_stream::in() {
     return file_.is_open() ? static_cast<std::istream&>(file_) : static_cast<std::istream&>(std::cin);
 }
 
-column_file::column_file(std::istream& in) : records_(in) {
+std::string input_stream::title() const { return option_ + " " + quotation(name_); }
+
+column_file::column_file(input_stream& source) : records_(source.in(), source.title()) {
     std::string comment;
     auto record = records_.next();
     for (; record && is_comment(record->text); record = records_.next()) {

@@ -19,9 +19,11 @@ public:
     std::istream& in();
     /// What messages call it.
     const std::string& name() const { return name_; }
+    /// The same with what named it: "--points 'file'".
+    std::string title() const;
 
 private:
-    std::string name_;
+    std::string option_, name_;
     std::ifstream file_;
 };
 
@@ -31,8 +33,8 @@ private:
 /// numbers: then the names are in the last comment before it, if that has as many, or there are none.
 class column_file {
 public:
-    /// Reads as far as the first record.
-    explicit column_file(std::istream& in);
+    /// Reads as far as the first record. Throws input_error as csv_records::next().
+    explicit column_file(input_stream& source);
 
     /// Empty where the file has none.
     const std::vector<std::string>& names() const { return names_; }

@@ -1,7 +1,12 @@
 #include "text/csv_records.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -78,11 +83,32 @@ std::string trimmed(const std::string& text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// Memory is bounded also where no line ends, as in /dev/zero.
+bool csv_records::read_line(std::string& line) {
+    line.clear();
+    std::array<char, 1 << 12> piece{};
+    do {
+        in_.clear(in_.rdstate() & ~std::ios::failbit);
+        in_.getline(piece.data(), piece.size());
+        const bool ended = in_.good();
+        line.append(piece.data(), static_cast<std::size_t>(in_.gcount()) - (ended ? 1 : 0));
+        if (ended) {
+            return true;
+        }
+        if (line.size() > longest_line) {
+            throw input_error(
+                fmt::format("{} has more than {} characters in line {}: give a text file of shorter lines", title_,
+                            longest_line, line_ + 1));
+        }
+    } while (!in_.eof() && !in_.bad());
+    return !line.empty();
+}
+
 bool csv_records::take_line(std::string& line) {
     if (!pending_.empty()) {
         line = std::move(pending_.front());
         pending_.pop_front();
-    } else if (!std::getline(in_, line)) {
+    } else if (!read_line(line)) {
         return false;
     }
     ++line_;

@@ -5,6 +5,7 @@
 #include <istream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace libration {
@@ -25,15 +26,21 @@ separator separator_of(const std::string& line);
 /// 64 KiB spoils its own line only. Blank lines are left out, line ends are LF or CRLF, a byte-order mark is dropped.
 class csv_records {
 public:
-    explicit csv_records(std::istream& in) : in_(in) {}
+    /// `title` is what messages call the stream.
+    explicit csv_records(std::istream& in, std::string title = "input") : in_(in), title_(std::move(title)) {}
+    /// Throws input_error for a line of more than longest_line characters.
     std::optional<csv_record> next();
+    static constexpr std::size_t longest_line = std::size_t{1} << 24;
     /// From the next record on; commas before.
     void separate_by(separator between) { between_ = between; }
 
 private:
     bool take_line(std::string& line);
 
+    bool read_line(std::string& line);
+
     std::istream& in_;
+    std::string title_;
     std::deque<std::string> pending_;  // lines that were read ahead
     separator between_ = separator::comma;
     long line_ = 0;

@@ -8,10 +8,16 @@
 
 namespace libration {
 
+namespace {
+
+constexpr std::size_t most_rows = 10'000'000;
+
+}  // namespace
+
 point_file::point_file(const std::string& option, const std::string& path, const std::optional<std::string>& mapping,
                        std::vector<known_column> known) {
     input_stream source(option, path);
-    column_file records(source.in());
+    column_file records(source);
     names_.emplace(source.name(), records.names(), records.count(), mapping, std::move(known));
     while (const auto record = records.next()) {
         auto cells = records.cells(*record);
@@ -21,6 +27,9 @@ point_file::point_file(const std::string& option, const std::string& path, const
         if (cells->size() != names_->count()) {
             fail(record->line, fmt::format("the row has {} cells, the header has {}", cells->size(), names_->count()),
                  error_kind::argument);
+        }
+        if (rows_.size() == most_rows) {
+            throw input_error(fmt::format("{} has more than {} rows: give fewer", source.title(), most_rows));
         }
         rows_.push_back({record->line, *std::move(cells)});
     }

@@ -170,7 +170,7 @@ int verify_problem(const verify_options& options, const compare_rules& rules) {
     }
     problem_layout layout(options.problem.choose(), options.problem.equations());
     input_stream source("FILE", options.file);
-    column_file records(source.in());
+    column_file records(source);
     const column_names names(source.name(), records.names(), records.count(), options.columns, layout.known());
     layout.read(names);
     return compare_file(options, {source.name(), records, names}, rules, layout.compared(),
@@ -186,7 +186,7 @@ int run_verify(const verify_options& options) {
     }
     check_motion(options.motion);
     input_stream source("FILE", options.file);
-    column_file records(source.in());
+    column_file records(source);
     const column_names names(source.name(), records.names(), records.count(), options.columns, known_columns());
     const verify_layout layout(names, options.motion, rules);
     return compare_file(options, {source.name(), records, names}, rules, layout.compared(), layout.reader());

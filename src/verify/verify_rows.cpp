@@ -26,26 +26,30 @@ compared_row row_comparer::operator()(const csv_record& record) {
     const std::size_t count = names_.count();
     if (!split.closed) {
         const std::size_t at = split.cells.size() - 1;
-        return malformed(record, {record.text},
-                         (at < count ? quotation(names_.own(at)) + ": " : std::string()) + "a quote is not closed");
+        return without_values(
+            row_verdict::malformed, record, {record.text},
+            (at < count ? quotation(names_.own(at)) + ": " : std::string()) + "a quote is not closed");
     }
     if (split.cells.size() != count) {
-        return malformed(record, split.cells,
-                         fmt::format("has {} cells, the header has {}", split.cells.size(), count));
+        return without_values(row_verdict::malformed, record, split.cells,
+                              fmt::format("has {} cells, the header has {}", split.cells.size(), count));
     }
     try {
         return row_of(record, split.cells, compared(split.cells));
     } catch (const error& problem) {  // what cannot be read, motions that there are not, and what cannot be proved
-        return malformed(record, split.cells, message_of(problem));
+        const bool undecided = problem.kind() == error_kind::undecided;
+        return without_values(undecided ? row_verdict::undecided : row_verdict::malformed, record, split.cells,
+                              message_of(problem));
     }
 }
 
-compared_row row_comparer::malformed(const csv_record& record, std::vector<std::string> cells,
-                                     const std::string& reason) const {
+compared_row row_comparer::without_values(row_verdict verdict, const csv_record& record, std::vector<std::string> cells,
+                                          const std::string& reason) const {
     cells.resize(names_.count());
     std::vector<std::string> added(added_columns(reader_->columns()).size());
-    added[3] = "malformed";
+    added[3] = verdict == row_verdict::undecided ? "undecided" : "malformed";
     compared_row row;
+    row.verdict = verdict;
     row.line = record.line;
     row.text = writer_.row({record.line, ""}, cells, added);
     row.reason = reason;

@@ -14,14 +14,15 @@
 
 namespace libration {
 
-enum class row_verdict { ok, miss, malformed };
+/// undecided: the row can be read, and what it is compared with is not proved within the limits.
+enum class row_verdict { ok, miss, malformed, undecided };
 
 /// A row as it is written, and what the summary needs of it.
 struct compared_row {
     long line = 0;
     row_verdict verdict = row_verdict::malformed;
     std::string text;
-    std::string reason;  ///< of what is malformed, or which value misses
+    std::string reason;  ///< of what is malformed or undecided, or which value misses
     std::string column;  ///< of the value that is worst
     std::string error;
     std::optional<long> tenths_of_digits;  ///< nothing for an error of 0
@@ -42,7 +43,8 @@ private:
     compared_values compared(const std::vector<std::string>& cells);
     compared_row row_of(const csv_record& record, const std::vector<std::string>& cells,
                         const compared_values& here) const;
-    compared_row malformed(const csv_record& record, std::vector<std::string> cells, const std::string& reason) const;
+    compared_row without_values(row_verdict verdict, const csv_record& record, std::vector<std::string> cells,
+                                const std::string& reason) const;
     const std::string& own_name(std::size_t i) const { return names_.own(reader_->columns()[i].at); }
 
     std::unique_ptr<question_reader> reader_;

@@ -29,6 +29,10 @@ void verify_summary::add(const compared_row& row) {
         name(row, ++malformed_, malformed_named_);
         return;
     }
+    if (row.verdict == row_verdict::undecided) {
+        name(row, ++undecided_, undecided_named_);
+        return;
+    }
     unproved_ += row.proved ? 0 : 1;
     ++digits_[row.tenths_of_digits ? *row.tenths_of_digits / 10 : exact_digits];
     if (row.verdict == row_verdict::miss) {
@@ -42,8 +46,10 @@ void verify_summary::add(const compared_row& row) {
 void verify_summary::print() const {
     print_more(misses_ - misses_named_, "that miss");
     print_more(malformed_ - malformed_named_, "malformed");
-    fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed\n", without_controls(file_, longest_quotation), rows_,
-               rows_ - misses_ - malformed_, misses_, malformed_);
+    print_more(undecided_ - undecided_named_, "undecided");
+    fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed{}\n", without_controls(file_, longest_quotation),
+               rows_, rows_ - misses_ - malformed_ - undecided_, misses_, malformed_,
+               undecided_ > 0 ? fmt::format(", {} undecided", undecided_) : "");
     if (unproved_ > 0) {
         fmt::print(stderr,
                    "{} rows are compared with values on which two computations agree, and which are not proved\n",

@@ -10,7 +10,7 @@
 
 namespace libration {
 
-/// Takes the rows in their order and names the first that miss or are malformed on stderr as they come.
+/// Takes the rows in their order and names the first that miss, are malformed or undecided on stderr as they come.
 class verify_summary {
 public:
     explicit verify_summary(std::string file) : file_(std::move(file)) {}
@@ -20,8 +20,8 @@ public:
     void print() const;
 
     long rows() const { return rows_; }
-    /// 2 where a row was malformed, 1 where one missed, else 0.
-    int exit_code() const { return malformed_ > 0 ? 2 : misses_ > 0 ? 1 : 0; }
+    /// 2 where a row was malformed, 1 where one missed or stayed undecided, else 0.
+    int exit_code() const { return malformed_ > 0 ? 2 : misses_ + undecided_ > 0 ? 1 : 0; }
 
 private:
     void name(const compared_row& row, long count, long& named) const;
@@ -30,9 +30,11 @@ private:
     long rows_ = 0;
     long misses_ = 0;
     long malformed_ = 0;
+    long undecided_ = 0;
     long unproved_ = 0;
     long misses_named_ = 0;
     long malformed_named_ = 0;
+    long undecided_named_ = 0;
     std::optional<compared_row> worst_;
     std::map<long, long> digits_;  ///< how many rows have so many correct digits
 };

@@ -199,7 +199,12 @@ TEST_CASE("deep and long texts are refused before they cost anything", "[ode][pa
     CHECK(refusal_of("y' = " + many + "y" + std::string(200, ')')).find("is nested more than 100 deep") !=
           std::string::npos);
     CHECK(refusal_of("y' = " + std::string(300, '-') + "y").find("is nested more than 100 deep") != std::string::npos);
-    CHECK(refusal_of(std::string(100'001, ' ')) == "problem is longer than 100000 characters: write less");
+    CHECK(refusal_of(std::string(1'000'001, ' ')) == "problem is longer than 1000000 characters: write less");
+    const std::string name(201, 'a');
+    CHECK(refusal_of(name + "' = 1") ==
+          "problem '" + std::string(60, 'a') +
+              "...' at line 1, column 1 has more than 200 characters, primes among them: choose another");
+    CHECK(refusal_of("y" + std::string(200, '\'') + " = 1").find("has more than 200 characters") != std::string::npos);
 }
 
 }  // namespace ode_parse_test

@@ -2,19 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <unordered_set>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
 
 namespace libration::ode {
-
-/// Calls seen(leaf) for each variable, unknown and parameter of an expression, from left to right. A shared
-/// subexpression is visited once: `done` holds the identities of the visited nodes and may be kept over several calls
-/// while the expressions live.
-void each_leaf(const expression& e, std::unordered_set<const void*>& done,
-               const std::function<void(const expression&)>& seen);
 
 /// The graph of a system with an edge from unknown i to each unknown j that occurs, itself or by a derivative, in the
 /// right side of y_i^(q_i). Indices are those of explicit_system::unknowns(). Occurrence is read from the solved form: an

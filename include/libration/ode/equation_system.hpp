@@ -1,6 +1,7 @@
 // Differential equations as they are written: equations, starts, parameters, and what is known to check a solution by.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ struct place {
     int column = 0;
 };
 
-/// Throws error: problem 'what' at line 1, column 2 reason.
+/// The text, cut behind 60 characters: what messages repeat of it.
+std::string beginning_of(const std::string& text);
+
+/// Throws error: problem 'what', its beginning, at line 1, column 2 reason.
 [[noreturn]] void refuse(const std::string& what, const place& at, const std::string& reason);
 
 /// left = right.
@@ -66,8 +70,37 @@ struct equation_system {
     const definition* parameter_of(const std::string& name) const;
 };
 
-/// The expression with every parameter replaced by its exact value. Throws error for a parameter without a value and
-/// for parameters that need each other in a circle.
+/// The values of the parameters of a system, each computed once, in which they may depend on each other at any depth.
+class parameter_values {
+public:
+    /// The system has to outlive it. In place of the parameters named in `open` stand these expressions.
+    explicit parameter_values(const equation_system& system, std::map<std::string, expression> open = {});
+
+    /// The expression with every parameter replaced by its exact value. Throws error for a parameter without a value
+    /// and for parameters that need each other in a circle.
+    expression in(const expression& e);
+
+private:
+    struct known_definition {
+        const definition* of;
+        bool open = false;
+    };
+    struct opened_definition {
+        const definition* of;
+        std::vector<std::string> needs;
+        std::size_t next = 0;
+    };
+
+    void find(const std::string& name);
+    void open(const std::string& name);
+    expression substituted(const expression& e) const;
+
+    std::map<std::string, known_definition> definitions_;
+    std::map<std::string, expression> values_;
+    std::vector<opened_definition> open_;
+};
+
+/// The same for a single expression. Throws error as parameter_values::in().
 expression with_values(const expression& e, const equation_system& system);
 
 }  // namespace libration::ode

@@ -1,6 +1,8 @@
 // A system of differential equations solved for its highest derivatives.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +16,9 @@ struct unknown_function {
     std::string name;
     int order = 0;
 };
+
+/// The place of each unknown in a list of them.
+std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>& unknowns);
 
 /// The name of the parameter that stands for s = t - t0 in scaled right sides, where t does not occur.
 inline constexpr const char* distance_name = "s";
@@ -70,7 +75,7 @@ public:
 private:
     explicit_system() = default;
     void read_unknowns(const equation_system& given);
-    void read_starts(const equation_system& given);
+    void read_starts(const equation_system& given, parameter_values& parameters);
 
     std::string variable_;
     std::vector<unknown_function> unknowns_;

@@ -32,7 +32,7 @@ enum class node_kind { constant, variable, unknown, parameter, sum, product, quo
 class expression {
 public:
     /// 0.
-    expression() : expression(number()) {}
+    expression();
     expression(int n) : expression(number(rational(n))) {}
     expression(const rational& q) : expression(number(q)) {}
     expression(const number& value);
@@ -83,6 +83,8 @@ public:
 
 private:
     struct node;
+    struct no_node {};
+    explicit expression(no_node /*null*/) {}
     explicit expression(node&& made);
     static expression binary(node_kind kind, const expression& a, const expression& b);
 
@@ -110,6 +112,10 @@ inline expression atan(const expression& x) { return apply(elementary::atan, x);
 inline expression sinh(const expression& x) { return apply(elementary::sinh, x); }
 inline expression cosh(const expression& x) { return apply(elementary::cosh, x); }
 inline expression tanh(const expression& x) { return apply(elementary::tanh, x); }
+
+/// Calls seen(leaf) for the variable, the unknowns and the parameters in an expression, from left to right; for copies
+/// of one object once.
+void each_leaf(const expression& e, const std::function<void(const expression& leaf)>& seen);
 
 /// What stands in place of a leaf (variable, unknown, parameter); nothing where it stays.
 using replacement = std::function<std::optional<expression>(const expression& leaf)>;

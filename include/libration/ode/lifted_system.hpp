@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/node_values.hpp"
 
 namespace libration::ode {
 
@@ -66,13 +66,7 @@ public:
     const std::vector<R>& values() const { return values_; }
 
     R of(const expression& e) {
-        const auto known = done_.find(e.identity());
-        if (known != done_.end()) {
-            return known->second.second;
-        }
-        R value = computed(e);
-        done_.emplace(e.identity(), std::pair(e, value));
-        return value;
+        return done_.of(e, [this](const expression& each) { return computed(each); });
     }
 
 private:
@@ -80,21 +74,21 @@ private:
         switch (e.kind()) {
             case node_kind::constant: return constant_value<R>::of(e.constant());
             case node_kind::variable: return variable_;
-            case node_kind::sum: return R(of(e.left()) + of(e.right()));
-            case node_kind::product: return R(of(e.left()) * of(e.right()));
-            case node_kind::quotient: return R(of(e.left()) / of(e.right()));
+            case node_kind::sum: return R(done_.at(e.left()) + done_.at(e.right()));
+            case node_kind::product: return R(done_.at(e.left()) * done_.at(e.right()));
+            case node_kind::quotient: return R(done_.at(e.left()) / done_.at(e.right()));
             case node_kind::power: return raised(e);
-            case node_kind::function: return function_value<R>(e.function(), of(e.left()));
+            case node_kind::function: return function_value<R>(e.function(), done_.at(e.left()));
             default: return values_[indices_.at(e.name())];
         }
     }
 
     // Whole powers by products, so that any base will do.
     R raised(const expression& e) {
-        const R base = of(e.left());
+        const R& base = done_.at(e.left());
         const auto exponent = e.right().fraction();
         if (!exponent || denominator(*exponent) != 1 || abs(numerator(*exponent)) > 64) {
-            return power_value<R>(base, of(e.right()));
+            return power_value<R>(base, done_.at(e.right()));
         }
         R result(1);
         for (int n = static_cast<int>(abs(numerator(*exponent))); n > 0; --n) {
@@ -106,7 +100,7 @@ private:
     R variable_;
     std::map<std::string, std::size_t> indices_;
     std::vector<R> values_;
-    std::unordered_map<const void*, std::pair<expression, R>> done_;
+    node_values<R> done_;
 };
 
 /// All unknowns of the lifted system from the given ones at a time, in any field; on balls enclosures.

@@ -1,12 +1,18 @@
 // Differential equations as text.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "libration/ode/equation_system.hpp"
 
 namespace libration::ode {
+
+/// The most characters of a problem.
+inline constexpr std::size_t longest_problem = 1'000'000;
+/// The most characters of a name in it, with its primes.
+inline constexpr std::size_t longest_name = 200;
 
 /// Reads
 ///     f''' + f*f''/2 = 0                     equations
@@ -21,7 +27,8 @@ namespace libration::ode {
 /// exact: 2E-3 is 0.002. Operators + - * / ^ (also **): * and / from left to right; ^ binds tighter than a sign and to
 /// the right, and its exponent is constant; primes bind to their name. Functions exp log sqrt sin cos tan asin acos
 /// atan sinh cosh tanh. In values (of starts and parameters) a number may stand directly before pi and deg.
-/// Throws error with the line, the column and the remedy.
+/// At most longest_problem characters; parentheses, signs and exponents nest at most 100 deep. Throws error with the
+/// line, the column and the remedy.
 equation_system parse(std::string_view text);
 
 /// The system with one parameter or start changed, as `k = 1/3` or `f''(0) = 0.332`. Throws error as parse(), and for

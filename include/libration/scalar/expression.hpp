@@ -35,8 +35,9 @@ struct plain_number {
 /// A constant real number: a sum of fractions times 1, pi, the period T, and products, quotients, powers and functions
 /// of such sums. Immutable and cheap to copy. Sums are exact: pi - 1e-10 - pi is -1e-10, and what is rational by the
 /// rules for roots of fractions, for sin, cos, tan at fractions of pi and for their inverses is folded. T is no number
-/// here: it stays linear. Operations throw libration::error of kind argument for a division by an exact 0, for what is
-/// outside the domain of a function, and for T in anything but a sum; of kind undecided where no precision within the
+/// here: it stays linear. Parts that are shared, as in y = x*x, z = y*y, are evaluated and compared once. Operations throw libration::error of kind argument for a division by an exact 0, for what is
+/// outside the domain of a function, for T in anything but a sum, and for more than 10000 different terms or 200 levels
+/// of products, quotients, powers and functions; of kind undecided where no precision within the
 /// limits shows whether a value is in the domain.
 class expression {
 public:
@@ -62,6 +63,8 @@ public:
     friend expression apply(elementary f, const expression& x);
     /// Whether both are the same by their form; equal numbers may differ in it.
     friend bool same_form(const expression& a, const expression& b);
+    /// Equal for equal forms.
+    std::size_t hash() const;
 
     /// One evaluation with this many bits, rounded outwards at each step; nothing where they do not show whether a
     /// value is inside the domain of a function.
@@ -75,6 +78,8 @@ public:
 
 private:
     struct atom;
+    class comparison;
+    class evaluation;
     struct term {
         rational coefficient;
         std::shared_ptr<const atom> of;
@@ -82,11 +87,11 @@ private:
 
     static expression of_atom(atom a);
     static bool same_atom(const atom& a, const atom& b);
-    static std::optional<number_bounds> bounds_of(const atom& a, long bits);
     void add(const rational& coefficient, const std::shared_ptr<const atom>& of);
     const term* only_term() const { return terms_.size() == 1 ? &terms_.front() : nullptr; }
     void degrees_to_pi();
     long depth() const;
+    /// How many functions and powers an evaluation computes; what is shared counts once.
     long functions() const;
     /// The most bits worth trying.
     long most_bits() const;

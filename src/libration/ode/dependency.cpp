@@ -18,8 +18,7 @@ constexpr std::size_t no_number = std::numeric_limits<std::size_t>::max();
 // The indices of the unknowns in an expression, ascending.
 std::vector<std::size_t> unknowns_in(const expression& e, const std::map<std::string, std::size_t>& index_of) {
     std::vector<std::size_t> found;
-    std::unordered_set<const void*> done;
-    each_leaf(e, done, [&](const expression& leaf) {
+    each_leaf(e, [&](const expression& leaf) {
         if (leaf.kind() == node_kind::unknown) {
             found.push_back(index_of.at(leaf.name()));
         }
@@ -28,14 +27,6 @@ std::vector<std::size_t> unknowns_in(const expression& e, const std::map<std::st
     const auto repeated = std::ranges::unique(found);
     found.erase(repeated.begin(), repeated.end());
     return found;
-}
-
-std::map<std::string, std::size_t> indices_of(const std::vector<unknown_function>& unknowns) {
-    std::map<std::string, std::size_t> index_of;
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        index_of.emplace(unknowns[i].name, i);
-    }
-    return index_of;
 }
 
 // Tarjan's algorithm with a stack of its own: chains of unknowns may be long. A component is complete when the search
@@ -158,7 +149,7 @@ explicit_system restricted(const explicit_system& of, const std::vector<std::siz
             given.begin(unknown(leaves[k].name(), static_cast<int>(j)), expression(starts[j]), expression(of.point()));
         }
     }
-    const auto index_of = indices_of(of.unknowns());
+    const auto index_of = places_of(of.unknowns());
     const auto is_inside = [&](const expression& e) {
         return std::ranges::includes(unknowns, unknowns_in(e, index_of));
     };
@@ -177,29 +168,8 @@ explicit_system restricted(const explicit_system& of, const std::vector<std::siz
 
 }  // namespace
 
-void each_leaf(const expression& e, std::unordered_set<const void*>& done,
-               const std::function<void(const expression&)>& seen) {
-    std::vector<expression> open{e};
-    while (!open.empty()) {
-        const expression now = open.back();
-        open.pop_back();
-        if (now.kind() == node_kind::constant || !done.insert(now.identity()).second) {
-            continue;
-        }
-        if (now.kind() == node_kind::variable || now.kind() == node_kind::unknown ||
-            now.kind() == node_kind::parameter) {
-            seen(now);
-            continue;
-        }
-        if (now.kind() != node_kind::function) {
-            open.push_back(now.right());
-        }
-        open.push_back(now.left());
-    }
-}
-
 dependency_graph::dependency_graph(const explicit_system& of) {
-    const auto index_of = indices_of(of.unknowns());
+    const auto index_of = places_of(of.unknowns());
     for (const expression& each : of.right()) {
         direct_.push_back(unknowns_in(each, index_of));
     }
@@ -240,7 +210,7 @@ closed_subsystem subsystem_of(const explicit_system& of, const std::vector<std::
     std::ranges::sort(sorted);
     const bool whole = sorted.size() == of.unknowns().size();
     closed_subsystem result{whole ? of : restricted(of, sorted, dependency_graph(of)), {}, {}, first_leaf.back()};
-    const auto index_of = indices_of(of.unknowns());
+    const auto index_of = places_of(of.unknowns());
     for (const unknown_function& each : result.system.unknowns()) {
         const std::size_t i = index_of.at(each.name);
         result.unknowns.push_back(i);

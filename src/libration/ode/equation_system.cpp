@@ -1,48 +1,41 @@
 #include "libration/ode/equation_system.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <optional>
+#include <set>
+#include <utility>
 
-#include "libration/ode/dependency.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-// Parameters replaced from the outermost inwards; `open` are those being replaced.
-expression value_of(const expression& e, const equation_system& system, std::vector<std::string>& open) {
-    if (!e.has_parameters()) {
-        return e;
-    }
-    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
-        if (leaf.kind() != node_kind::parameter) {
-            return std::nullopt;
-        }
-        const definition* const found = system.parameter_of(leaf.name());
-        if (found == nullptr) {
-            refuse(leaf.name(), {}, "has no value: write " + leaf.name() + " = number");
-        }
-        if (std::ranges::find(open, leaf.name()) != open.end()) {
-            std::string circle;
-            for (const std::string& name : open) {
-                circle += name + " -> ";
+constexpr std::size_t most_shown_names = 8;
+
+std::vector<std::string> parameters_in(const expression& e) {
+    std::vector<std::string> names;
+    if (e.has_parameters()) {
+        each_leaf(e, [&](const expression& leaf) {
+            if (leaf.kind() == node_kind::parameter) {
+                names.push_back(leaf.name());
             }
-            refuse(leaf.name(), found->at, "needs itself: " + circle + leaf.name() + ": give one of them a number");
-        }
-        open.push_back(leaf.name());
-        expression value = value_of(found->value, system, open);
-        open.pop_back();
-        return value;
-    });
+        });
+    }
+    return names;
 }
 
 }  // namespace
 
+std::string beginning_of(const std::string& text) {
+    constexpr std::size_t shown = 60;
+    return text.size() > shown ? text.substr(0, shown) + "..." : text;
+}
+
 void refuse(const std::string& what, const place& at, const std::string& reason) {
     const std::string where =
         at.line == 0 ? "" : "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " ";
-    throw error(error_kind::argument, "problem", what, where + reason);
+    throw error(error_kind::argument, "problem", beginning_of(what), where + reason);
 }
 
 equation_system& equation_system::add(const expression& left, const expression& right) {
@@ -67,11 +60,11 @@ equation_system& equation_system::set(const std::string& name, const expression&
 
 std::vector<std::string> equation_system::unknowns() const {
     std::vector<std::string> names;
-    std::unordered_set<const void*> done;
+    std::set<std::string> known;
     for (const equation& each : equations) {
         for (const expression* side : {&each.left, &each.right}) {
-            each_leaf(*side, done, [&](const expression& leaf) {
-                if (leaf.kind() == node_kind::unknown && std::ranges::find(names, leaf.name()) == names.end()) {
+            each_leaf(*side, [&](const expression& leaf) {
+                if (leaf.kind() == node_kind::unknown && known.insert(leaf.name()).second) {
                     names.push_back(leaf.name());
                 }
             });
@@ -85,9 +78,66 @@ const definition* equation_system::parameter_of(const std::string& name) const {
     return found == parameters.end() ? nullptr : &*found;
 }
 
-expression with_values(const expression& e, const equation_system& system) {
-    std::vector<std::string> open;
-    return value_of(e, system, open);
+parameter_values::parameter_values(const equation_system& system, std::map<std::string, expression> open)
+    : values_(std::move(open)) {
+    for (const definition& each : system.parameters) {
+        definitions_.emplace(each.name, known_definition{&each});
+    }
 }
+
+expression parameter_values::in(const expression& e) {
+    for (const std::string& name : parameters_in(e)) {
+        find(name);
+    }
+    return substituted(e);
+}
+
+expression parameter_values::substituted(const expression& e) const {
+    return replaced(e, [&](const expression& leaf) {
+        return leaf.kind() == node_kind::parameter ? std::optional(values_.at(leaf.name())) : std::nullopt;
+    });
+}
+
+// Depth first without recursion: each definition in `open_` needs the one behind it.
+void parameter_values::find(const std::string& name) {
+    for (const opened_definition& each : open_) {  // of a call that threw
+        definitions_.at(each.of->name).open = false;
+    }
+    open_.clear();
+    open(name);
+    while (!open_.empty()) {
+        opened_definition& last = open_.back();
+        if (last.next < last.needs.size()) {
+            open(std::string(last.needs[last.next++]));
+            continue;
+        }
+        values_.emplace(last.of->name, substituted(last.of->value));
+        open_.pop_back();
+    }
+}
+
+void parameter_values::open(const std::string& name) {
+    if (values_.contains(name)) {
+        return;
+    }
+    const auto found = definitions_.find(name);
+    if (found == definitions_.end()) {
+        refuse(name, {}, "has no value: write " + name + " = number");
+    }
+    if (!found->second.open) {
+        found->second.open = true;
+        open_.push_back({found->second.of, parameters_in(found->second.of->value)});
+        return;
+    }
+    std::string circle;
+    for (std::size_t i = 0; i < std::min(open_.size(), most_shown_names); ++i) {
+        circle += open_[i].of->name + " -> ";
+    }
+    refuse(name, found->second.of->at,
+           "needs itself: " + circle + (open_.size() > most_shown_names ? "... -> " : "") + name +
+               ": give one of them a number");
+}
+
+expression with_values(const expression& e, const equation_system& system) { return parameter_values(system).in(e); }
 
 }  // namespace libration::ode

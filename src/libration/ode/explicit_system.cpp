@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_set>
 #include <utility>
 
-#include "libration/ode/dependency.hpp"
 #include "libration/scalar/error.hpp"
 #include "linear_solution.hpp"
 #include "singular_form.hpp"
@@ -15,24 +13,23 @@ namespace libration::ode {
 
 namespace {
 
+constexpr std::size_t most_named_unknowns = 8;
+
 // The highest derivative of each unknown in the equations.
 std::map<std::string, int> orders_of(const std::vector<equation>& equations) {
     std::map<std::string, int> orders;
-    std::unordered_set<const void*> done;
-    const auto note = [&](const expression& leaf) {
-        if (leaf.kind() == node_kind::unknown) {
-            int& order = orders[leaf.name()];
-            order = std::max(order, leaf.derivative());
-        }
-    };
     for (const equation& each : equations) {
-        each_leaf(each.left, done, note);
-        each_leaf(each.right, done, note);
+        for (const expression* side : {&each.left, &each.right}) {
+            each_leaf(*side, [&](const expression& leaf) {
+                if (leaf.kind() == node_kind::unknown) {
+                    int& order = orders[leaf.name()];
+                    order = std::max(order, leaf.derivative());
+                }
+            });
+        }
     }
     return orders;
 }
-
-number constant_of(const expression& e, const equation_system& given) { return with_values(e, given).constant(); }
 
 // Calls what throws with the number alone, and says whose number it is.
 template <class Operation>
@@ -43,7 +40,7 @@ auto named(const std::string& name, const place& at, const Operation& operation)
         if (problem.subject() == "problem") {
             throw;
         }
-        refuse(name, at, problem.reason());
+        refuse(name, at, problem.reason() + (problem.subject() == "number" ? ": choose other numbers" : ""));
     }
 }
 
@@ -54,14 +51,23 @@ bool same_number(const number& a, const number& b) {
 
 }  // namespace
 
+std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>& unknowns) {
+    std::map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        places.emplace(unknowns[i].name, i);
+    }
+    return places;
+}
+
 explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
+    parameter_values parameters(given);
     read_unknowns(given);
-    read_starts(given);
+    read_starts(given, parameters);
     start_values values(leaves_at_start(*this));
     std::vector<equation> equations;
     for (const equation& each : given.equations) {
         named("equation", each.at, [&] {
-            equations.push_back({with_values(each.left, given), with_values(each.right, given), each.at});
+            equations.push_back({parameters.in(each.left), parameters.in(each.right), each.at});
             return 0;
         });
     }
@@ -85,10 +91,10 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
         break;
     }
     for (const equation& each : given.invariants) {
-        invariants_.push_back(with_values(each.left, given));
+        invariants_.push_back(parameters.in(each.left));
     }
     for (const definition& each : given.exact) {
-        exact_.push_back({each.name, with_values(each.value, given), each.at});
+        exact_.push_back({each.name, parameters.in(each.value), each.at});
     }
 }
 
@@ -117,24 +123,26 @@ void explicit_system::read_unknowns(const equation_system& given) {
     }
     if (given.equations.size() != unknowns_.size()) {
         std::string names;
-        for (const unknown_function& each : unknowns_) {
-            names += (names.empty() ? "" : ", ") + each.name;
+        for (std::size_t i = 0; i < std::min(unknowns_.size(), most_named_unknowns); ++i) {
+            names += (i == 0 ? "" : ", ") + unknowns_[i].name;
         }
+        names += unknowns_.size() > most_named_unknowns ? ", ..." : "";
         refuse("", {},
                "has " + std::to_string(given.equations.size()) + " equations for " + std::to_string(unknowns_.size()) +
                    " unknowns (" + names + "): give as many of both");
     }
 }
 
-void explicit_system::read_starts(const equation_system& given) {
+void explicit_system::read_starts(const equation_system& given, parameter_values& parameters) {
     const start* first = nullptr;
+    const auto places = places_of(unknowns_);
     std::vector<std::vector<std::optional<number>>> found;
     for (const unknown_function& each : unknowns_) {
         found.emplace_back(static_cast<std::size_t>(each.order));
     }
     for (const start& each : given.starts) {
         const std::string name = primed(each.of.name(), each.of.derivative());
-        const number at = named(name, each.at, [&] { return constant_of(each.point, given); });
+        const number at = named(name, each.at, [&] { return parameters.in(each.point).constant(); });
         if (first != nullptr && !same_number(at, point_)) {
             refuse(name, each.at,
                    "starts at another point than " + primed(first->of.name(), first->of.derivative()) +
@@ -142,11 +150,11 @@ void explicit_system::read_starts(const equation_system& given) {
         }
         first = first == nullptr ? &each : first;
         point_ = at;
-        const auto which = std::ranges::find(unknowns_, each.of.name(), &unknown_function::name);
-        if (which == unknowns_.end()) {
+        const auto which = places.find(each.of.name());
+        if (which == places.end()) {
             refuse(name, each.at, "is a start of no unknown: leave it out");
         }
-        auto& of_unknown = found[static_cast<std::size_t>(which - unknowns_.begin())];
+        auto& of_unknown = found[which->second];
         const auto order = static_cast<std::size_t>(each.of.derivative());
         if (order >= of_unknown.size()) {
             refuse(name, each.at, "has no start of its own, for the equations give it: leave it out");
@@ -154,7 +162,7 @@ void explicit_system::read_starts(const equation_system& given) {
         if (of_unknown[order]) {
             refuse(name, each.at, "has two starts: give it one");
         }
-        of_unknown[order] = named(name, each.at, [&] { return constant_of(each.value, given); });
+        of_unknown[order] = named(name, each.at, [&] { return parameters.in(each.value).constant(); });
     }
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
         auto& values = starts_.emplace_back();

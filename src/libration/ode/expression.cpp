@@ -1,33 +1,64 @@
 #include "libration/ode/expression.hpp"
 
-#include <unordered_map>
+#include <set>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
+#include "libration/ode/node_values.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
 struct expression::node {
+    node() = default;
+    node(node&&) = default;
+    node(const node&) = delete;
+    node& operator=(const node&) = delete;
+    node& operator=(node&&) = delete;
+    ~node();
+
     node_kind kind = node_kind::constant;
     elementary f = elementary::exp;
     int derivative = 0;
     std::string name;
     number value;
-    std::shared_ptr<const expression> left, right;
+    expression left = expression(no_node()), right = expression(no_node());
     bool variable = false, unknowns = false, parameters = false;
     std::size_t hash = 0;
 };
+
+// Operands whose last owner goes are released one by one by the outermost destructor of the thread, so that the depth of
+// an expression needs no stack. Without memory for the list they are released recursively.
+expression::node::~node() {
+    thread_local std::vector<std::shared_ptr<const node>>* open = nullptr;
+    if (left.node_ == nullptr) {
+        return;
+    }
+    std::vector<std::shared_ptr<const node>> mine;
+    auto& list = open != nullptr ? *open : mine;
+    try {
+        list.reserve(list.size() + 2 > list.capacity() ? 2 * list.size() + 2 : 0);
+    } catch (const std::bad_alloc&) {
+        return;
+    }
+    list.push_back(std::move(left.node_));
+    list.push_back(std::move(right.node_));
+    if (open != nullptr) {
+        return;
+    }
+    open = &mine;
+    while (!mine.empty()) {
+        const std::shared_ptr<const node> last = std::move(mine.back());
+        mine.pop_back();
+    }
+    open = nullptr;
+}
 
 namespace {
 
 std::size_t mixed_hash(std::size_t seed, std::size_t more) {
     return seed ^ (more + 0x9e3779b97f4a7c15ULL + (seed << 6U) + (seed >> 2U));
-}
-
-// Numbers that are no fractions share a hash: they are few.
-std::size_t hash_of(const number& value) {
-    const auto q = value.plain();
-    return q ? mixed_hash(std::hash<rational>()(q->coefficient), static_cast<std::size_t>(q->measure)) : 1;
 }
 
 bool is_number(const expression& e) { return e.kind() == node_kind::constant; }
@@ -41,12 +72,12 @@ bool is_leaf(const expression& e) {
 expression::expression(node&& made) {
     made.hash = mixed_hash(static_cast<std::size_t>(made.kind), static_cast<std::size_t>(made.f));
     made.hash = mixed_hash(made.hash, std::hash<std::string>()(made.name) + static_cast<std::size_t>(made.derivative));
-    made.hash = mixed_hash(made.hash, hash_of(made.value));
+    made.hash = mixed_hash(made.hash, made.value.hash());
     made.variable = made.kind == node_kind::variable;
     made.unknowns = made.kind == node_kind::unknown;
     made.parameters = made.kind == node_kind::parameter;
-    for (const auto& side : {made.left, made.right}) {
-        if (side != nullptr) {
+    for (const expression* side : {&made.left, &made.right}) {
+        if (side->node_ != nullptr) {
             made.hash = mixed_hash(made.hash, side->hash());
             made.variable = made.variable || side->has_variable();
             made.unknowns = made.unknowns || side->has_unknowns();
@@ -54,6 +85,11 @@ expression::expression(node&& made) {
         }
     }
     node_ = std::make_shared<const node>(std::move(made));
+}
+
+expression::expression() {
+    static const expression zero{number()};
+    node_ = zero.node_;
 }
 
 expression::expression(const number& value) {
@@ -65,8 +101,8 @@ expression::expression(const number& value) {
 expression expression::binary(node_kind kind, const expression& a, const expression& b) {
     node made;
     made.kind = kind;
-    made.left = std::make_shared<const expression>(a);
-    made.right = std::make_shared<const expression>(b);
+    made.left = a;
+    made.right = b;
     return expression(std::move(made));
 }
 
@@ -75,8 +111,8 @@ const number& expression::constant() const { return node_->value; }
 const std::string& expression::name() const { return node_->name; }
 int expression::derivative() const { return node_->derivative; }
 elementary expression::function() const { return node_->f; }
-const expression& expression::left() const { return *node_->left; }
-const expression& expression::right() const { return *node_->right; }
+const expression& expression::left() const { return node_->left; }
+const expression& expression::right() const { return node_->right; }
 bool expression::has_variable() const { return node_->variable; }
 bool expression::has_unknowns() const { return node_->unknowns; }
 bool expression::has_parameters() const { return node_->parameters; }
@@ -91,20 +127,30 @@ bool expression::is(int n) const {
     return q && *q == n;
 }
 
+// Pairs that were compared are not compared again: expressions with shared parts would take exponential time.
 bool same_form(const expression& a, const expression& b) {
-    if (a.node_ == b.node_) {
-        return true;
+    using node_pair = std::pair<const expression::node*, const expression::node*>;
+    if (a.node_ == b.node_ || a.hash() != b.hash()) {
+        return a.node_ == b.node_;
     }
-    const auto& x = *a.node_;
-    const auto& y = *b.node_;
-    if (x.hash != y.hash || x.kind != y.kind || x.f != y.f || x.derivative != y.derivative || x.name != y.name) {
-        return false;
+    std::set<node_pair> seen;
+    std::vector<node_pair> open{{a.node_.get(), b.node_.get()}};
+    while (!open.empty()) {
+        const auto [x, y] = open.back();
+        open.pop_back();
+        if (x == y) {
+            continue;
+        }
+        if (x == nullptr || y == nullptr || x->hash != y->hash || x->kind != y->kind || x->f != y->f ||
+            x->derivative != y->derivative || x->name != y->name || !same_form(x->value, y->value)) {
+            return false;
+        }
+        if (x->left.node_ != nullptr && seen.emplace(x, y).second) {
+            open.emplace_back(x->left.node_.get(), y->left.node_.get());
+            open.emplace_back(x->right.node_.get(), y->right.node_.get());
+        }
     }
-    if (x.kind == node_kind::constant) {
-        return same_form(x.value, y.value);
-    }
-    const bool left = x.left == nullptr || same_form(*x.left, *y.left);
-    return left && (x.right == nullptr || same_form(*x.right, *y.right));
+    return true;
 }
 
 expression variable() {
@@ -207,109 +253,93 @@ expression apply(elementary f, const expression& x) {
     expression::node made;
     made.kind = node_kind::function;
     made.f = f;
-    made.left = std::make_shared<const expression>(x);
+    made.left = x;
     return expression(std::move(made));
 }
 
 namespace {
 
-// One way through an expression in which what is shared is visited once.
-class rewriting {
-public:
-    explicit rewriting(const replacement& by) : by_(by) {}
-
-    expression of(const expression& e) {
-        if (is_number(e)) {
-            return e;
-        }
-        const auto found = done_.find(e.identity());
-        if (found != done_.end()) {
-            return found->second;
-        }
-        expression result = made(e);
-        done_.emplace(e.identity(), result);
-        return result;
+// f'(x), f(x) being at hand.
+expression slope_of(elementary f, const expression& x, const expression& value) {
+    switch (f) {
+        case elementary::exp: return value;
+        case elementary::log: return 1 / x;
+        case elementary::sqrt: return 1 / (2 * value);
+        case elementary::sin: return cos(x);
+        case elementary::cos: return -sin(x);
+        case elementary::tan: return 1 + value * value;
+        case elementary::asin: return 1 / sqrt(1 - x * x);
+        case elementary::acos: return -(1 / sqrt(1 - x * x));
+        case elementary::atan: return 1 / (1 + x * x);
+        case elementary::sinh: return cosh(x);
+        case elementary::cosh: return sinh(x);
+        default: return 1 - value * value;
     }
+}
 
-private:
-    expression made(const expression& e) {
-        if (is_leaf(e)) {
-            return by_(e).value_or(e);
+// The derivative of a node from those of its operands, `by_right` null where it has one.
+expression derived(const expression& e, const expression& by_left, const expression* by_right) {
+    const expression& a = e.left();
+    switch (e.kind()) {
+        case node_kind::sum: return by_left + *by_right;
+        case node_kind::product: return by_left * e.right() + a * *by_right;
+        case node_kind::quotient: return (by_left - e * *by_right) / e.right();
+        case node_kind::power: {
+            const expression by_base = e.right() * pow(a, e.right() - 1) * by_left;
+            return by_right->is(0) ? by_base : by_base + log(a) * e * *by_right;
         }
-        if (e.kind() == node_kind::function) {
-            return apply(e.function(), of(e.left()));
-        }
-        const expression left = of(e.left());
-        const expression right = of(e.right());
-        switch (e.kind()) {
-            case node_kind::sum: return left + right;
-            case node_kind::product: return left * right;
-            case node_kind::quotient: return left / right;
-            default: return pow(left, right);
-        }
+        default: return by_left.is(0) ? expression() : slope_of(e.function(), a, e) * by_left;
     }
-
-    const replacement& by_;
-    std::unordered_map<const void*, expression> done_;
-};
-
-class differentiation {
-public:
-    explicit differentiation(const expression& leaf) : leaf_(leaf) {}
-
-    expression of(const expression& e) {
-        if (is_number(e) || is_leaf(e)) {
-            return same_form(e, leaf_) ? 1 : 0;
-        }
-        const auto found = done_.find(e.identity());
-        if (found != done_.end()) {
-            return found->second;
-        }
-        expression result = made(e);
-        done_.emplace(e.identity(), result);
-        return result;
-    }
-
-private:
-    expression made(const expression& e) {
-        const expression& a = e.left();
-        const expression inner = of(a);
-        switch (e.kind()) {
-            case node_kind::sum: return inner + of(e.right());
-            case node_kind::product: return inner * e.right() + a * of(e.right());
-            case node_kind::quotient: return (inner - e * of(e.right())) / e.right();
-            case node_kind::power: return e.right() * pow(a, e.right() - 1) * inner;
-            default: return inner.is(0) ? expression() : outer(e.function(), a, e) * inner;
-        }
-    }
-
-    // f'(x), f(x) being at hand.
-    static expression outer(elementary f, const expression& x, const expression& value) {
-        switch (f) {
-            case elementary::exp: return value;
-            case elementary::log: return 1 / x;
-            case elementary::sqrt: return 1 / (2 * value);
-            case elementary::sin: return cos(x);
-            case elementary::cos: return -sin(x);
-            case elementary::tan: return 1 + value * value;
-            case elementary::asin: return 1 / sqrt(1 - x * x);
-            case elementary::acos: return -(1 / sqrt(1 - x * x));
-            case elementary::atan: return 1 / (1 + x * x);
-            case elementary::sinh: return cosh(x);
-            case elementary::cosh: return sinh(x);
-            default: return 1 - value * value;
-        }
-    }
-
-    const expression& leaf_;
-    std::unordered_map<const void*, expression> done_;
-};
+}
 
 }  // namespace
 
-expression replaced(const expression& in, const replacement& by) { return rewriting(by).of(in); }
+void each_leaf(const expression& e, const std::function<void(const expression& leaf)>& seen) {
+    std::unordered_set<const void*> done;
+    std::vector<const expression*> open{&e};
+    while (!open.empty()) {
+        const expression& next = *open.back();
+        open.pop_back();
+        if (is_number(next) || !done.insert(next.identity()).second) {
+            continue;
+        }
+        if (is_leaf(next)) {
+            seen(next);
+        }
+        const auto [left, right] = operands_of(next);
+        for (const expression* each : {right, left}) {
+            if (each != nullptr) {
+                open.push_back(each);
+            }
+        }
+    }
+}
 
-expression partial(const expression& e, const expression& leaf) { return differentiation(leaf).of(e); }
+expression replaced(const expression& in, const replacement& by) {
+    node_values<expression> done;
+    return done.of(in, [&](const expression& e) -> expression {
+        switch (e.kind()) {
+            case node_kind::constant: return e;
+            case node_kind::sum: return done.at(e.left()) + done.at(e.right());
+            case node_kind::product: return done.at(e.left()) * done.at(e.right());
+            case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
+            case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
+            case node_kind::function: return apply(e.function(), done.at(e.left()));
+            default: return by(e).value_or(e);
+        }
+    });
+}
+
+expression partial(const expression& e, const expression& leaf) {
+    node_values<expression> done;
+    return done.of(e, [&](const expression& each) -> expression {
+        if (is_number(each) || is_leaf(each)) {
+            return same_form(each, leaf) ? 1 : 0;
+        }
+        const auto [left, right] = operands_of(each);
+        return derived(each, done.at(*left), right == nullptr ? nullptr : &done.at(*right));
+    });
+}
 
 std::string primed(const std::string& name, int derivative) {
     return name + std::string(static_cast<std::size_t>(derivative), '\'');

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_set>
+#include <set>
 #include <utility>
 
 #include "libration/ode/dependency.hpp"
@@ -14,9 +14,11 @@ namespace {
 constexpr int most_whole_power = 64;
 
 gradient gradient_of(const expression& e, const std::vector<expression>& leaves) {
+    std::set<std::string> names;
+    each_leaf(e, [&](const expression& leaf) { names.insert(leaf.name()); });
     gradient result;
     for (std::size_t k = 0; k < leaves.size(); ++k) {
-        const expression by = partial(e, leaves[k]);
+        const expression by = names.contains(leaves[k].name()) ? partial(e, leaves[k]) : expression();
         if (!by.is(0)) {
             result.emplace_back(k, by);
         }
@@ -79,26 +81,17 @@ private:
     expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }
 
     expression polynomial(const expression& e) {
-        const auto known = done_.find(e.identity());
-        if (known != done_.end()) {
-            return known->second.second;
-        }
-        expression made = converted(e);
-        done_.emplace(e.identity(), std::pair(e, made));
-        return made;
+        return done_.of(e, [this](const expression& each) { return converted(each); });
     }
 
     expression converted(const expression& e) {
         switch (e.kind()) {
             case node_kind::unknown: return given_.at(primed(e.name(), e.derivative()));
-            case node_kind::sum: return polynomial(e.left()) + polynomial(e.right());
-            case node_kind::product: return polynomial(e.left()) * polynomial(e.right());
-            case node_kind::quotient: {
-                const expression above = polynomial(e.left());
-                return above * inverse(polynomial(e.right()));
-            }
-            case node_kind::power: return power_of(polynomial(e.left()), e.right());
-            case node_kind::function: return function_of(e.function(), polynomial(e.left()));
+            case node_kind::sum: return done_.at(e.left()) + done_.at(e.right());
+            case node_kind::product: return done_.at(e.left()) * done_.at(e.right());
+            case node_kind::quotient: return done_.at(e.left()) * inverse(done_.at(e.right()));
+            case node_kind::power: return power_of(done_.at(e.left()), e.right());
+            case node_kind::function: return function_of(e.function(), done_.at(e.left()));
             default: return e;
         }
     }
@@ -149,11 +142,8 @@ private:
 
     expression slope_of(const expression& u) {
         expression sum = partial(u, variable());
-        for (std::size_t k = 0; k < leaves_.size(); ++k) {
-            const expression by = partial(u, leaves_[k]);
-            if (!by.is(0)) {
-                sum = sum + by * slope_of(k);
-            }
+        for (const auto& [k, by] : gradient_of(u, leaves_)) {
+            sum = sum + by * slope_of(k);
         }
         return sum;
     }
@@ -190,7 +180,7 @@ private:
     std::map<std::string, expression> given_;
     std::vector<expression> leaves_, added_;
     std::vector<std::optional<expression>> slopes_;
-    std::unordered_map<const void*, std::pair<expression, expression>> done_;
+    node_values<expression> done_;
 };
 
 // A function with one value for each of its argument; square roots are powers here.
@@ -211,44 +201,44 @@ bool has_one_value(const expression& e) {
 }
 
 // Of the variable, where its unknowns are entire.
-bool is_entire(const expression& e) {
-    switch (e.kind()) {
-        case node_kind::sum:
-        case node_kind::product: return is_entire(e.left()) && is_entire(e.right());
-        case node_kind::quotient: return false;  // one by a constant is a product
-        case node_kind::power: {
-            const auto exponent = e.right().fraction();
-            return is_entire(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
-        }
-        case node_kind::function:
-            switch (e.function()) {
-                case elementary::exp:
-                case elementary::sin:
-                case elementary::cos:
-                case elementary::sinh:
-                case elementary::cosh: return is_entire(e.left());
-                default: return e.is_constant();
+bool is_entire(const expression& whole) {
+    node_values<bool> done;
+    return done.of(whole, [&](const expression& e) {
+        switch (e.kind()) {
+            case node_kind::sum:
+            case node_kind::product: return done.at(e.left()) && done.at(e.right());
+            case node_kind::quotient: return false;  // one by a constant is a product
+            case node_kind::power: {
+                const auto exponent = e.right().fraction();
+                return done.at(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
             }
-        default: return true;
-    }
+            case node_kind::function:
+                switch (e.function()) {
+                    case elementary::exp:
+                    case elementary::sin:
+                    case elementary::cos:
+                    case elementary::sinh:
+                    case elementary::cosh: return done.at(e.left());
+                    default: return e.is_constant();
+                }
+            default: return true;
+        }
+    });
 }
 
 // In the leaves that are the own ones of a component; the others are entire functions of the variable by themselves.
 template <class IsOwn>
 bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is_own) {
     std::vector<expression> own;
-    std::unordered_set<const void*> done;
-    const auto note = [&](const expression& leaf) {
+    each_leaf(right, [&](const expression& leaf) {
         if (is_own(leaf)) {
             own.push_back(leaf);
         }
-    };
-    each_leaf(right, done, note);
+    });
     for (const expression& leaf : own) {
         const expression by = partial(right, leaf);
         bool holds_own = false;
-        done.clear();
-        each_leaf(by, done, [&](const expression& other) { holds_own = holds_own || is_own(other); });
+        each_leaf(by, [&](const expression& other) { holds_own = holds_own || is_own(other); });
         if (holds_own || !is_entire(by)) {
             return false;
         }

@@ -1,125 +1,125 @@
 #include "linear_solution.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <unordered_map>
+#include <set>
 #include <utility>
+
+#include "libration/ode/node_values.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-/// sum coefficients[i] targets[i] + rest.
+using target_indices = std::map<std::string, std::size_t>;
+
+/// sum coefficients[i] targets[i] + rest; coefficients that are 0 are left out.
 struct linear_form {
-    std::vector<expression> coefficients;
+    std::map<std::size_t, expression> coefficients;
     expression rest;
 
-    bool is_free() const {
-        return std::ranges::all_of(coefficients, [](const expression& c) { return c.is(0); });
+    bool is_free() const { return coefficients.empty(); }
+
+    /// Each coefficient and the rest by an operation.
+    template <class Operation>
+    linear_form mapped(const Operation& operation) const {
+        linear_form result{{}, operation(rest)};
+        for (const auto& [i, c] : coefficients) {
+            result.set(i, operation(c));
+        }
+        return result;
+    }
+    void set(std::size_t i, const expression& value) {
+        if (value.is(0)) {
+            coefficients.erase(i);
+        } else {
+            coefficients.insert_or_assign(i, value);
+        }
+    }
+    expression coefficient(std::size_t i) const {
+        const auto found = coefficients.find(i);
+        return found == coefficients.end() ? expression() : found->second;
     }
 };
 
 class linear_reading {
 public:
-    linear_reading(const std::vector<expression>& targets, const equation& of) : targets_(targets), of_(of) {}
+    linear_reading(const std::vector<expression>& targets, const target_indices& indices, const equation& of)
+        : targets_(targets), indices_(indices), of_(of) {}
 
     const linear_form& form(const expression& e) {
-        const auto found = done_.find(e.identity());
-        if (found != done_.end()) {
-            return found->second;
-        }
-        return done_.emplace(e.identity(), made(e)).first->second;
+        return done_.of(e, [this](const expression& each) { return made(each); });
     }
 
 private:
-    linear_form free(const expression& e) const { return {std::vector<expression>(targets_.size()), e}; }
-
     linear_form made(const expression& e) {
         switch (e.kind()) {
             case node_kind::unknown: return leaf(e);
             case node_kind::sum: return sum(e);
             case node_kind::product: return product(e);
             case node_kind::quotient: return quotient(e);
-            case node_kind::power: require_free(e.left(), "a power"); return free(e);
-            case node_kind::function: require_free(e.left(), "a function"); return free(e);
-            default: return free(e);
+            case node_kind::power: require_free(e.left(), "a power"); return {{}, e};
+            case node_kind::function: require_free(e.left(), "a function"); return {{}, e};
+            default: return {{}, e};
         }
     }
 
     linear_form leaf(const expression& e) const {
-        const auto found = std::ranges::find_if(targets_, [&](const expression& t) { return same_form(t, e); });
-        linear_form result = free(found == targets_.end() ? e : expression());
-        if (found != targets_.end()) {
-            result.coefficients[static_cast<std::size_t>(found - targets_.begin())] = 1;
-        }
-        return result;
+        const auto found = indices_.find(primed(e.name(), e.derivative()));
+        return found == indices_.end() ? linear_form{{}, e} : linear_form{{{found->second, 1}}, {}};
     }
 
     linear_form sum(const expression& e) {
-        linear_form result = form(e.left());
-        const linear_form& more = form(e.right());
-        if (result.is_free() && more.is_free()) {
-            return free(e);
+        const linear_form& left = done_.at(e.left());
+        const linear_form& right = done_.at(e.right());
+        if (left.is_free() && right.is_free()) {
+            return {{}, e};
         }
-        for (std::size_t i = 0; i < targets_.size(); ++i) {
-            result.coefficients[i] = result.coefficients[i] + more.coefficients[i];
+        linear_form result = left;
+        for (const auto& [i, c] : right.coefficients) {
+            result.set(i, result.coefficient(i) + c);
         }
-        result.rest = result.rest + more.rest;
+        result.rest = result.rest + right.rest;
         return result;
     }
 
     linear_form product(const expression& e) {
-        const linear_form& left = form(e.left());
-        const linear_form& right = form(e.right());
+        const linear_form& left = done_.at(e.left());
+        const linear_form& right = done_.at(e.right());
         if (left.is_free() && right.is_free()) {
-            return free(e);
+            return {{}, e};
         }
         if (!left.is_free() && !right.is_free()) {
             refuse_form(e.left(), "a product with another highest derivative");
         }
         const expression& factor = left.is_free() ? e.left() : e.right();
-        linear_form result = left.is_free() ? right : left;
-        for (expression& c : result.coefficients) {
-            c = factor * c;
-        }
-        result.rest = factor * result.rest;
-        return result;
+        return (left.is_free() ? right : left).mapped([&](const expression& c) { return factor * c; });
     }
 
     linear_form quotient(const expression& e) {
         require_free(e.right(), "a denominator");
-        linear_form result = form(e.left());
-        if (result.is_free()) {
-            return free(e);
-        }
-        for (expression& c : result.coefficients) {
-            c = c / e.right();
-        }
-        result.rest = result.rest / e.right();
-        return result;
+        const linear_form& above = done_.at(e.left());
+        return above.is_free() ? linear_form{{}, e} : above.mapped([&](const expression& c) { return c / e.right(); });
     }
 
     void require_free(const expression& e, const std::string& where) {
-        if (!form(e).is_free()) {
+        if (!done_.at(e).is_free()) {
             refuse_form(e, where);
         }
     }
 
     [[noreturn]] void refuse_form(const expression& e, const std::string& where) {
-        const linear_form& found = form(e);
-        std::size_t which = 0;
-        while (found.coefficients[which].is(0)) {
-            ++which;
-        }
-        const expression& t = targets_[which];
+        const expression& t = targets_[done_.at(e).coefficients.begin()->first];
         refuse(primed(t.name(), t.derivative()), of_.at,
                "is the highest derivative and stands in " + where +
                    ": make the equation explicit, by solving for it or by differentiating");
     }
 
     const std::vector<expression>& targets_;
+    const target_indices& indices_;
     const equation& of_;
-    std::unordered_map<const void*, linear_form> done_;
+    node_values<linear_form> done_;
 };
 
 // Elimination: each step takes the simplest coefficient that may be divided by.
@@ -132,7 +132,14 @@ public:
           targets_(targets),
           may_divide_(may_divide),
           row_of_(targets.size()),
-          used_(rows_.size(), false) {}
+          used_(rows_.size(), false),
+          rows_with_(targets.size()) {
+        for (std::size_t row = 0; row < rows_.size(); ++row) {
+            for (const auto& [column, c] : rows_[row].coefficients) {
+                rows_with_[column].insert(row);
+            }
+        }
+    }
 
     std::vector<expression> solve() {
         for (std::size_t step = 0; step < targets_.size(); ++step) {
@@ -140,7 +147,8 @@ public:
             used_[row] = true;
             row_of_[column] = row;
             normalize(row, column);
-            for (std::size_t other = 0; other < rows_.size(); ++other) {
+            const std::set<std::size_t> with_it = std::exchange(rows_with_[column], {row});
+            for (const std::size_t other : with_it) {
                 if (other != row) {
                     subtract(other, row, column);
                 }
@@ -158,16 +166,17 @@ private:
         std::size_t row, column;
     };
 
+    // The first of the simplest: a constant without another coefficient in its row is as simple as it gets.
     choice pivot() const {
         std::optional<choice> best;
         int least = 0;
-        for (std::size_t row = 0; row < rows_.size(); ++row) {
-            for (std::size_t column = 0; !used_[row] && column < targets_.size(); ++column) {
-                if (row_of_[column] || rows_[row].coefficients[column].is(0)) {
-                    continue;
-                }
-                const int cost = cost_of(row, column);
-                if (!best || cost < least) {
+        for (std::size_t row = 0; row < rows_.size() && (!best || least > 1); ++row) {
+            if (used_[row]) {
+                continue;
+            }
+            for (const auto& [column, c] : rows_[row].coefficients) {
+                const int cost = row_of_[column] ? 0 : cost_of(row, c);
+                if (cost > 0 && (!best || cost < least)) {
                     best = {row, column};
                     least = cost;
                 }
@@ -179,30 +188,24 @@ private:
         return *best;
     }
 
-    int cost_of(std::size_t row, std::size_t column) const {
-        const auto others =
-            std::ranges::count_if(rows_[row].coefficients, [](const expression& c) { return !c.is(0); });
-        const expression& c = rows_[row].coefficients[column];
+    int cost_of(std::size_t row, const expression& c) const {
         const int kind = c.kind() == node_kind::constant ? 0 : may_divide_(c) ? 100 : 10'000;
-        return kind + static_cast<int>(others);
+        return kind + static_cast<int>(rows_[row].coefficients.size());
     }
 
     void normalize(std::size_t row, std::size_t column) {
-        const expression by = rows_[row].coefficients[column];
-        for (expression& c : rows_[row].coefficients) {
-            c = c / by;
-        }
-        rows_[row].rest = rows_[row].rest / by;
+        const expression by = rows_[row].coefficients.at(column);
+        rows_[row] = rows_[row].mapped([&](const expression& c) { return c / by; });
     }
 
     void subtract(std::size_t from, std::size_t row, std::size_t column) {
-        const expression times = rows_[from].coefficients[column];
+        const expression times = rows_[from].coefficient(column);
         if (times.is(0)) {
             return;
         }
-        for (std::size_t i = 0; i < targets_.size(); ++i) {
-            const expression less = times * rows_[row].coefficients[i];
-            rows_[from].coefficients[i] = i == column ? expression() : rows_[from].coefficients[i] - less;
+        for (const auto& [i, c] : rows_[row].coefficients) {
+            rows_with_[i].insert(from);
+            rows_[from].set(i, i == column ? expression() : rows_[from].coefficient(i) - times * c);
         }
         rows_[from].rest = rows_[from].rest - times * rows_[row].rest;
     }
@@ -229,16 +232,21 @@ private:
     const nonzero_test& may_divide_;
     std::vector<std::optional<std::size_t>> row_of_;
     std::vector<bool> used_;
+    std::vector<std::set<std::size_t>> rows_with_;  // a superset of the rows with a coefficient in a column
 };
 
 }  // namespace
 
 std::vector<expression> linear_solution(const std::vector<equation>& equations, const std::vector<expression>& targets,
                                         const nonzero_test& may_divide) {
+    target_indices indices;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        indices.emplace(primed(targets[i].name(), targets[i].derivative()), i);
+    }
     std::vector<linear_form> rows;
     for (const equation& each : equations) {
         const expression zero = each.left - each.right;
-        rows.push_back(linear_reading(targets, each).form(zero));
+        rows.push_back(linear_reading(targets, indices, each).form(zero));
     }
     return elimination(std::move(rows), equations, targets, may_divide).solve();
 }

@@ -1,7 +1,7 @@
 #include "libration/ode/opened_system.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <map>
 #include <utility>
 
 namespace libration::ode {
@@ -43,55 +43,44 @@ public:
 
     opened_system result() {
         equation_system open = made_;
+        parameter_values in_equations = values_with([&](std::size_t i) { return unknown(names_[i]); });
         for (equation& each : open.equations) {
-            each.left = replaced_numbers(each.left, [&](std::size_t i) { return unknown(names_[i]); });
-            each.right = replaced_numbers(each.right, [&](std::size_t i) { return unknown(names_[i]); });
+            each.left = in_equations.in(each.left);
+            each.right = in_equations.in(each.right);
         }
         for (std::size_t i = 0; i < names_.size(); ++i) {
             open.add(derivative(unknown(names_[i])));
             open.begin(unknown(names_[i]), expression(values_[i]), made_.starts.front().point);
         }
         opened_system made{explicit_system(open), values_, {}, leaves_};
+        parameter_values in_starts = values_with([&](std::size_t i) { return leaves_[i]; });
         for (const unknown_function& each : made.system.unknowns()) {
             for (int j = 0; j < each.order; ++j) {
-                made.starts.push_back(start_of(each.name, j));
+                made.starts.push_back(start_of(in_starts, each.name, j));
             }
         }
         return made;
     }
 
 private:
-    expression start_of(const std::string& name, int order) const {
+    expression start_of(parameter_values& in_starts, const std::string& name, int order) const {
         const auto number_of = std::ranges::find(names_, name);
         if (number_of != names_.end()) {
             return leaves_[static_cast<std::size_t>(number_of - names_.begin())];
         }
         const auto at = std::ranges::find_if(
             made_.starts, [&](const start& s) { return s.of.name() == name && s.of.derivative() == order; });
-        return replaced_numbers(at->value, [&](std::size_t i) { return leaves_[i]; });
+        return in_starts.in(at->value);
     }
 
-    // Parameters by their values, as deep as they go, the open ones by what stands for them.
+    // Parameters by their values, the open ones by what stands for them.
     template <class For>
-    expression replaced_numbers(const expression& e, const For& stands_for) const {
-        expression result = e;
-        for (std::size_t depth = 0; depth <= made_.parameters.size() && result.has_parameters(); ++depth) {
-            result = replaced(result, [&](const expression& leaf) -> std::optional<expression> {
-                if (leaf.kind() != node_kind::parameter) {
-                    return std::nullopt;
-                }
-                const auto number_of = std::ranges::find(names_, leaf.name());
-                if (number_of != names_.end()) {
-                    return stands_for(static_cast<std::size_t>(number_of - names_.begin()));
-                }
-                const definition* const found = made_.parameter_of(leaf.name());
-                if (found == nullptr) {
-                    refuse(leaf.name(), {}, "has no value: write " + leaf.name() + " = number");
-                }
-                return found->value;
-            });
+    parameter_values values_with(const For& stands_for) const {
+        std::map<std::string, expression> open;
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            open.emplace(names_[i], stands_for(i));
         }
-        return result;
+        return parameter_values(made_, std::move(open));
     }
 
     equation_system made_;

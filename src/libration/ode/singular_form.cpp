@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "libration/ode/node_values.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -30,23 +31,7 @@ public:
     explicit factoring(start_values& values) : values_(values) {}
 
     factored_form of(const expression& e) {
-        switch (e.kind()) {
-            case node_kind::parameter: met_ = true; return {1, 1};
-            case node_kind::sum: return of_sum(e);
-            case node_kind::product: {
-                const auto a = of(e.left());
-                const auto b = of(e.right());
-                return {a.exponent + b.exponent, a.rest * b.rest};
-            }
-            case node_kind::quotient: {
-                const auto a = of(e.left());
-                const auto b = of(e.right());
-                return {a.exponent - b.exponent, a.rest / b.rest};
-            }
-            case node_kind::power: return of_power(e);
-            case node_kind::function: return of_function(e);
-            default: return {0, e};
-        }
+        return done_.of(e, [this](const expression& each) { return made(each); });
     }
 
     /// The least root in whose powers all powers of s are whole.
@@ -65,6 +50,26 @@ public:
     }
 
 private:
+    factored_form made(const expression& e) {
+        switch (e.kind()) {
+            case node_kind::parameter: met_ = true; return {1, 1};
+            case node_kind::sum: return of_sum(e);
+            case node_kind::product: {
+                const auto& a = done_.at(e.left());
+                const auto& b = done_.at(e.right());
+                return {a.exponent + b.exponent, a.rest * b.rest};
+            }
+            case node_kind::quotient: {
+                const auto& a = done_.at(e.left());
+                const auto& b = done_.at(e.right());
+                return {a.exponent - b.exponent, a.rest / b.rest};
+            }
+            case node_kind::power: return of_power(e);
+            case node_kind::function: return of_function(e);
+            default: return {0, e};
+        }
+    }
+
     expression joined(const factored_form& f) {
         note(f.exponent);
         return f.exponent == 0 ? f.rest : distance_power(f.exponent) * f.rest;
@@ -79,14 +84,14 @@ private:
                 return {1, slope};
             }
         }
-        const auto a = of(e.left());
-        const auto b = of(e.right());
+        const auto& a = done_.at(e.left());
+        const auto& b = done_.at(e.right());
         const rational least = std::min(a.exponent, b.exponent);
         return {least, joined({a.exponent - least, a.rest}) + joined({b.exponent - least, b.rest})};
     }
 
     factored_form of_power(const expression& e) {
-        const auto base = of(e.left());
+        const auto& base = done_.at(e.left());
         const auto exponent = e.right().fraction();
         if (!exponent) {
             return {0, pow(joined(base), e.right())};
@@ -95,7 +100,7 @@ private:
     }
 
     factored_form of_function(const expression& e) {
-        const auto inner = of(e.left());
+        const auto& inner = done_.at(e.left());
         if (e.function() == elementary::sqrt) {
             return {inner.exponent / 2, sqrt(inner.rest)};
         }
@@ -107,31 +112,35 @@ private:
     }
 
     start_values& values_;
+    node_values<factored_form> done_;
     int root_ = 1;
     bool met_ = false;
 };
 
 // How far behind coefficient n the newest coefficient is that can be known before y_n is.
-long lag_of(const expression& e, int root) {
-    switch (e.kind()) {
-        case node_kind::unknown: return static_cast<long>(e.derivative()) * root;
-        case node_kind::function:
-        case node_kind::power: return lag_of(e.left(), root);
-        case node_kind::product: {
-            const expression& left = e.left();
-            if (left.kind() == node_kind::power && is_distance(left.left())) {
-                const rational shift = *left.right().fraction() * root;
-                return std::max(0L, lag_of(e.right(), root) - numerator(shift).convert_to<long>());
+long lag_of(const expression& whole, int root) {
+    node_values<long> done;
+    return done.of(whole, [&](const expression& e) {
+        switch (e.kind()) {
+            case node_kind::unknown: return static_cast<long>(e.derivative()) * root;
+            case node_kind::function:
+            case node_kind::power: return done.at(e.left());
+            case node_kind::product: {
+                const expression& left = e.left();
+                if (left.kind() == node_kind::power && is_distance(left.left())) {
+                    const rational shift = *left.right().fraction() * root;
+                    return std::max(0L, done.at(e.right()) - numerator(shift).convert_to<long>());
+                }
+                if (is_distance(left)) {
+                    return std::max(0L, done.at(e.right()) - root);
+                }
+                return std::max(done.at(left), done.at(e.right()));
             }
-            if (is_distance(left)) {
-                return std::max(0L, lag_of(e.right(), root) - root);
-            }
-            return std::max(lag_of(left, root), lag_of(e.right(), root));
+            case node_kind::sum:
+            case node_kind::quotient: return std::max(done.at(e.left()), done.at(e.right()));
+            default: return 0L;
         }
-        case node_kind::sum:
-        case node_kind::quotient: return std::max(lag_of(e.left(), root), lag_of(e.right(), root));
-        default: return 0;
-    }
+    });
 }
 
 // Finds the weights of one right side, f in terms of s.

@@ -1,7 +1,5 @@
 #include "start_values.hpp"
 
-#include <algorithm>
-
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -57,25 +55,19 @@ number start_values::computed(const expression& e) {
     if (e.kind() == node_kind::power && e.left().kind() == node_kind::parameter && e.right().constant().sign() > 0) {
         return {};  // s^r, which stands for a power of the series' variable
     }
-    const number left = value_of(e.left());
+    const number& left = done_.at(e.left());
     require_analytic(e, left);
     switch (e.kind()) {
-        case node_kind::sum: return left + value_of(e.right());
-        case node_kind::product: return left * value_of(e.right());
-        case node_kind::quotient: return left / value_of(e.right());
+        case node_kind::sum: return left + done_.at(e.right());
+        case node_kind::product: return left * done_.at(e.right());
+        case node_kind::quotient: return left / done_.at(e.right());
         case node_kind::power: return power(left, e.right().constant());
         default: return apply(e.function(), left);
     }
 }
 
 number start_values::value_of(const expression& e) {
-    const auto found = done_.find(e.identity());
-    if (found != done_.end()) {
-        return found->second.second;
-    }
-    number value = computed(e);
-    done_.emplace(e.identity(), std::pair(e, value));
-    return value;
+    return done_.of(e, [this](const expression& each) { return computed(each); });
 }
 
 std::optional<std::string> start_values::refusal_of(const expression& e) {
@@ -88,15 +80,14 @@ std::optional<std::string> start_values::refusal_of(const expression& e) {
 }
 
 leaf_value leaves_at_start(const explicit_system& of) {
-    return [&of](const expression& leaf) -> std::optional<number> {
+    return [&of, places = places_of(of.unknowns())](const expression& leaf) -> std::optional<number> {
         if (leaf.kind() == node_kind::variable) {
             return of.point();
         }
         if (leaf.kind() == node_kind::parameter) {
             return number();  // s
         }
-        const auto found = std::ranges::find(of.unknowns(), leaf.name(), &unknown_function::name);
-        const auto& of_unknown = of.starts()[static_cast<std::size_t>(found - of.unknowns().begin())];
+        const auto& of_unknown = of.starts()[places.at(leaf.name())];
         const auto order = static_cast<std::size_t>(leaf.derivative());
         return order < of_unknown.size() ? std::optional(of_unknown[order]) : std::nullopt;
     };

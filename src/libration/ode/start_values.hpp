@@ -4,10 +4,10 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/node_values.hpp"
 
 namespace libration::ode {
 
@@ -30,7 +30,7 @@ private:
     static void require_analytic(const expression& e, const number& argument);
 
     leaf_value of_leaf_;
-    std::unordered_map<const void*, std::pair<expression, number>> done_;  // the expression keeps its identity
+    node_values<number> done_;
 };
 
 /// The values that the starts of a system give to t, s = 0 and the unknowns; the system has to outlive them.

@@ -14,11 +14,17 @@ bool fits_int(const rational& q) {
     return fits(numerator(q)) && fits(denominator(q));
 }
 
+bool is_constant_node(const expression& e) { return e.kind() == node_kind::constant; }
+
 bool is_minus(const expression& e) { return e.kind() == node_kind::product && e.left().is(-1); }
+
+// Whether a sum is -a + b, read as b - a.
+bool is_less(const expression& e) { return is_minus(e.left()) && !is_minus(e.right()) && !is_constant_node(e.right()); }
 
 }  // namespace
 
-tape_builder::tape_builder(const explicit_system& of, start_values* at_start) : system_(of), at_start_(at_start) {
+tape_builder::tape_builder(const explicit_system& of, start_values* at_start)
+    : system_(of), places_(places_of(of.unknowns())), at_start_(at_start) {
     result_.point_ = of.point();
     result_.starts_ = of.starts();
     for (const unknown_function& each : of.unknowns()) {
@@ -53,15 +59,31 @@ tape tape_builder::build(const std::vector<expression>& watched) {
 }
 
 int tape_builder::step_of(const expression& e) {
-    const auto [first, last] = done_.equal_range(e.hash());
-    for (auto at = first; at != last; ++at) {
-        if (same_form(at->second.first, e)) {
-            return at->second.second;
-        }
+    return done_.of(
+        e, [this](const expression& each) { return made(each); },
+        [this](const expression& each) { return operands(each); });
+}
+
+// Those that become steps: a constant is part of the step that reads it, a - b needs no step for -b.
+operand_pair tape_builder::operands(const expression& e) const {
+    switch (e.kind()) {
+        case node_kind::sum:
+            if (is_less(e)) {
+                return {&e.left().right(), &e.right()};
+            }
+            return {&e.left(), is_constant_node(e.right()) ? nullptr
+                               : is_minus(e.right())       ? &e.right().right()
+                                                           : &e.right()};
+        case node_kind::product:
+            return is_constant_node(e.left()) || is_delay(e.left()) ? operand_pair{&e.right()} : operands_of(e);
+        case node_kind::power: return is_delay(e) ? operand_pair{} : operand_pair{&e.left()};
+        default: return operands_of(e);
     }
-    const int step = made(e);
-    done_.emplace(e.hash(), std::pair(e, step));
-    return step;
+}
+
+// Whether it is a power of the distance from a singular start.
+bool tape_builder::is_delay(const expression& e) const {
+    return result_.singular_ && e.kind() == node_kind::power && e.left().kind() == node_kind::parameter;
 }
 
 int tape_builder::made(const expression& e) {
@@ -72,10 +94,7 @@ int tape_builder::made(const expression& e) {
         case node_kind::unknown: return state(e);
         case node_kind::sum: return sum_of(e);
         case node_kind::product: return product_of(e);
-        case node_kind::quotient: {
-            const int a = step_of(e.left());
-            return quotient(a, step_of(e.right()));
-        }
+        case node_kind::quotient: return quotient(done_.at(e.left()), done_.at(e.right()));
         case node_kind::power: return power_of(e);
         default: return function_of(e);
     }
@@ -122,14 +141,15 @@ void tape_builder::set_lag(tape_step& step) const {
 }
 
 int tape_builder::state(const expression& e) {
-    const auto& all = system_.unknowns();
-    const auto found = std::ranges::find(all, e.name(), &unknown_function::name);
-    const int which = static_cast<int>(found - all.begin());
+    const int which = static_cast<int>(places_.at(e.name()));
     tape_step step{.kind = operation::state, .left = which, .right = e.derivative()};
     step.lag = result_.singular_ ? e.derivative() * result_.root_ : 0;
     step.newest = result_.singular_;
+    const auto before = result_.steps_.size();
     const int index = shared(step);
-    result_.states_.push_back({which, e.derivative(), index});
+    if (result_.steps_.size() > before) {
+        result_.states_.push_back({which, e.derivative(), index});
+    }
     return index;
 }
 
@@ -148,18 +168,16 @@ int tape_builder::constant(const number& value) {
 }
 
 int tape_builder::sum_of(const expression& e) {
-    const int a = step_of(e.left());
-    if (e.right().kind() == node_kind::constant) {
+    const auto [first, second] = operands(e);
+    const int a = done_.at(*first);
+    if (second == nullptr) {
         return shared({.kind = operation::raised, .left = a, .constant = constant_index(e.right().constant())});
     }
-    if (is_minus(e.right())) {
-        return shared({.kind = operation::difference, .left = a, .right = step_of(e.right().right())});
+    const int b = done_.at(*second);
+    if (is_less(e)) {
+        return shared({.kind = operation::difference, .left = b, .right = a});
     }
-    if (is_minus(e.left())) {
-        const int b = step_of(e.right());
-        return shared({.kind = operation::difference, .left = b, .right = step_of(e.left().right())});
-    }
-    return shared({.kind = operation::sum, .left = a, .right = step_of(e.right())});
+    return shared({.kind = is_minus(e.right()) ? operation::difference : operation::sum, .left = a, .right = b});
 }
 
 int tape_builder::scaled_by(int of, const number& factor) {
@@ -194,14 +212,11 @@ int tape_builder::delayed_by(int of, const rational& exponent) {
 
 int tape_builder::product_of(const expression& e) {
     const expression& factor = e.left();
-    if (factor.kind() == node_kind::constant) {
-        return scaled_by(step_of(e.right()), factor.constant());
+    const int right = done_.at(e.right());
+    if (is_constant_node(factor)) {
+        return scaled_by(right, factor.constant());
     }
-    if (result_.singular_ && factor.kind() == node_kind::power && factor.left().kind() == node_kind::parameter) {
-        return delayed_by(step_of(e.right()), *factor.right().fraction());
-    }
-    const int a = step_of(factor);
-    return product(a, step_of(e.right()));
+    return is_delay(factor) ? delayed_by(right, *factor.right().fraction()) : product(done_.at(factor), right);
 }
 
 int tape_builder::whole_power(int base, const integer& n) {
@@ -214,10 +229,10 @@ int tape_builder::whole_power(int base, const integer& n) {
 }
 
 int tape_builder::power_of(const expression& e) {
-    if (result_.singular_ && e.left().kind() == node_kind::parameter) {
+    if (is_delay(e)) {
         return delayed_by(constant(number(rational(1))), *e.right().fraction());
     }
-    const int base = step_of(e.left());
+    const int base = done_.at(e.left());
     const auto exponent = e.right().constant().fraction();
     const rational twice = exponent ? rational(abs(*exponent) * 2) : rational(0);
     if (exponent && denominator(twice) == 1 && twice <= 2 * largest_whole_power) {
@@ -289,7 +304,7 @@ int tape_builder::pair_of(operation kind, const expression& e, int argument, boo
 }
 
 int tape_builder::function_of(const expression& e) {
-    const int a = step_of(e.left());
+    const int a = done_.at(e.left());
     const auto with = [&](operation kind, int arrays) {
         tape_step step{.kind = kind, .left = a, .right = slope_of(a)};
         step.centre = centre_of(kind == operation::arcsine ? elementary::asin : e.function(), e.left());

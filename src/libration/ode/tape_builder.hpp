@@ -4,10 +4,10 @@
 #include <functional>
 #include <map>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "libration/ode/node_values.hpp"
 #include "libration/ode/tape.hpp"
 #include "start_values.hpp"
 
@@ -23,6 +23,8 @@ public:
 
 private:
     int step_of(const expression& e);
+    operand_pair operands(const expression& e) const;
+    bool is_delay(const expression& e) const;
     int made(const expression& e);
     int sum_of(const expression& e);
     int product_of(const expression& e);
@@ -46,9 +48,10 @@ private:
     std::optional<number> centre_of(elementary f, const expression& argument);
 
     const explicit_system& system_;
+    std::map<std::string, std::size_t> places_;
     start_values* at_start_;
     tape result_;
-    std::unordered_multimap<std::size_t, std::pair<expression, int>> done_;
+    node_values<int> done_;
     std::map<std::tuple<int, int, int, int, int, int, int>, int> known_;
 };
 

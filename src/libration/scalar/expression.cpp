@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <unordered_set>
 #include <utility>
 
 #include "exact_fold.hpp"
@@ -25,6 +27,7 @@ constexpr std::array<std::pair<std::string_view, elementary>, 12> elementary_nam
                                                                                     {"tanh", elementary::tanh}}};
 
 constexpr long deepest_expression = 200;
+constexpr std::size_t most_terms = 10'000;
 
 std::size_t mixed(std::size_t seed, std::size_t more) {
     return seed ^ (more + 0x9e3779b97f4a7c15ULL + (seed << 6U) + (seed >> 2U));
@@ -114,32 +117,71 @@ long expression::depth() const {
 
 long expression::functions() const {
     long all = 0;
-    for (const term& each : terms_) {
-        all += each.of->functions;
+    std::unordered_set<const atom*> seen;
+    std::vector<const expression*> open{this};
+    while (!open.empty()) {
+        const expression& next = *open.back();
+        open.pop_back();
+        for (const term& each : next.terms_) {
+            if (each.of->is_composed() && seen.insert(each.of.get()).second) {
+                all += each.of->kind == atom_kind::function || each.of->kind == atom_kind::power ? 1 : 0;
+                open.insert(open.end(), {&each.of->left, &each.of->right});
+            }
+        }
     }
     return all;
 }
 
-bool same_form(const expression& a, const expression& b) {
-    using term = expression::term;
-    return a.terms_.size() == b.terms_.size() && std::ranges::all_of(a.terms_, [&](const term& x) {
-               return std::ranges::any_of(b.terms_, [&](const term& y) {
-                   return x.coefficient == y.coefficient && expression::same_atom(*x.of, *y.of);
+// Pairs of atoms that were found to be the same are not compared again: shared parts would take exponential time.
+class expression::comparison {
+public:
+    bool same(const expression& a, const expression& b) {
+        return a.terms_.size() == b.terms_.size() && std::ranges::all_of(a.terms_, [&](const term& x) {
+                   return std::ranges::any_of(
+                       b.terms_, [&](const term& y) { return x.coefficient == y.coefficient && same(*x.of, *y.of); });
                });
-           });
-}
-
-bool expression::same_atom(const atom& a, const atom& b) {
-    if (&a == &b) {
-        return true;
     }
-    return a.hash == b.hash && a.kind == b.kind && a.f == b.f && same_form(a.left, b.left) &&
-           same_form(a.right, b.right);
+
+    bool same(const atom& a, const atom& b) {
+        if (&a == &b) {
+            return true;
+        }
+        if (a.hash != b.hash || a.kind != b.kind || a.f != b.f) {
+            return false;
+        }
+        if (!a.is_composed() || same_.contains({&a, &b})) {
+            return true;
+        }
+        const bool found = same(a.left, b.left) && same(a.right, b.right);
+        if (found) {
+            same_.emplace(&a, &b);
+        }
+        return found;
+    }
+
+private:
+    std::set<std::pair<const atom*, const atom*>> same_;
+};
+
+bool same_form(const expression& a, const expression& b) { return expression::comparison().same(a, b); }
+
+bool expression::same_atom(const atom& a, const atom& b) { return comparison().same(a, b); }
+
+// The terms in any order.
+std::size_t expression::hash() const {
+    std::size_t of_terms = 0;
+    for (const term& each : terms_) {
+        of_terms += mixed(each.of->hash, std::hash<rational>()(each.coefficient));
+    }
+    return of_terms;
 }
 
 void expression::add(const rational& coefficient, const std::shared_ptr<const atom>& of) {
     const auto found = std::ranges::find_if(terms_, [&](const term& each) { return same_atom(*each.of, *of); });
     if (found == terms_.end()) {
+        if (terms_.size() == most_terms) {
+            refuse_number("has more than " + std::to_string(most_terms) + " different terms");
+        }
         terms_.push_back({coefficient, of});
         return;
     }
@@ -184,29 +226,18 @@ expression expression::of_atom(atom a) {
     require_no_period(a.right);
     a.depth = 1 + std::max(a.left.depth(), a.right.depth());
     if (a.depth > deepest_expression) {
-        refuse_number("is nested too deeply");
+        refuse_number("nests more than " + std::to_string(deepest_expression) + " products, powers and functions");
     }
-    const bool costly = a.kind == atom_kind::function || a.kind == atom_kind::power;
-    a.functions = a.left.functions() + a.right.functions() + (costly ? 1 : 0);
     a.hash = mixed(static_cast<std::size_t>(a.kind), static_cast<std::size_t>(a.f));
-    for (const expression* side : {&a.left, &a.right}) {
-        std::size_t of_terms = 0;  // in any order
-        for (const term& each : side->terms_) {
-            of_terms += mixed(each.of->hash, std::hash<rational>()(each.coefficient));
-        }
-        a.hash = mixed(a.hash, of_terms);
-    }
-    const bool total = a.kind == atom_kind::product;
+    a.hash = mixed(mixed(a.hash, a.left.hash()), a.right.hash());
     expression result;
     result.terms_.push_back({1, std::make_shared<const atom>(std::move(a))});
-    if (!total) {
-        long bits = 64;
-        while (!result.bounds_at(bits)) {
-            bits *= 2;
-            if (bits > result.most_bits()) {
-                throw error(error_kind::undecided, "number", "",
-                            "has a part of which no precision within the limits shows that it has a value");
-            }
+    long bits = 64;
+    while (!result.bounds_at(bits)) {
+        bits *= 2;
+        if (bits > result.most_bits()) {
+            throw error(error_kind::undecided, "number", "",
+                        "has a part of which no precision within the limits shows that it has a value");
         }
     }
     return result;

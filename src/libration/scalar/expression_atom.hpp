@@ -18,7 +18,8 @@ struct expression::atom {
     expression right;
     std::size_t hash = 0;
     long depth = 1;
-    long functions = 0;  ///< and powers: what an evaluation costs
+
+    bool is_composed() const { return kind >= atom_kind::product; }
 };
 
 [[noreturn]] inline void refuse_number(const std::string& reason) {

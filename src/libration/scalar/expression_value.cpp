@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 #include "expression_atom.hpp"
@@ -21,8 +22,8 @@ namespace {
 using bounds = std::optional<number_bounds>;
 using rounded_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-// exp and powers of more than this many bits before the point are refused.
-constexpr long largest_exponent = 1L << 40U;
+// Numbers of more than this many bits before the point, or zeros behind it, are refused: they become fractions.
+constexpr long largest_exponent = 1L << 27U;
 
 void require_rounding(bool as_asked) {
     if (!as_asked) {
@@ -224,8 +225,9 @@ bounds real_power(const number_bounds& x, const number_bounds& y, const std::opt
     return rising(mpfr_exp, exponent);
 }
 
-bool is_finite(const number_bounds& x) {
-    return mpfr_number_p(handle(x.lower)) != 0 && mpfr_number_p(handle(x.upper)) != 0;
+bool is_in_range(const mpfr& x) {
+    return mpfr_zero_p(handle(x)) != 0 ||
+           (mpfr_number_p(handle(x)) != 0 && std::labs(mpfr_get_exp(handle(x))) <= largest_exponent);
 }
 
 bool is_narrow(const number_bounds& x, long bits) {
@@ -239,48 +241,67 @@ bool is_narrow(const number_bounds& x, long bits) {
 
 }  // namespace
 
-std::optional<number_bounds> expression::bounds_of(const atom& a, long bits) {
-    switch (a.kind) {
-        case atom_kind::one: return of_fraction(1);
-        case atom_kind::pi: return of_pi();
-        case atom_kind::degree: return product(of_pi(), of_fraction(rational(1, 180)));
-        case atom_kind::period:
-            throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
-        default: break;
+// One evaluation in the precision in force: atoms that are shared are evaluated once.
+class expression::evaluation {
+public:
+    bounds of(const expression& x) {
+        number_bounds total{mpfr(0), mpfr(0)};
+        for (const term& each : x.terms_) {
+            const number_bounds factor = of_fraction(each.coefficient);
+            if (each.of->kind == atom_kind::one) {
+                total = sum(total, factor);
+                continue;
+            }
+            const bounds value = of(*each.of);
+            if (!value) {
+                return std::nullopt;
+            }
+            total = sum(total, product(*value, factor));
+        }
+        if (!is_in_range(total.lower) || !is_in_range(total.upper)) {
+            refuse_number("is beyond the range of numbers");
+        }
+        return total;
     }
-    const bounds left = a.left.bounds_at(bits);
-    if (!left || a.kind == atom_kind::function) {
-        return left ? of_function(a.f, *left) : std::nullopt;
+
+private:
+    bounds of(const atom& a) {
+        switch (a.kind) {
+            case atom_kind::pi: return of_pi();
+            case atom_kind::degree: return product(of_pi(), of_fraction(rational(1, 180)));
+            case atom_kind::period:
+                throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
+            default: break;
+        }
+        const auto known = done_.find(&a);
+        return known != done_.end() ? known->second : done_.emplace(&a, composed(a)).first->second;
     }
-    const bounds right = a.right.bounds_at(bits);
-    if (!right) {
-        return std::nullopt;
+
+    bounds composed(const atom& a) {
+        const bounds left = of(a.left);
+        if (!left || a.kind == atom_kind::function) {
+            return left ? of_function(a.f, *left) : std::nullopt;
+        }
+        const bounds right = of(a.right);
+        if (!right) {
+            return std::nullopt;
+        }
+        if (a.kind == atom_kind::product) {
+            return product(*left, *right);
+        }
+        if (a.kind == atom_kind::quotient) {
+            return quotient(*left, *right);
+        }
+        const auto n = a.right.fraction();
+        return n && denominator(*n) == 1 ? whole_power(*left, numerator(*n)) : real_power(*left, *right, n);
     }
-    if (a.kind == atom_kind::product) {
-        return product(*left, *right);
-    }
-    if (a.kind == atom_kind::quotient) {
-        return quotient(*left, *right);
-    }
-    const auto n = a.right.fraction();
-    return n && denominator(*n) == 1 ? whole_power(*left, numerator(*n)) : real_power(*left, *right, n);
-}
+
+    std::unordered_map<const atom*, bounds> done_;
+};
 
 std::optional<number_bounds> expression::bounds_at(long bits) const {
     const precision_scope scope(decimal_digits(bits));
-    number_bounds total{mpfr(0), mpfr(0)};
-    for (const term& each : terms_) {
-        const bounds value = bounds_of(*each.of, bits);
-        if (!value) {
-            return std::nullopt;
-        }
-        total = sum(total, each.of->kind == atom_kind::one ? of_fraction(each.coefficient)
-                                                           : product(*value, of_fraction(each.coefficient)));
-    }
-    if (!is_finite(total)) {
-        refuse_number("is beyond the range of numbers");
-    }
-    return total;
+    return evaluation().of(*this);
 }
 
 long expression::most_bits() const {

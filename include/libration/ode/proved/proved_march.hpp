@@ -14,7 +14,8 @@
 
 namespace libration::ode {
 
-/// Told now and then up to which time a run has come, and with how many bits it began.
+/// Told now and then, between two steps, up to which time a run has come, and with how many bits it began. What it
+/// throws ends the run, which may go on afterwards.
 using march_watch = std::function<void(const ball& reached, long bits)>;
 
 /// Why a proof goes no further.

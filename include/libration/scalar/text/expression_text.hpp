@@ -11,7 +11,7 @@ namespace libration {
 /// + - * / ^ (also **), parentheses, and exp log sqrt sin cos tan asin acos atan sinh cosh tanh. * and / go from left
 /// to right, ^ binds tighter than a sign and to the right: -x^2 = -(x^2), 2^3^2 = 2^9, 2pi^2 = 2*pi^2; 1/2pi is refused
 /// as ambiguous. Blanks may stand around signs and parentheses. Throws libration::error of kind argument saying what is
-/// wrong with the text and where, and as the operations of expression do. At most 10000 characters, nested at most 100
+/// wrong with the text and where, and as the operations of expression do. At most 100000 characters, nested at most 100
 /// deep.
 expression read_expression(std::string_view text);
 

@@ -30,7 +30,8 @@ std::vector<solution_component> components_of(const explicit_system& system);
 ///     (|t dy/dt| + sum_x |x dy/dx|) / max(1, |y|)
 /// of the components y that are compared, x the starts and the parameters that are not 0 (dependence); at a singular
 /// start |t dy/dt| / max(1, |y|) of the first one alone.
-/// Times that grow share the marches. Not for several threads at once.
+/// A row whose time needs more work than a limit is undecided (row_work), and so are rows beyond it; a condition number
+/// that needs more is empty. Times that grow share the marches. Not for several threads at once.
 class problem_truths {
 public:
     /// A problem solved for its highest derivatives, and as it is written.
@@ -53,7 +54,7 @@ private:
     std::vector<true_value> truths_at(const exact& time, const components& asked, long digits);
     std::string condition_at(const exact& time, const components& asked, long digits);
     std::string condition_of_slope(const exact& time, const solution_component& of, long digits);
-    std::optional<std::vector<moved_value>> moved_at(const number& time);
+    std::optional<std::vector<moved_value>> moved_at(const exact& at);
 
     explicit_system system_;
     equation_system equations_;

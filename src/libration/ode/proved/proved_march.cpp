@@ -17,6 +17,9 @@ constexpr long bits_below_the_set = 20;
 constexpr long widest_set = -24;
 // Of the bits of the map of errors, those that its truncation need not keep.
 constexpr long bits_below_truncation = 40;
+// Between two calls of the progress callback, unless steps take long.
+constexpr long steps_unwatched = 64;
+constexpr long bits_unwatched = 4096;
 // log2 of how much shorter the map of errors makes a step.
 constexpr double worth_more_terms = 0.3;
 
@@ -222,9 +225,6 @@ void proved_march::step(int direction) {
         added.emplace_back(image[i] - centre_[i]);
     }
     arb_add(time_.handle(), time_.handle(), distance.handle(), ARF_PREC_EXACT);
-    if (++steps_ % 64 == 0 && watch_) {
-        watch_(time_, bits_);
-    }
     now_->ready = false;
     const precision_scope few(decimal_digits(error_bits_));
     const ball_matrix map = derivative_of_flow(distance);
@@ -232,6 +232,10 @@ void proved_march::step(int direction) {
         derivative_ = product(map, *derivative_);
     }
     errors_ = errors_.moved(map, added);
+    ++steps_;
+    if (watch_ && (steps_ % steps_unwatched == 0 || bits_ > bits_unwatched)) {
+        watch_(time_, bits_);
+    }
 }
 
 void proved_march::keep_derivative() {

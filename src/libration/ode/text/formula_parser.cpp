@@ -13,7 +13,7 @@ namespace {
 constexpr int deepest_formula = 100;
 constexpr std::array<std::string_view, 4> names_of_columns{"n", "time", "digits", "rigour"};
 
-// By recursive descent: sum, product, signed factor, power, primary.
+// By recursive descent, of bounded depth: sum, product, signed factor, power, primary.
 class formula_parser {
 public:
     formula_parser(const statement& words, std::size_t first, std::size_t last, const known_names& names,
@@ -52,8 +52,8 @@ private:
         if (at_operand() && next_ > 0) {
             const token& before = words_[next_ - 1];
             const std::string both = text_of(words_, next_ - 1, next_ + 1);
-            const std::string left = text_of(words_, next_ - 1, next_);
-            const std::string right = text_of(words_, next_, next_ + 1);
+            const std::string left = beginning_of(text_of(words_, next_ - 1, next_));
+            const std::string right = beginning_of(text_of(words_, next_, next_ + 1));
             refuse(both, before.at, "multiplies without *: write " + left + "*" + right);
         }
         if (word.symbol == ')') {
@@ -79,7 +79,7 @@ private:
                 throw;
             }
             const std::string subject = problem.subject() == "number" ? "" : problem.subject() + " ";
-            throw error(problem.kind(), "problem", text_of(words_, 0, words_.size()),
+            throw error(problem.kind(), "problem", beginning_of(text_of(words_, 0, words_.size())),
                         "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " " +
                             (subject.empty() ? "" : "has an " + subject + "that ") + problem.reason() +
                             (problem.subject() == "number" ? ": choose another number" : ""));

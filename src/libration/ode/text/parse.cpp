@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "formula_parser.hpp"
@@ -206,7 +207,7 @@ private:
 
     void read_parameter(const statement& words) {
         const std::string name(words[0].text);
-        if (result_.parameter_of(name) != nullptr) {
+        if (!defined_.insert(name).second) {
             refuse(whole(words), words[0].at, "gives " + name + " a second value: give it one");
         }
         result_.parameters.push_back({name, constant(words, 2, words.size(), "value"), words[0].at});
@@ -227,6 +228,7 @@ private:
     std::vector<statement> all_;
     known_names names_;
     equation_system result_;
+    std::set<std::string> defined_;
 };
 
 // A parameter that a problem does not have.

@@ -2,14 +2,13 @@
 
 #include <cctype>
 
+#include "libration/ode/parse.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/number_lexer.hpp"
 
 namespace libration::ode {
 
 namespace {
-
-constexpr std::size_t longest_problem = 100'000;
 
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool goes_on_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -76,6 +75,10 @@ private:
             length = read_number(made);
         } else {
             length = read_symbol(made);
+        }
+        if (made.kind == token_kind::name && length + static_cast<std::size_t>(made.primes) > longest_name) {
+            refuse(std::string(rest_.substr(0, length)), at_,
+                   "has more than " + std::to_string(longest_name) + " characters, primes among them: choose another");
         }
         made.text = rest_.substr(0, length);
         advance(length + static_cast<std::size_t>(made.primes));

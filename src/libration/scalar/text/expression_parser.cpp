@@ -10,13 +10,13 @@ namespace libration {
 
 namespace {
 
-constexpr std::size_t longest_text = 10'000;
+constexpr std::size_t longest_text = 100'000;
 constexpr int deepest = 100;
 
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool continues_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// By recursive fundamental arc: sum, product, factor (a sign), power, primary.
+/// By recursive descent, of bounded depth: sum, product, factor (a sign), power, primary.
 class expression_parser {
 public:
     explicit expression_parser(std::string_view text) : text_(text), rest_(text) {}

@@ -8,6 +8,7 @@
 #include "libration/ode/step.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "row_work.hpp"
 
 namespace libration::ode {
 
@@ -75,23 +76,37 @@ problem_truths::march_pair& problem_truths::marches(long digits) {
 
 // A proved march with its latest time, and its bits.
 struct problem_truths::proved_way {
+    explicit proved_way(std::size_t unknowns) : work(unknowns) {}
+
     std::unique_ptr<proved_march> march;
     number latest;
     long bits = 0;
+    row_work work;
 };
+
+namespace {
+
+// Tells the work for a row of the march that a way has.
+template <class Way>
+march_watch watch_of(Way& way) {
+    return [&way](const ball& /*reached*/, long /*bits*/) { way.work.add(*way.march); };
+}
+
+}  // namespace
 
 // All unknowns and their lower derivatives, in order. More bits where the enclosure becomes too wide on the way.
 std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
     const number at = as_expression(time);
     auto& way = proved_by_digits_[digits];
     if (!way) {
-        way = std::make_shared<proved_way>();
+        way = std::make_shared<proved_way>(all_.size());
         way->bits = digits * 3322 / 1000 + first_proof_bits;
     }
     const int direction = (at - system_.point()).sign();
+    way->work.begin(at, time.text, direction);
     while (way->bits <= most_proof_bits) {
         if (!way->march || ((at - way->latest) * number(rational(direction))).sign() < 0) {
-            way->march = std::make_unique<proved_march>(system_, way->bits);
+            way->march = std::make_unique<proved_march>(system_, way->bits, watch_of(*way));
         }
         way->latest = at;
         if (const auto state = way->march->at(at)) {
@@ -173,26 +188,29 @@ std::string problem_truths::condition_of_slope(const exact& time, const solution
 
 // A march that keeps its derivative by starts and parameters, and where it was asked last.
 struct problem_truths::dependent_way {
-    explicit dependent_way(const equation_system& equations) : on(equations) {}
+    explicit dependent_way(const equation_system& equations) : on(equations), work(on.system().unknowns().size()) {}
 
     dependence on;
     std::unique_ptr<proved_march> march;
     number latest;
     long bits = first_proof_bits;
     long error_bits = proved_march::usual_error_bits;
+    row_work work;
 };
 
 // Three digits. Nothing where so many bits do not settle them.
-std::optional<std::vector<moved_value>> problem_truths::moved_at(const number& time) {
+std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& at) {
+    const number time = as_expression(at);
     if (!dependent_) {
         dependent_ = std::make_shared<dependent_way>(equations_);
     }
     dependent_way& way = *dependent_;
     const auto& system = way.on.system();
     const int direction = (time - system.point()).sign();
+    way.work.begin(time, at.text, direction);
     while (way.bits <= most_proof_bits && way.error_bits <= most_error_bits) {
         if (!way.march || ((time - way.latest) * number(rational(direction))).sign() < 0) {
-            way.march = std::make_unique<proved_march>(system, way.bits, march_watch(), way.error_bits);
+            way.march = std::make_unique<proved_march>(system, way.bits, watch_of(way), way.error_bits);
             way.march->keep_derivative();
         }
         way.latest = time;
@@ -216,7 +234,9 @@ std::string problem_truths::condition_at(const exact& time, const components& as
         if (system_.singular() && (is_start(system_, time) || !proves(time))) {
             return condition_of_slope(time, asked.front(), digits);
         }
-        moved = moved_at(as_expression(time));
+        moved = moved_at(time);
+    } catch (const work_limit&) {
+        return "";
     } catch (const error&) {
         if (!system_.singular()) {
             throw;

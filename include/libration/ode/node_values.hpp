@@ -1,0 +1,80 @@
+// Walks over expressions of any depth: an explicit stack in place of recursion, and each node once, however often it is
+// shared.
+#pragma once
+
+#include <array>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "libration/ode/expression.hpp"
+
+namespace libration::ode {
+
+/// At most two expressions, null where there are fewer.
+using operand_pair = std::array<const expression*, 2>;
+
+/// The operands of a node: none of a constant or a leaf, the argument of a function, otherwise left and right.
+inline operand_pair operands_of(const expression& e) {
+    switch (e.kind()) {
+        case node_kind::constant:
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter: return {};
+        case node_kind::function: return {&e.left()};
+        default: return {&e.left(), &e.right()};
+    }
+}
+
+/// Values of the nodes of expressions, each computed once for copies of one object; the nodes are kept alive, so that
+/// identities stay theirs. Memory: one entry for each node.
+template <class Value>
+class node_values {
+public:
+    /// The value of e. `compute(node)` is called for each node below e that has no value yet, the operands of a node
+    /// before it, the left one first, and reads their values by at(), or by another call of() that returns them without
+    /// further depth. `operands(node)` are the expressions below a node whose values `compute` reads. What `compute`
+    /// throws passes; values that were found before stay. References stay valid.
+    template <class Compute, class Operands>
+    const Value& of(const expression& e, const Compute& compute, const Operands& operands) {
+        if (const Value* const known = find(e)) {
+            return *known;
+        }
+        std::vector<std::pair<const expression*, bool>> open{{&e, false}};
+        while (!open.empty()) {
+            const auto [node, has_operands] = open.back();
+            if (has_operands || find(*node) != nullptr) {
+                open.pop_back();
+                if (has_operands) {
+                    done_.emplace(node->identity(), std::pair<expression, Value>(*node, compute(*node)));
+                }
+                continue;
+            }
+            open.back().second = true;
+            const operand_pair below = operands(*node);
+            for (auto each = below.rbegin(); each != below.rend(); ++each) {
+                if (*each != nullptr) {
+                    open.emplace_back(*each, false);
+                }
+            }
+        }
+        return at(e);
+    }
+    template <class Compute>
+    const Value& of(const expression& e, const Compute& compute) {
+        return of(e, compute, operands_of);
+    }
+
+    /// The value of an expression that has one.
+    const Value& at(const expression& e) const { return done_.at(e.identity()).second; }
+
+private:
+    const Value* find(const expression& e) const {
+        const auto found = done_.find(e.identity());
+        return found == done_.end() ? nullptr : &found->second.second;
+    }
+
+    std::unordered_map<const void*, std::pair<expression, Value>> done_;
+};
+
+}  // namespace libration::ode
