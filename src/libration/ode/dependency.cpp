@@ -24,8 +24,7 @@ std::vector<std::size_t> unknowns_in(const expression& e, const std::map<std::st
         }
     });
     std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -299,8 +299,9 @@ covering covered_with_bits(const explicit_system& system, const ball& rho, long 
 std::vector<closed_subsystem> systems_to_cover(const explicit_system& system, std::size_t leaf) {
     std::vector<closed_subsystem> all = independent_subsystems(system);
     std::erase_if(all, [](const closed_subsystem& each) { return has_entire_solutions(each.system); });
-    std::ranges::stable_partition(
-        all, [&](const closed_subsystem& each) { return std::ranges::find(each.leaves, leaf) != each.leaves.end(); });
+    std::stable_partition(all.begin(), all.end(), [&](const closed_subsystem& each) {
+        return std::ranges::find(each.leaves, leaf) != each.leaves.end();
+    });
     return all;
 }
 

@@ -75,11 +75,11 @@ public:
     }
 
 private:
-    int order_for(double bits, double terms) const {
+    static int order_for(double bits, double terms) {
         return std::max(least_walk_order, static_cast<int>(bits * terms));
     }
 
-    void move(local_series<mpfr>& series, const wide_complex& to) {
+    static void move(local_series<mpfr>& series, const wide_complex& to) {
         const auto values = series.values_at(to);
         series.about(to, values);
     }
@@ -117,7 +117,7 @@ private:
         const double modulus = std::abs(from_.at);
         double bits = bits_;  // those that what is left of the approach needs
         mpfr tolerance = pow(mpfr(10), -static_cast<int>(digits_)) * modulus / 4;
-        const double sought = static_cast<double>(tolerance);
+        const auto sought = static_cast<double>(tolerance);
         bool exact_enough = false;
         for (long steps = 0;; ++steps) {
             local_series<mpfr> series(of_, order_for(bits, approach_terms_for_a_bit));
