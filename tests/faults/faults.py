@@ -465,7 +465,6 @@ FAULTS = [
         ("the sign behind a piece not read", "    if (behind == sign_) {\n        return with_sign(behind);\n    }\n", ""),
         ("the wrong half of a monotone piece", "p = sign == sign_ ? p.behind(middle) : p.before(middle);",
          "p = sign == sign_ ? p.before(middle) : p.behind(middle);"),
-        ("an event beyond the end", "if (event && is_beyond(event->time)) {", "if (false) {"),
         ("the way of a crossing in the direction of the search", "event.way = sign_ * direction_ > 0",
          "event.way = sign_ > 0"),
     ),
