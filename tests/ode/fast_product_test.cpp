@@ -144,6 +144,25 @@ TEST_CASE("FLINT's products enclose the coefficients, at few digits and at many"
     }
 }
 
+// y = -c^2 t/(1-t), all of whose coefficients are -c^2, where FLINT's own products are wrong up to version 3.6.0.
+TEST_CASE("coefficients are right at the bound of FLINT's transform", "[ode][proved]") {
+    for (const char* const c : {"0.99999999999999999999", "1 - 2^(-349)", "1 - 2^(-285)"}) {
+        const rational square = read_exact(c).coefficient * read_exact(c).coefficient;
+        const explicit_system system(parse(std::string("y' = (c/(1-t))*(c/(t-1)); y(0) = 0; c = ") + c));
+        const tape made = tape::about_start(system);
+        for (const long digits : {172L, 220L, 320L}) {
+            const precision_scope scope(digits);
+            taylor_expansion<ball> blocks(made, 511, fast_product<ball>());
+            blocks.about_start();
+            const precision_scope finer(digits + 200);
+            for (int n = 1; n <= 511; ++n) {
+                CAPTURE(c, digits, n);
+                CHECK(contains(blocks.coefficients(0)[n], from_rational<ball>(-square)));
+            }
+        }
+    }
+}
+
 // 7^-n again. A coefficient comes from sums of at most 2 n products, each right to the last place, so to 4 n epsilon;
 // log n rectangles round relative to their largest term, which here differs from the others by at most a factor 7^64.
 TEST_CASE("FLINT's products in mpfr keep the digits of a geometric series", "[ode]") {

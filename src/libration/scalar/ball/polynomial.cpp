@@ -51,8 +51,9 @@ void add_scaled(std::vector<ball>& c, int first, int count, const integer_vector
     fmpz_t power;
     fmpz_init(power);
     for (int k = 0; k < count; ++k) {
-        fmpz_set_si(power, exponent + scale * (first + k));
-        arb_ptr const target = c[static_cast<std::size_t>(first + k)].handle();
+        const int n = first + k;
+        fmpz_set_si(power, exponent + scale * n);
+        arb_struct* const target = c[static_cast<std::size_t>(n)].handle();
         arb_add_fmpz_2exp(target, target, &sums[static_cast<std::size_t>(k)], power, bits);
     }
     fmpz_clear(power);
@@ -96,7 +97,7 @@ std::vector<ball> in_blocks(const ball* a, int a_terms, const ball* b, int b_ter
 void divide_by_recurrence(std::vector<ball>& q, const ball* a, const ball* b, const ball& inverse, int count,
                           slong bits) {
     for (int n = 0; n < count; ++n) {
-        arb_ptr const target = q[static_cast<std::size_t>(n)].handle();
+        arb_struct* const target = q[static_cast<std::size_t>(n)].handle();
         if (n > 0) {
             arb_dot(target, a[n].handle(), 1, b[1].handle(), 1, q[static_cast<std::size_t>(n) - 1].handle(), -1, n,
                     bits);
@@ -134,7 +135,7 @@ std::vector<ball> remainder(const ball* a, const ball* b, const std::vector<ball
     std::vector<ball> d = leading_product(b, count, q.data(), known, count, bits);
     d.erase(d.begin(), d.begin() + known);
     for (int k = 0; k < count - known; ++k) {
-        arb_ptr const target = d[static_cast<std::size_t>(k)].handle();
+        arb_struct* const target = d[static_cast<std::size_t>(k)].handle();
         arb_sub(target, a[known + k].handle(), target, bits);
     }
     return d;

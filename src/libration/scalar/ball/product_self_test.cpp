@@ -49,12 +49,13 @@ bool multiplies_ones(integer_product by, slong terms, slong s, slong t) {
         set_ones(b[k], t, -1);
     }
     by(c.data(), a.data(), terms, b.data(), terms, terms);
-    integer_vector expected(2);
-    fmpz_mul(&expected[0], &a[0], &b[0]);
+    integer_vector step(1);
+    integer_vector expected(1);
+    fmpz_mul(step.data(), a.data(), b.data());
     bool right = true;
     for (std::size_t n = 0; n < size; ++n) {
-        fmpz_add(&expected[1], &expected[1], &expected[0]);
-        right = right && fmpz_equal(&c[n], &expected[1]) != 0;
+        fmpz_add(expected.data(), expected.data(), step.data());
+        right = right && fmpz_equal(&c[n], expected.data()) != 0;
     }
     return right;
 }

@@ -64,7 +64,8 @@ void add_product(std::vector<magnitude>& sums, const double_blocks& a, const dou
             multiply(part, &a.values[static_cast<std::size_t>(left.first)], left.length,
                      &b.values[static_cast<std::size_t>(right.first)], right.length, count);
             for (int k = 0; k < count; ++k) {
-                sums[static_cast<std::size_t>(first + k)] += magnitude::at_least(
+                const int n = first + k;
+                sums[static_cast<std::size_t>(n)] += magnitude::at_least(
                     part[static_cast<std::size_t>(k)] * for_roundings, left.low + right.low + block_height);
             }
         }
@@ -110,7 +111,7 @@ void add_radii(std::vector<ball>& c, const ball* a, int a_terms, const ball* b, 
         if (run > 1 && m > 0) {
             radius.add_product(sums[m - 1], magnitude(static_cast<unsigned>(run) - 1 - t));
         }
-        mag_ptr const target = arb_radref(c[static_cast<std::size_t>(n)].handle());
+        mag_struct* const target = arb_radref(c[static_cast<std::size_t>(n)].handle());
         mag_add(target, target, radius.shifted(scale * n).handle());
     }
 }
