@@ -52,39 +52,76 @@ private:
 constexpr long digits_of_second = ode::more_digits_of_second_proof;
 
 void check_states(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
-                  const std::vector<std::vector<proved_decimal>>& first) {
-    const auto second =
-        ode::proved_trajectory(system, constants_of(times), digits + digits_of_second, {}, ode::proof_route::second());
+                  const ode::partial_trajectory& first) {
+    const auto second = ode::proved_part_of_trajectory(system, constants_of(times), digits + digits_of_second, {},
+                                                       ode::proof_route::second());
     const auto columns = columns_of_states(system);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        for (std::size_t j = 0; j < first[i].size(); ++j) {
-            require_agreement(first[i][j], second[i][j], columns[j + 1].name + " at time " + times[i].text);
+    for (std::size_t i = 0; i < first.states.size(); ++i) {
+        const std::size_t compared = std::min(first.states[i].size(), second.states[i].size());
+        for (std::size_t j = 0; j < compared; ++j) {
+            const auto& a = first.states[i][j].decimal;
+            const auto& b = second.states[i][j].decimal;
+            if (a && b) {
+                require_agreement(*a, *b, columns[j + 1].name + " at time " + times[i].text);
+            }
         }
     }
 }
 
+// A time with its values, to the table and to the text.
+void add_state(reference_table& result, const std::vector<column>& columns,
+               const std::vector<ode::trajectory_value>& state, const exact& time, long digits) {
+    table_row_cells row{number_cell(decimal_of(time, digits))};
+    result.text += fmt::format("{}{:<10}{}\n", result.text.empty() ? "" : "\n", columns.front().name, row[0].text());
+    std::string bounds;
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const std::string& name = columns[i + 1].name;
+        const std::string bound = state[i].decimal ? "" : fmt::format("|{}| < {}", name, state[i].bound);
+        row.push_back(state[i].decimal ? cell::number(state[i].decimal->text, digits) : cell());
+        bounds += bound.empty() || bounds.empty() ? bound : "; " + bound;
+        result.text += fmt::format("{:<10}{}\n", name, state[i].decimal ? row.back().text() : bound);
+    }
+    row.emplace_back(digits);
+    row.emplace_back("proved");
+    row.emplace_back(time.text);
+    if (row.size() < columns.size()) {
+        row.emplace_back(bounds);
+    }
+    result.rows.add_row(std::move(row));
+}
+
 }  // namespace
 
-table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits, bool check) {
+reference_table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
+                                  bool check) {
     const auto checked = checked_products(check);
     const auto at = constants_of(times);
     way_to_go way(system, at);
-    const auto states = ode::proved_trajectory(system, at, digits, [&](const ball& time, long) { way.reached(time); });
+    const auto part =
+        ode::proved_part_of_trajectory(system, at, digits, [&](const ball& time, long) { way.reached(time); });
     if (check) {
-        check_states(system, times, digits, states);
+        check_states(system, times, digits, part);
     }
-    table data(columns_of_states(system));
+    std::vector<column> columns = columns_of_states(system);
+    const bool undecided = std::ranges::any_of(part.states, [](const auto& state) {
+        return std::ranges::any_of(state, [](const ode::trajectory_value& each) { return !each.decimal; });
+    });
+    if (undecided) {
+        columns.push_back({"undecided", ""});
+    }
+    reference_table result{table(columns), {}, part.missing};
     for (std::size_t i = 0; i < times.size(); ++i) {
-        table_row_cells row{number_cell(decimal_of(times[i], digits))};
-        for (const proved_decimal& value : states[i]) {
-            row.push_back(cell::number(value.text, digits));
+        if (!part.states[i].empty()) {
+            add_state(result, columns, part.states[i], times[i], digits);
         }
-        row.emplace_back(digits);
-        row.emplace_back("proved");
-        row.emplace_back(times[i].text);
-        data.add_row(std::move(row));
     }
-    return data;
+    return result;
+}
+
+void require_complete(const reference_table& of) {
+    if (of.missing) {
+        throw error(*of.missing);
+    }
 }
 
 std::string lines_of_states(const table& data) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "equation/problem_reference.hpp"
 #include "libration/digits/proved/printed_values.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/invariant.hpp"
@@ -220,13 +219,13 @@ std::vector<exact> times_of_problem(const std::string& words) {
     return times;
 }
 
-table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
-                         const arithmetic& numbers) {
+reference_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
+                                   const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::proved) {
         return problem_reference(system, times, numbers.digits);
     }
     try {
-        return table_of_states(system, times, numbers);
+        return {table_of_states(system, times, numbers), {}, {}};
     } catch (const error& problem) {
         if (problem.subject() != "time" || problem.kind() != error_kind::argument) {
             throw;

@@ -211,14 +211,8 @@ std::vector<asked_motion> motions_of_file(const reference_options& options) {
     return asked;
 }
 
-// What the reference of a problem is, and why it is not all that was asked for.
-struct problem_answer {
-    table data;
-    std::optional<error> missing = std::nullopt;
-};
-
 // When a condition holds.
-problem_answer events_of_problem(const reference_options& options, long digits) {
+reference_table events_of_problem(const reference_options& options, long digits) {
     if (options.times) {
         throw input_error("--times", *options.times, "comes with --until, which finds the times", "leave one out");
     }
@@ -228,11 +222,12 @@ problem_answer events_of_problem(const reference_options& options, long digits) 
         return problem_events(system, request, digits, options.check,
                               [&](const table& data) { options.output.write(data, lines_of_states(data)); });
     });
-    return {std::move(found.data), std::move(found.missing)};
+    std::string text = lines_of_states(found.data);
+    return {std::move(found.data), std::move(text), std::move(found.missing)};
 }
 
-// In place of a motion, any problem.
-problem_answer reference_of_problem(const reference_options& options, long digits) {
+// Instead of a motion, any problem.
+reference_table reference_of_problem(const reference_options& options, long digits) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
@@ -255,24 +250,24 @@ problem_answer reference_of_problem(const reference_options& options, long digit
         if (options.check) {
             throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
         }
-        return {state_at_infinity(options.problem.equations(), digits)};
+        table state = state_at_infinity(options.problem.equations(), digits);
+        std::string text = lines_of_states(state);
+        return {std::move(state), std::move(text), {}};
     }
     const auto system = options.problem.choose();
     const auto times = times_of_problem(*options.times);
-    return {naming_option("--problem", [&] { return problem_reference(system, times, digits, options.check); })};
+    return naming_option("--problem", [&] { return problem_reference(system, times, digits, options.check); });
 }
 
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
     if (options.problem.given()) {
-        const problem_answer answer = reference_of_problem(options, digits);
-        if (!answer.missing || !answer.data.rows().empty()) {
-            options.output.write(answer.data, lines_of_states(answer.data));
+        const reference_table found = reference_of_problem(options, digits);
+        if (found.has_output()) {
+            options.output.write(found.rows, found.text);
         }
-        if (answer.missing) {
-            throw error(*answer.missing);
-        }
+        require_complete(found);
         return 0;
     }
     options.problem.require_problem();

@@ -97,7 +97,7 @@ trajectory_request choose(const trajectory_options& options) {
 }
 
 // In place of a motion, any problem.
-table trajectory_of_problem(const trajectory_options& options) {
+reference_table trajectory_of_problem(const trajectory_options& options) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
@@ -126,15 +126,19 @@ table trajectory_of_problem(const trajectory_options& options) {
             throw input_error("--method", method, "is for real times", "leave --method out for complex ones");
         }
         return naming_option("--problem", [&] {
-            return problem_approximation(options.problem, {method, order_of("--order", *options.order)},
-                                         times_of_problem(options.times), numbers);
+            return reference_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
+                                                         times_of_problem(options.times), numbers),
+                                   {},
+                                   {}};
         });
     }
     const auto system = options.problem.choose();
     if (options.via || has_imaginary_unit(options.times)) {
         const auto corners = corners_of(options.via);
         const auto points = complex_points("--times", options.times);
-        return naming_option("--problem", [&] { return problem_trajectory_along(system, corners, points, numbers); });
+        return naming_option("--problem", [&] {
+            return reference_table{problem_trajectory_along(system, corners, points, numbers), {}, {}};
+        });
     }
     const auto times = times_of_problem(options.times);
     return naming_option("--problem", [&] { return problem_trajectory(system, times, numbers); });
@@ -143,7 +147,11 @@ table trajectory_of_problem(const trajectory_options& options) {
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     if (options.problem.given()) {
-        options.output.write(trajectory_of_problem(options));
+        const reference_table found = trajectory_of_problem(options);
+        if (found.has_output()) {
+            options.output.write(found.rows);
+        }
+        require_complete(found);
         return 0;
     }
     options.problem.require_problem();

@@ -139,6 +139,34 @@ TEST_CASE("reference proves the digits of any problem, at times and at events", 
     }
 }
 
+// The order of the unknowns is x, z, y; x - y is 0, which no precision shows.
+TEST_CASE("one value or time that is not proved leaves the others", "[command][problem]") {
+    const auto ended = run_libration(
+        {"reference", "--problem", "y' = y^2; y(0)=1", "--time", "0.5,2,-1", "--digits", "10", "--format", "csv"});
+    CHECK(ended.exit_code == 1);
+    CHECK(ended.out ==
+          "time,y,digits,rigour,time_typed\n0.5,2.000000000,10,proved,0.5\n-1,0.5000000000,10,proved,-1\n");
+    CHECK(ended.err.find("time '2.00000000000' is not reached") != std::string::npos);
+    const words open{"reference", "--problem", "x' = -x + z^2; y' = -y + z^2; z' = x - y; x(0)=1/3; y(0)=1/3; z(0)=0",
+                     "--time",    "0,1",       "--digits",
+                     "10"};
+    const auto text = run_libration(open);
+    CHECK(text.exit_code == 1);
+    CHECK(text.out.find("z         0\n") != std::string::npos);
+    CHECK(text.out.find("x         0.1226264804\nz         |z| < ") != std::string::npos);
+    words as_csv = open;
+    as_csv.insert(as_csv.end(), {"--format", "csv"});
+    const auto csv = run_libration(as_csv);
+    CHECK(csv.exit_code == 1);
+    const auto rows = csv_rows(csv.out);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("undecided").empty());
+    CHECK(rows[1].at("z").empty());
+    CHECK(rows[1].at("y") == "0.1226264804");
+    CHECK(rows[1].at("undecided").starts_with("|z| < "));
+    CHECK(lines_of(csv.err).size() == 1);
+}
+
 TEST_CASE("a reference that cannot be proved ends with 1, says why, and prints nothing", "[command][problem]") {
     const auto blown = run_libration({"reference", "--problem", "y' = y^2; y(0)=1", "--time", "2", "--digits", "20"});
     CHECK(blown.exit_code == 1);

@@ -10,6 +10,7 @@
 #include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/singular_step.hpp"
+#include "libration/ode/proved/step_length.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 
 namespace libration::ode {
@@ -33,6 +34,12 @@ enum class march_end {
 ///
 /// The unknowns are those of the given system with their lower derivatives; what theorem T needs besides
 /// (lifted_system) is computed from them in each step. The precision falls as the set grows: what is below it is noise.
+///
+/// Each unknown has its digits relative to itself: the set is kept in scales 2^k near the sizes of the unknowns on the
+/// step (error_frame::settled), and tails are bounded relative to the size of their unknown or to the set's own width
+/// (step_length.hpp). An unknown that is 0 at all times remains an exact 0: centre, tail and row of A are exact zeros
+/// then. One that is not distinguished from 0 for another reason has no effect on the steps; one that once was, and is
+/// no more, ends the proof for want of precision.
 class proved_march {
 public:
     static constexpr long most_steps = 10'000'000;
@@ -87,10 +94,12 @@ private:
     struct expansions;
     proved_march(singular_step begin, long bits, march_watch watch, long error_bits, const proof_route& route);
 
-    void expand();
-    void choose_length(const magnitude& size);
+    void make_expansions();
+    bool expand_centre();
+    bool expand_set();
+    bool choose_length();
     bool stopped(march_end why);
-    long bits_of_centre() const;
+    bool stopped_by_bounds();
     std::vector<ball> flow_of_centre(const ball& distance) const;
     std::vector<ball> whole_set() const;
 
@@ -104,6 +113,8 @@ private:
     ball time_, origin_;
     std::vector<ball> centre_;
     error_frame errors_;
+    unknown_scales scales_;
+    long set_bits_;  ///< of the map of errors: error_bits_, and what its largest terms lose
     std::unique_ptr<expansions> now_;
     std::optional<ball_matrix> derivative_;
     long steps_ = 0;

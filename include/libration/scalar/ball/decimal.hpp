@@ -48,6 +48,14 @@ inline std::string upper_bound_text(const ball& x) {
     return bound == 0 ? "0" : parts_of(bound, 3, MPFR_RNDU).text();
 }
 
+/// Three significant digits of a number above every |number| of a ball that is not 0.
+inline std::string bound_text(const ball& x) {
+    ball largest;
+    arb_get_abs_ubound_arf(arb_midref(largest.handle()), x.handle(), 60);
+    const precision_scope scope(20);
+    return parts_of(midpoint_of(largest * (ball(1) + pow(ball(2), -40L))), 3, MPFR_RNDU).text();
+}
+
 /// The midpoint with `count` significant digits, where every number of the ball is less than one unit of the last of
 /// them away from what is printed; nothing where that is not so. The ball 0 alone is printed as 0.
 /// Throws error when count < 1.

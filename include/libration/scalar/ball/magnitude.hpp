@@ -1,7 +1,9 @@
 // Upper bounds of sizes: numbers of 30 bits whose every operation rounds up.
 #pragma once
 
+#include <cmath>
 #include <concepts>
+#include <limits>
 
 #include "libration/scalar/ball/ball.hpp"
 
@@ -34,6 +36,12 @@ public:
     static magnitude radius_of(const ball& x) {
         magnitude result;
         mag_set(result.value_, arb_radref(x.handle()));
+        return result;
+    }
+    /// A lower bound of |x| for every number x of the ball; 0 where one of them is 0.
+    static magnitude below(const ball& x) {
+        magnitude result;
+        arb_get_mag_lower(result.value_, x.handle());
         return result;
     }
     /// m 2^e, exactly where m has at most 30 bits.
@@ -118,6 +126,21 @@ public:
 private:
     mag_t value_;
 };
+
+/// log2 x to a few units of the last place of a double, for choices that no proof depends on; minus infinity for 0.
+inline double log_of(const magnitude& x) {
+    if (x.is_zero()) {
+        return -std::numeric_limits<double>::infinity();
+    }
+    const long exponent = x.exponent();
+    return std::log2(mag_get_d((x * magnitude::of(1, -exponent)).handle())) + static_cast<double>(exponent);
+}
+
+/// 2^x rounded to 16 bits, for the same.
+inline magnitude power_of_two(double x) {
+    const double whole = std::floor(x);
+    return magnitude::of(static_cast<unsigned long>(std::exp2(x - whole + 15)), static_cast<long>(whole) - 15);
+}
 
 /// x with its radius enlarged by a bound: all numbers so near to one of x.
 inline ball widened(ball x, const magnitude& by) {

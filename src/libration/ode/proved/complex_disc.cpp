@@ -57,10 +57,10 @@ long bits_of(const complex_set& set, long most) {
 }
 
 std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<complex_ball>& expansion,
-                                     const complex_ball& point, std::size_t unknowns, const magnitude& size) {
-    double log_of_radius = estimated_radius(expansion, unknowns, size.is_zero() ? magnitude(1U) : size);
+                                     const complex_ball& point, std::size_t unknowns) {
+    double log_of_radius = estimated_radius(expansion, unknowns);
     if (log_of_radius == no_radius) {  // at an equilibrium the variations alone have a radius
-        log_of_radius = estimated_radius(expansion, of.orders().size(), magnitude(1U));
+        log_of_radius = estimated_radius(expansion, of.orders().size());
     }
     for (const unsigned long part : parts_of_estimate) {
         const magnitude radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
@@ -174,9 +174,7 @@ void complex_disc::expand() {
         of_set_ = std::make_unique<taylor_expansion<complex_ball>>(flow.varied_tape_,
                                                                    complex_set_order + flow.route_.more_terms);
         of_set_->about(time(), as_state(varied));
-        const std::size_t count = flow.lifted_.leaves.size();
-        const std::vector<complex_ball> own(varied.begin(), varied.begin() + static_cast<std::ptrdiff_t>(count));
-        set_tail_ = tail_about(flow.varied_tape_, *of_set_, time(), count, largest_of(own));
+        set_tail_ = tail_about(flow.varied_tape_, *of_set_, time(), flow.lifted_.leaves.size());
     }
     if (!set_tail_) {
         throw precision_exhausted("the radius about a point of a path");

@@ -175,7 +175,7 @@ std::vector<conditioned_state> proved_conditions(const equation_system& given, c
                            return moved.has_value();
                        },
                        on.own()});
-    auto values = runs.result();
+    auto values = all_digits(runs.part());
     for (std::size_t i = 0; i < times.size(); ++i) {
         result[i].values = std::move(values[i]);
     }

@@ -22,15 +22,28 @@ ball dot(const column& a, const column& b) {
     return sum;
 }
 
+column unit_vector(std::size_t size, std::size_t k) {
+    column unit(size, ball(0));
+    unit[k] = ball(1);
+    return unit;
+}
+
 // Orthonormal columns in the order given, nearly: what is left of a column that the others span is replaced by the unit
-// vector that they span least.
+// vector that they span least. The last ones in that order are the unit vectors of the coordinates in `zero`, in which
+// all columns are 0.
 class orthogonal_factor {
 public:
-    std::vector<column> of(const std::vector<column>& all, const std::vector<std::size_t>& order) {
+    std::vector<column> of(const std::vector<column>& all, const std::vector<std::size_t>& order,
+                           const std::vector<std::size_t>& zero) {
         done_.assign(all.size(), {});
-        for (const std::size_t j : order) {
-            done_[j] = reduced(all[j], all.size());
-            found_.push_back(j);
+        const std::size_t others = all.size() - zero.size();
+        for (std::size_t k = 0; k < zero.size(); ++k) {
+            done_[order[others + k]] = unit_vector(all.size(), zero[k]);
+            found_.push_back(order[others + k]);
+        }
+        for (std::size_t k = 0; k < others; ++k) {
+            done_[order[k]] = reduced(all[order[k]], all.size());
+            found_.push_back(order[k]);
         }
         return std::move(done_);
     }
@@ -41,9 +54,7 @@ private:
         if (!normalise(best, dot(given, given))) {
             best.clear();
             for (std::size_t k = 0; k < size && best.empty(); ++k) {
-                column unit(size, ball(0));
-                unit[k] = ball(1);
-                column left = without_others(unit);
+                column left = without_others(unit_vector(size, k));
                 if (normalise(left, from_rational<ball>(rational(1, static_cast<int>(size))))) {
                     best = std::move(left);
                 }
@@ -133,15 +144,14 @@ ball_matrix product(const ball_matrix& a, const ball_matrix& b) {
     return result;
 }
 
-error_frame::error_frame(std::vector<magnitude> widths) : widths_(std::move(widths)) {
-    columns_.assign(size(), column(size(), ball(0)));
+error_frame::error_frame(std::vector<magnitude> widths) : widths_(std::move(widths)), added_(widths_.size()) {
     for (std::size_t i = 0; i < size(); ++i) {
-        columns_[i][i] = ball(1);
+        columns_.push_back(unit_vector(size(), i));
     }
 }
 
 magnitude error_frame::reach(std::size_t i) const {
-    magnitude sum;
+    magnitude sum = added_[i];
     for (std::size_t j = 0; j < size(); ++j) {
         sum += magnitude(columns_[j][i]) * widths_[j];
     }
@@ -152,41 +162,64 @@ magnitude error_frame::reach(const ball_matrix& map, std::size_t i) const {
     magnitude sum;
     for (std::size_t j = 0; j < size(); ++j) {
         sum += magnitude(dot(map[i], columns_[j])) * widths_[j];
+        sum += magnitude(map[i][j]) * added_[j];
     }
     return sum;
 }
 
-error_frame error_frame::moved(const ball_matrix& map, const std::vector<magnitude>& added) const {
-    std::vector<column> images(size());
-    std::vector<magnitude> lengths;
-    for (std::size_t j = 0; j < size(); ++j) {
-        magnitude length;
-        for (std::size_t i = 0; i < size(); ++i) {
-            images[j].push_back(dot(map[i], columns_[j]));
-            if (!is_finite(images[j].back())) {
+error_frame error_frame::image(const ball_matrix& map, const std::vector<magnitude>& added) const {
+    error_frame result(widths_);
+    for (std::size_t i = 0; i < size(); ++i) {
+        for (std::size_t j = 0; j < size(); ++j) {
+            result.columns_[j][i] = dot(map[i], columns_[j]);
+            if (!is_finite(result.columns_[j][i])) {
                 throw precision_exhausted("a map of errors");
             }
-            length += magnitude(images[j].back());
+            result.added_[i] += magnitude(map[i][j]) * added_[j];
         }
-        lengths.push_back(length * widths_[j]);
+        result.added_[i] += added[i];
     }
-    std::vector<column> midpoints = images;
-    for (column& each : midpoints) {
-        std::ranges::transform(each, each.begin(), [](const ball& x) { return exact_midpoint(x); });
+    return result;
+}
+
+error_frame error_frame::settled(const std::vector<long>& scales) const {
+    const auto scale_of = [&](std::size_t i) { return scales.empty() ? 0 : scales[i]; };
+    std::vector<column> midpoints(size());
+    std::vector<column> scaled(size());
+    std::vector<magnitude> lengths(size());
+    std::vector<std::size_t> zero;
+    for (std::size_t i = 0; i < size(); ++i) {
+        const bool is_zero = reach(i).is_zero();
+        if (is_zero) {
+            zero.push_back(i);
+        }
+        for (std::size_t j = 0; j < size(); ++j) {
+            scaled[j].push_back(ldexp(columns_[j][i], -scale_of(i)));
+            midpoints[j].push_back(is_zero ? ball(0) : exact_midpoint(scaled[j][i]));
+            lengths[j] += magnitude(scaled[j][i]) * widths_[j];
+        }
     }
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return lengths[b] < lengths[a]; });
     error_frame result(widths_);
-    result.columns_ = orthogonal_factor().of(midpoints, order);
+    result.columns_ = orthogonal_factor().of(midpoints, order, zero);
     const ball_matrix back = inverse(result.columns_);
     for (std::size_t i = 0; i < size(); ++i) {
         magnitude width;
         for (std::size_t j = 0; j < size(); ++j) {
-            width += magnitude(dot(back[i], images[j])) * widths_[j];
-            width += magnitude(back[i][j]) * added[j];
+            width += magnitude(dot(back[i], scaled[j])) * widths_[j];
+            width += magnitude(back[i][j]) * added_[j] * magnitude::of(1, -scale_of(j));
         }
         result.widths_[i] = width;
+    }
+    for (std::size_t k = 0; k < zero.size(); ++k) {
+        result.widths_[order[size() - zero.size() + k]] = magnitude();
+    }
+    for (column& each : result.columns_) {
+        for (std::size_t i = 0; i < size(); ++i) {
+            each[i] = ldexp(each[i], scale_of(i));
+        }
     }
     return result;
 }

@@ -26,22 +26,32 @@ public:
     explicit needed_bits(long digits) : digits_(digits), now_(bits_of_digits(digits) + first_guard_bits) {}
 
     long now() const { return now_; }
-    /// The decimal, or nothing, and then more bits. Throws error of the kind undecided for a value that several runs
-    /// do not tell from 0: `subject` and `value` say whose it is.
+    /// The decimal; without one more bits for the next run. Throws error of the kind undecided for a value that several
+    /// runs do not distinguish from 0: `subject` and `value` name it.
     std::optional<proved_decimal> printed(const ball& value, const std::string& subject, const std::string& of) {
         auto decimal = to_proved_decimal(value, digits_);
         if (decimal) {
             return decimal;
         }
         if (!contains_zero(value)) {
-            raise_to(now_ + bits_of_digits(digits_ - proved_digits(value, digits_)) + now_ / 32 + 8, subject, of);
-        } else if (++runs_at_zero_ >= most_runs_at_zero) {
+            raise_for(value, subject, of);
+        } else if (!raised_at_zero(subject, of)) {
             throw error(error_kind::undecided, subject, of,
-                        "has a value that " + std::to_string(now_) + " bits do not tell from 0");
-        } else {
-            raise_to(2 * now_, subject, of);
+                        "has a value that " + std::to_string(now_) + " bits do not distinguish from 0");
         }
         return std::nullopt;
+    }
+    /// As many bits more as the digits of a value lack that excludes 0.
+    void raise_for(const ball& value, const std::string& subject, const std::string& of) {
+        raise_to(now_ + bits_of_digits(digits_ - proved_digits(value, digits_)) + now_ / 32 + 8, subject, of);
+    }
+    /// Twice the bits, for a value that contains 0; false after several such runs.
+    bool raised_at_zero(const std::string& subject, const std::string& of) {
+        if (++runs_at_zero_ >= most_runs_at_zero) {
+            return false;
+        }
+        raise_to(2 * now_, subject, of);
+        return true;
     }
     void raise_to(long bits, const std::string& subject, const std::string& of) {
         now_ = bits;
@@ -51,7 +61,7 @@ public:
     }
 
 private:
-    // A value that so many runs, each with more bits, do not tell from 0 is taken for one.
+    // A value that so many runs, each with more bits, do not distinguish from 0 is given up.
     static constexpr int most_runs_at_zero = 6;
 
     long digits_;

@@ -13,8 +13,8 @@ namespace {
 
 // Steps add what is so many bits below the set: 2^16 of them as much as it.
 constexpr long bits_below_the_set = 20;
-// Relative to the size of the unknowns, beyond which more bits are asked for.
-constexpr long widest_set = -24;
+// Relative to the size of an unknown, beyond which more bits are asked for.
+constexpr double widest_set = -24;
 // Of the bits of the map of errors, those that its truncation need not keep.
 constexpr long bits_below_truncation = 40;
 // Between two calls of the progress callback, unless steps take long.
@@ -22,6 +22,8 @@ constexpr long steps_unwatched = 64;
 constexpr long bits_unwatched = 4096;
 // log2 of how much shorter the map of errors makes a step.
 constexpr double worth_more_terms = 0.3;
+// Of the bits of the map of errors, those that its largest terms may lose before it has more.
+constexpr double bits_to_lose = 16;
 
 singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
     return system.singular() ? proved_singular_step(system, bits, route)
@@ -41,6 +43,7 @@ struct proved_march::expansions {
     long bits;
     taylor_expansion<ball> of_centre, of_set;
     std::optional<tail_bound> tail, set_tail;
+    double log_of_radius = no_radius;
     magnitude length;
     bool ready = false;
 };
@@ -70,6 +73,8 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
       route_(route),
       set_order_(taylor_order(static_cast<int>(error_bits)) - 2 + route.more_terms),
       errors_(std::vector<magnitude>(lifted_.given)),
+      scales_(start),
+      set_bits_(error_bits),
       watch_(std::move(watch)) {
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
@@ -98,16 +103,6 @@ std::vector<ball> proved_march::whole_set() const {
     return values;
 }
 
-// How many bits the centre is worth.
-long proved_march::bits_of_centre() const {
-    const magnitude set = width();
-    const magnitude size = largest_of(centre_);
-    if (set.is_zero() || size.is_zero()) {
-        return bits_;
-    }
-    return std::clamp(size.exponent() - set.exponent() + bits_below_the_set, usual_error_bits, bits_);
-}
-
 bool proved_march::stopped(march_end why) {
     end_ = why;
     return false;
@@ -117,23 +112,22 @@ bool proved_march::prepare() {
     if (now_ && now_->ready) {
         return true;
     }
-    const magnitude size = largest_of(centre_);
-    const magnitude set = width();
-    if (!set.is_zero() && !size.is_zero() && set.exponent() - size.exponent() > widest_set) {
+    scales_.measure_errors(errors_);
+    make_expansions();
+    if (!expand_centre()) {
+        return stopped_by_bounds();
+    }
+    scales_.measure_sizes(now_->of_centre, now_->tail->radius);
+    if (scales_.lost(widest_set)) {
         return stopped(march_end::precision);
     }
-    const long bits = bits_of_centre();
-    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
-        const long some_more = std::min(bits_, bits + bits / 16);
-        const precision_scope scope(decimal_digits(some_more));
-        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more, set_order_, route_);
+    scales_.resolve(widest_set);
+    if (!expand_set()) {
+        return stopped_by_bounds();
     }
-    expand();
-    if (!now_->tail || !now_->set_tail) {
-        return stopped(!set.is_zero() && set.exponent() - size.exponent() > 2 * widest_set ? march_end::precision
-                                                                                           : march_end::steps);
+    if (choose_length() && !expand_set()) {
+        return stopped_by_bounds();
     }
-    choose_length(size);
     const magnitude gone(time_ - origin_);
     if (steps_ >= most_steps || now_->length <= gone * magnitude::of(1, -40)) {
         return stopped(march_end::steps);
@@ -142,53 +136,69 @@ bool proved_march::prepare() {
     return true;
 }
 
-// The series of the centre and, in few bits, of the set with its variations, and what they leave out.
-void proved_march::expand() {
-    const precision_scope scope(decimal_digits(now_->bits));
-    now_->tail.reset();
-    now_->set_tail.reset();
-    const auto all = lifted_values(lifted_, time_, centre_);
-    if (!all_finite(all)) {
-        return;
-    }
-    now_->of_centre.about(time_, as_state(all));
-    const magnitude size = largest_of(all);
-    const double radius = estimated_radius(now_->of_centre, all.size(), size.is_zero() ? magnitude(1U) : size);
-    now_->tail = tail_near(tape_, now_->of_centre, time_, radius);
-    if (!now_->tail) {
-        return;
-    }
-    const precision_scope few(decimal_digits(error_bits_));
-    const auto varied = varied_values(lifted_, time_, whole_set());
-    if (all_finite(varied)) {
-        now_->of_set.about(time_, as_state(varied));
-        // At an equilibrium the variations alone have a radius.
-        const double of_set = radius < no_radius
-                                  ? radius
-                                  : std::min(radius, estimated_radius(now_->of_set, varied.size(), largest_of(varied)));
-        now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, of_set);
+// No radius was found; a set that is narrow is not the reason.
+bool proved_march::stopped_by_bounds() {
+    return stopped(scales_.wide(2 * widest_set) ? march_end::precision : march_end::steps);
+}
+
+void proved_march::make_expansions() {
+    const long bits =
+        std::clamp(scales_.accuracy(bits_) + bits_below_the_set, usual_error_bits, std::max(bits_, usual_error_bits));
+    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
+        const long some_more = std::min(bits_, bits + bits / 16);
+        const precision_scope scope(decimal_digits(some_more));
+        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more, set_order_, route_);
     }
 }
 
-// The longest step with a tail below the last bit of the centre and small in the map of errors; any would do.
-void proved_march::choose_length(const magnitude& size) {
-    const auto longest = [](const tail_bound& tail, double wanted) {
-        magnitude worst;
-        for (const magnitude& each : tail.error) {
-            worst = std::max(worst, each);
-        }
-        const double radius = log_of(tail.radius);
-        return worst.is_zero() ? radius - 1
-                               : std::min(radius - 1, radius + (wanted - log_of(worst)) / (tail.degree + 1));
-    };
-    const double of_size = size.is_zero() ? 0 : log_of(size);
-    const double of_centre = longest(*now_->tail, of_size - static_cast<double>(now_->bits));
-    const double of_set = longest(*now_->set_tail, static_cast<double>(bits_below_truncation - error_bits_));
-    now_->length = route_.shortened(power_of_two(std::min(of_centre, of_set)));
-    // Where the flow contracts much faster than the solution moves, the map of errors needs more terms.
+// The series of the centre, and what it leaves out.
+bool proved_march::expand_centre() {
+    const precision_scope scope(decimal_digits(now_->bits));
+    const auto all = lifted_values(lifted_, time_, centre_);
+    if (!all_finite(all)) {
+        return false;
+    }
+    now_->of_centre.about(time_, as_state(all));
+    now_->log_of_radius = estimated_radius(now_->of_centre, all.size());
+    now_->tail = tail_near(tape_, now_->of_centre, time_, now_->log_of_radius);
+    return now_->tail.has_value();
+}
+
+// The series of the set with its variations, in few bits, and what they leave out.
+bool proved_march::expand_set() {
+    const precision_scope few(decimal_digits(set_bits_));
+    errors_ = errors_.settled(scales_.exponents());
+    const auto varied = varied_values(lifted_, time_, whole_set());
+    if (!all_finite(varied)) {
+        return false;
+    }
+    now_->of_set.about(time_, as_state(varied));
+    // At an equilibrium the variations alone have a radius.
+    const double radius = std::min(now_->log_of_radius, estimated_radius(now_->of_set, varied.size()));
+    now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, radius);
+    return now_->set_tail.has_value();
+}
+
+// The longest step with a tail below the last bits of each unknown and small in the map of errors; any would do. Whether
+// that map needs more bits.
+bool proved_march::choose_length() {
+    const variation_places places{lifted_.given, lifted_.leaves.size()};
+    const double wanted = static_cast<double>(bits_below_truncation - error_bits_);
+    const double of_centre = scales_.longest(*now_->tail, now_->bits, bits_below_the_set);
+    const double at_first = std::min(of_centre, longest_for_map(*now_->set_tail, scales_, places, wanted));
+    const double growth = growth_of_terms(now_->of_set, scales_, places, at_first);
+    const double of_set = longest_for_map(*now_->set_tail, scales_, places, wanted - growth);
+    now_->length = route_.shortened(power_of_two(std::min(at_first, of_set)));
+    // Where the flow contracts much faster than the solution moves, the map of errors needs more terms and bits.
     if (of_set + worth_more_terms < of_centre) {
         set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre.order());
     }
+    const long bits = error_bits_ + static_cast<long>(2 * growth - bits_to_lose);
+    const bool more = bits > set_bits_;
+    if (more) {
+        set_bits_ = bits + bits_below_the_set;
+    }
+    return more;
 }
 
 std::vector<ball> proved_march::flow_of_centre(const ball& distance) const {
@@ -226,12 +236,12 @@ void proved_march::step(int direction) {
     }
     arb_add(time_.handle(), time_.handle(), distance.handle(), ARF_PREC_EXACT);
     now_->ready = false;
-    const precision_scope few(decimal_digits(error_bits_));
+    const precision_scope few(decimal_digits(set_bits_));
     const ball_matrix map = derivative_of_flow(distance);
     if (derivative_) {
         derivative_ = product(map, *derivative_);
     }
-    errors_ = errors_.moved(map, added);
+    errors_ = errors_.image(map, added);
     ++steps_;
     if (watch_ && (steps_ % steps_unwatched == 0 || bits_ > bits_unwatched)) {
         watch_(time_, bits_);
@@ -239,6 +249,7 @@ void proved_march::step(int direction) {
 }
 
 void proved_march::keep_derivative() {
+    scales_.weigh_by_scales();
     if (singular_) {
         const precision_scope scope(decimal_digits(bits_));
         const ball distance = time_ - constant_value<ball>::of(singular_->point());
@@ -254,7 +265,7 @@ void proved_march::keep_derivative() {
 }
 
 ball_matrix proved_march::derivative_at(const ball& time) const {
-    const precision_scope few(decimal_digits(error_bits_));
+    const precision_scope few(decimal_digits(set_bits_));
     return product(derivative_of_flow(time - time_), *derivative_);
 }
 
@@ -281,7 +292,7 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
 
 std::vector<ball> proved_march::values_at(const ball& distance) const {
     auto values = flow_of_centre(distance);
-    const precision_scope few(decimal_digits(error_bits_));
+    const precision_scope few(decimal_digits(set_bits_));
     const auto map = derivative_of_flow(distance);
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = widened(values[i], errors_.reach(map, i));

@@ -22,6 +22,9 @@ constexpr long first_root_bits = 160;
 constexpr int most_root_steps = 60;
 constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
+// So many of them may fail for another reason than too few digits, each with half as many bits more: the derivative has
+// the same few bits in all of them.
+constexpr int most_failed_proofs = 5;
 
 [[noreturn]] void refuse_root(const std::string& reason) { throw error(error_kind::undecided, "solution", "", reason); }
 
@@ -76,6 +79,7 @@ public:
     std::vector<proved_decimal> result() {
         long bits = first_root_bits;
         settle(bits);
+        int failed = 0;
         for (int proof = 0; proof < most_proofs; ++proof) {
             while (bits < bits_.now()) {
                 bits = std::min(bits * 2, bits_.now());
@@ -85,6 +89,9 @@ public:
                 return *std::move(decimals);
             }
             if (bits_.now() <= bits) {
+                if (++failed >= most_failed_proofs) {
+                    break;
+                }
                 bits_.raise_to(bits + bits / 2, "solution", "");
             }
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -9,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/proved/proved_march.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 #include "needed_bits.hpp"
@@ -82,7 +83,19 @@ struct further_question {
     std::vector<std::size_t> places = {};
 };
 
-/// Runs from the start through all times, each with more bits than the one before, until every digit is proved.
+/// The names of the unknowns and their lower derivatives, in order.
+inline std::vector<std::string> names_of_state(const explicit_system& system) {
+    std::vector<std::string> names;
+    for (const unknown_function& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            names.push_back(primed(each.name, j));
+        }
+    }
+    return names;
+}
+
+/// Runs from the start through all times, each with more bits than the one before, until every digit is proved, or no
+/// run proves more.
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch,
@@ -94,21 +107,35 @@ public:
           further_(std::move(further)),
           route_(route),
           order_(in_order(system, times)),
-          bits_(digits) {}
+          done_(times.size()),
+          bits_(digits) {
+        part_.states.resize(times.size());
+    }
 
-    std::vector<std::vector<proved_decimal>> result() {
-        while (!complete()) {
+    /// Throws error of the kind argument alone.
+    partial_trajectory part() {
+        try {
+            while (!complete()) {
+            }
+        } catch (const error& problem) {
+            if (problem.kind() != error_kind::undecided) {
+                throw;
+            }
+            miss(problem);
         }
-        return std::move(values_);
+        return std::move(part_);
     }
 
 private:
     // One run; where it does not prove every digit, the next one has more bits.
     bool complete() {
-        values_.assign(times_.size(), {});
         std::optional<proved_march> march;
         bool forward = true;
+        std::optional<std::size_t> at_zero;
         for (const asked_time& each : order_) {
+            if (done_[each.index] || ended_[each.forward ? 1 : 0]) {
+                continue;
+            }
             if (!march || each.forward != forward) {
                 forward = each.forward;
                 march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
@@ -116,27 +143,87 @@ private:
                     march->keep_derivative();
                 }
             }
-            unproved_ = each.index;
             const auto state = state_at(*march, system_, times_[each.index], bits_.now());
             if (!state) {
-                require_more_bits(*march, times_[each.index], forward);
-                bits_.raise_to(bits_to_go_on(*march), "time", text_of(unproved_));
+                if (ends(*march, each)) {
+                    continue;
+                }
+                bits_.raise_to(bits_to_go_on(*march, each.index), "time", text_of(each.index));
                 return false;
             }
-            for (const ball& value : asked_of(*state)) {
-                const auto decimal = bits_.printed(value, "time", text_of(unproved_));
-                if (!decimal) {
-                    return false;
-                }
-                values_[each.index].push_back(*decimal);
+            if (!proved(each.index, asked_of(*state))) {
+                return false;
+            }
+            if (!decided(each.index)) {
+                at_zero = at_zero.value_or(each.index);
+                continue;
             }
             if (further_.answered && !further_.answered(*march, each.index, *state)) {
                 error_bits_ *= 2;
                 bits_.raise_to(bits_.now() + error_bits_ / 4, "time", text_of(each.index));
                 return false;
             }
+            done_[each.index] = true;
         }
+        return !at_zero || given_up(*at_zero);
+    }
+
+    // Whether a march without a state ended for another reason than too few bits: no run goes further then.
+    bool ends(const proved_march& march, const asked_time& at) {
+        try {
+            require_more_bits(march, times_[at.index], at.forward);
+            return false;
+        } catch (const error& problem) {
+            ended_[at.forward ? 1 : 0] = true;
+            miss(problem);
+            return true;
+        }
+    }
+
+    // The digits of the values, or bounds; false where one that excludes 0 needs more bits.
+    bool proved(std::size_t index, const std::vector<ball>& values) {
+        auto& state = part_.states[index];
+        state.resize(values.size());
+        const ball* too_wide = nullptr;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (state[k].decimal) {
+                continue;
+            }
+            state[k].decimal = to_proved_decimal(values[k], digits_);
+            state[k].bound = state[k].decimal ? "" : bound_text(values[k]);
+            if (!state[k].decimal && !contains_zero(values[k])) {
+                too_wide = &values[k];
+            }
+        }
+        if (too_wide != nullptr) {
+            bits_.raise_for(*too_wide, "time", text_of(index));
+        }
+        return too_wide == nullptr;
+    }
+
+    bool decided(std::size_t index) const {
+        return std::ranges::all_of(part_.states[index], [](const trajectory_value& each) { return !!each.decimal; });
+    }
+
+    // Whether no more runs are tried for values that contain 0.
+    bool given_up(std::size_t index) {
+        if (bits_.raised_at_zero("time", text_of(index))) {
+            return false;
+        }
+        const auto& state = part_.states[index];
+        const auto zero = std::ranges::find_if(state, [](const trajectory_value& each) { return !each.decimal; });
+        const auto k = static_cast<std::size_t>(zero - state.begin());
+        const std::string name = names_of_state(system_)[further_.places.empty() ? k : further_.places[k]];
+        miss(error(error_kind::undecided, "time", text_of(index),
+                   "has a value of " + name + " that " + std::to_string(bits_.now()) +
+                       " bits do not distinguish from 0: |" + name + "| < " + zero->bound));
         return true;
+    }
+
+    void miss(const error& problem) {
+        if (!part_.missing) {
+            part_.missing = problem;
+        }
     }
 
     std::vector<ball> asked_of(const std::vector<ball>& state) const {
@@ -151,12 +238,12 @@ private:
     }
 
     // As many bits as were lost until here, for every further stretch of time, and some more.
-    long bits_to_go_on(const proved_march& march) const {
+    long bits_to_go_on(const proved_march& march, std::size_t index) const {
         const long bits = bits_.now();
         const precision_scope scope(20);
         const mpfr gone = abs(midpoint_of(march.reached() - constant_value<ball>::of(system_.point())));
         const mpfr asked = abs(constant_value<mpfr>::of(times_[order_.back().index] - system_.point()));
-        const mpfr here = abs(constant_value<mpfr>::of(times_[unproved_] - system_.point()));
+        const mpfr here = abs(constant_value<mpfr>::of(times_[index] - system_.point()));
         const mpfr far = std::max(asked, here);
         const mpfr times = gone == 0 ? mpfr(largest_growth_of_bits) : mpfr(far / gone * 21 / 20);
         const long wanted =
@@ -174,9 +261,25 @@ private:
     proof_route route_;
     long error_bits_ = proved_march::usual_error_bits;
     std::vector<asked_time> order_;
-    std::vector<std::vector<proved_decimal>> values_;
-    std::size_t unproved_ = 0;
+    std::vector<bool> done_;
+    std::array<bool, 2> ended_{};  ///< backwards and forwards
+    partial_trajectory part_;
     needed_bits bits_;
 };
+
+/// The digits of a trajectory of which nothing is missing; throws what is.
+inline std::vector<std::vector<proved_decimal>> all_digits(const partial_trajectory& of) {
+    if (of.missing) {
+        throw error(*of.missing);
+    }
+    std::vector<std::vector<proved_decimal>> result;
+    for (const auto& state : of.states) {
+        auto& row = result.emplace_back();
+        for (const trajectory_value& each : state) {
+            row.push_back(each.decimal.value());
+        }
+    }
+    return result;
+}
 
 }  // namespace libration::ode

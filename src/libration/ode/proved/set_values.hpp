@@ -16,21 +16,14 @@ namespace libration::ode {
 
 // R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
 inline constexpr std::array<unsigned long, 7> tried_parts{92, 85, 75, 60, 45, 30, 15};
-// Then halves of the last one: the last coefficients say too much where the solution is nearly a polynomial.
-inline constexpr int tried_halves = 16;
+// Then 2^-1, 2^-3, 2^-7, 2^-15 of about the last one; where the coefficients tell nothing of a radius, down to 2^-32767.
+inline constexpr int tried_powers = 4;
+inline constexpr int tried_powers_without_estimate = 15;
 
-inline long exponent_of(const magnitude& x) { return x.is_zero() ? std::numeric_limits<int>::min() : x.exponent(); }
-
-// 2^x rounded to 16 bits; how x comes about is no matter of the proof.
-inline magnitude power_of_two(double x) {
-    const double whole = std::floor(x);
-    return magnitude::of(static_cast<unsigned long>(std::exp2(x - whole + 15)), static_cast<long>(whole) - 15);
-}
-
-inline double log_of(const magnitude& x) {
-    const long exponent = exponent_of(x);
-    const double mantissa = mag_get_d((x * magnitude::of(1, -exponent)).handle());
-    return std::log2(mantissa) + static_cast<double>(exponent);
+// A lower bound of |x|.
+inline magnitude least_size_of(const ball& x) { return magnitude::below(x); }
+inline magnitude least_size_of(const complex_number<ball>& x) {
+    return std::max(magnitude::below(x.re), magnitude::below(x.im));
 }
 
 template <field R>
@@ -51,42 +44,84 @@ solution_state<R> as_state(const std::vector<R>& values) {
     return state;
 }
 
-// log2 of a radius that is none: the last coefficients are 0.
+// log2 of a radius that no coefficient limits.
 inline constexpr double no_radius = 1'000;
 
-// log2 of the radius of convergence as the last coefficients have it; no_radius where they are all 0.
+// How many of the first and of the last powers of a series an estimate of its radius looks at.
+inline constexpr std::size_t powers_of_estimate = 4;
+
+// A power and log2 |a_n|, within one.
+struct power_size {
+    int power;
+    long exponent;
+};
+
+// log2 of the radius of convergence of a series by its coefficients: the least over the last powers n of the largest
+// over the first powers m of log2(|a_m|/|a_n|)/(n - m). Only coefficients that are certainly not 0 count, so that the
+// powers that a series leaves out have no effect, and the unit of the unknown has none either. no_radius where the
+// first or the second half of the coefficients has none of them.
 template <field R>
-double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns, const magnitude& size) {
+double estimated_radius(const R* coefficients, int order) {
+    std::array<power_size, powers_of_estimate> first{};
+    std::size_t count = 0;
+    for (int m = 0; m <= order / 2 && count < powers_of_estimate; ++m) {
+        if (const magnitude size = least_size_of(coefficients[m]); !size.is_zero()) {
+            first[count++] = {m, size.exponent()};
+        }
+    }
     double least = no_radius;
-    for (int n = of.order() - 1; n <= of.order(); ++n) {
-        magnitude largest;
-        for (std::size_t i = 0; i < unknowns; ++i) {
-            largest = std::max(largest, size_of(of.coefficients(static_cast<int>(i))[n]));
+    std::size_t seen = 0;
+    for (int n = order; count > 0 && n > order / 2 && seen < powers_of_estimate; --n) {
+        const magnitude size = least_size_of(coefficients[n]);
+        if (size.is_zero()) {
+            continue;
         }
-        if (!largest.is_zero() && largest.is_finite()) {
-            least = std::min(least, (log_of(size) - log_of(largest)) / n);
+        ++seen;
+        double largest = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < count; ++i) {
+            largest =
+                std::max(largest, static_cast<double>(first[i].exponent - size.exponent()) / (n - first[i].power));
         }
+        least = std::min(least, largest);
     }
     return least;
 }
 
-// The first bound that bound_at(radius) gives, radius by radius.
+// The least of the radii of the first unknowns.
+template <field R>
+double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns) {
+    double least = no_radius;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        least = std::min(least, estimated_radius(of.coefficients(static_cast<int>(i)), of.order()));
+    }
+    return least;
+}
+
+// The first bound that bound_at(radius) gives, radius by radius; where that is far below the estimate, the largest one
+// within a factor of 2.
 template <class BoundAt>
 std::optional<tail_bound> first_tail(double log_of_radius, const BoundAt& bound_at) {
-    magnitude radius;
     for (const unsigned long part : tried_parts) {
-        radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
-        if (std::optional<tail_bound> bound = bound_at(radius)) {
+        if (auto bound = bound_at(power_of_two(log_of_radius) * magnitude::of(part * 328, -15))) {
             return bound;
         }
     }
-    for (int half = 0; half < tried_halves; ++half) {
-        radius *= magnitude::of(1, -1);
-        if (std::optional<tail_bound> bound = bound_at(radius)) {
-            return bound;
+    double failed = log_of_radius - 3;
+    double distance = 1;
+    std::optional<tail_bound> found;
+    const int powers = log_of_radius < no_radius ? tried_powers : tried_powers_without_estimate;
+    for (int power = 0; power < powers && !found; ++power, distance *= 2) {
+        found = bound_at(power_of_two(failed - distance));
+        failed -= found ? 0 : distance;
+    }
+    for (double within = distance / 2; found && within > 1; within /= 2) {
+        if (auto larger = bound_at(power_of_two(failed - within / 2))) {
+            found = std::move(larger);
+        } else {
+            failed -= within / 2;
         }
     }
-    return std::nullopt;
+    return found;
 }
 
 template <field R>

@@ -65,12 +65,7 @@ tape tape_of(const explicit_system& system) {
 }
 
 tail_bound tail_of(const tape& of, const taylor_expansion<ball>& expansion, int degree) {
-    magnitude size;
-    const std::size_t unknowns = of.orders().size();
-    for (std::size_t i = 0; i < unknowns; ++i) {
-        size = std::max(size, magnitude(expansion.coefficients(static_cast<int>(i))[0]));
-    }
-    const double log_of_radius = estimated_radius(expansion, unknowns, size.is_zero() ? magnitude(1U) : size);
+    const double log_of_radius = estimated_radius(expansion, of.orders().size());
     const auto bound = first_tail(log_of_radius < no_radius ? log_of_radius : 0, [&](const magnitude& radius) {
         return bounded_singular_tail(of, expansion, degree, radius);
     });

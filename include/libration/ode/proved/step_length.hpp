@@ -1,0 +1,186 @@
+// How long a step of theorem V is to be, each unknown by its own size. No proof depends on a choice that is made here.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/proved/tail_bound.hpp"
+
+namespace libration::ode {
+
+/// log2 of the number 0.
+inline constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+/// An unknown on a step, in log2.
+struct unknown_scale {
+    double size = nothing;   ///< what it certainly reaches; nothing where it is not distinguished from 0
+    double reach = nothing;  ///< its error set
+    double scale = 0;        ///< the larger of both; of an unknown that is 0 the largest of all
+    /// Whether it has been distinguished from 0: then an error set as wide as the unknown itself has lost it.
+    bool resolved = false;
+};
+
+class unknown_scales {
+public:
+    explicit unknown_scales(const std::vector<ball>& start) {
+        for (const ball& each : start) {
+            all_.push_back({log_of(magnitude::below(each)), nothing, 0, arb_contains_zero(each.handle()) == 0});
+        }
+    }
+
+    const unknown_scale& operator[](std::size_t i) const { return all_[i]; }
+
+    void measure_errors(const error_frame& errors) {
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            all_[i].reach = log_of(errors.reach(i));
+        }
+    }
+
+    /// The sizes by the largest terms of a series at an eighth of its radius, about R/e^2, the usual length of a step:
+    /// so that an unknown that passes 0 keeps the size that it has beside it.
+    void measure_sizes(const taylor_expansion<ball>& series, const magnitude& radius) {
+        const double distance = log_of(radius) - 3;
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const ball* const a = series.coefficients(static_cast<int>(i));
+            all_[i].size = nothing;
+            for (int n = 0; n <= series.order(); ++n) {
+                if (const magnitude least = magnitude::below(a[n]); !least.is_zero()) {
+                    all_[i].size = std::max(all_[i].size, static_cast<double>(least.exponent()) + n * distance);
+                }
+            }
+        }
+        double largest = nothing;
+        for (unknown_scale& each : all_) {
+            each.scale = std::max(each.size, each.reach);
+            largest = std::max(largest, each.scale);
+        }
+        for (unknown_scale& each : all_) {
+            each.scale = each.scale != nothing ? each.scale : largest != nothing ? largest : 0;
+        }
+    }
+
+    /// Whether the error set of an unknown that was distinguished from 0 is wider than 2^limit of its size.
+    bool lost(double limit) const {
+        return std::ranges::any_of(all_, [&](const unknown_scale& each) {
+            return each.resolved && each.reach != nothing && each.reach - each.size > limit;
+        });
+    }
+    /// Counts those as distinguished from 0 whose error set is narrower than 2^limit of their size.
+    void resolve(double limit) {
+        for (unknown_scale& each : all_) {
+            each.resolved = each.resolved || (each.size != nothing && each.reach - each.size < limit);
+        }
+    }
+    /// Whether any error set is wider than 2^limit of the size of its unknown.
+    bool wide(double limit) const {
+        return std::ranges::any_of(
+            all_, [&](const unknown_scale& each) { return each.reach != nothing && each.reach - each.size > limit; });
+    }
+
+    /// How many bits the most accurate of the unknowns with an error set is worth; `most` where there is none.
+    long accuracy(long most) const {
+        double best = nothing;
+        for (const unknown_scale& each : all_) {
+            if (each.resolved && each.reach != nothing) {
+                best = std::max(best, each.size - each.reach);
+            }
+        }
+        return best == nothing ? most : static_cast<long>(std::min(best, static_cast<double>(most)));
+    }
+
+    /// Exponents of the scales, for error_frame::settled.
+    std::vector<long> exponents() const {
+        std::vector<long> result;
+        for (const unknown_scale& each : all_) {
+            result.push_back(static_cast<long>(each.scale));
+        }
+        return result;
+    }
+
+    /// From here on errors weigh by the scales alone, as the derivative of the flow asks.
+    void weigh_by_scales() { by_scales_ = true; }
+    /// log2 of the weight of an error of unknown j in unknown i: relative to the scales of both or, where that is less,
+    /// to their error sets.
+    double weight(std::size_t i, std::size_t j) const {
+        const double of_scales = all_[j].scale - all_[i].scale;
+        if (by_scales_) {
+            return of_scales;
+        }
+        if (all_[j].reach == nothing) {
+            return nothing;
+        }
+        return all_[i].reach == nothing ? of_scales : std::min(of_scales, all_[j].reach - all_[i].reach);
+    }
+
+    /// log2 of the longest step whose tail is below the last of so many bits of each unknown, or far enough below its
+    /// error set: the unknowns that are not distinguished from 0 have that alone.
+    double longest(const tail_bound& tail, long bits, long bits_below_the_set) const {
+        const double radius = log_of(tail.radius);
+        double least = radius - 1;
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const double allowed = std::max(all_[i].size - static_cast<double>(bits),
+                                            all_[i].reach - static_cast<double>(bits_below_the_set));
+            const double error = log_of(tail.error[i]);
+            if (allowed != nothing && error != nothing) {
+                least = std::min(least, radius + (allowed - error) / (tail.degree + 1));
+            }
+        }
+        return least;
+    }
+
+private:
+    std::vector<unknown_scale> all_;
+    bool by_scales_ = false;
+};
+
+/// The places of the derivatives of the unknowns by each other among those of the system with its variations.
+struct variation_places {
+    std::size_t given;  ///< unknowns whose derivatives are asked
+    std::size_t count;  ///< unknowns of the polynomial form
+
+    std::size_t of(std::size_t i, std::size_t j) const { return count * (j + 1) + i; }
+};
+
+/// log2 of the longest step whose tail changes the map of errors by 2^wanted, in the weights of its unknowns.
+inline double longest_for_map(const tail_bound& tail, const unknown_scales& scales, const variation_places& places,
+                              double wanted) {
+    const double radius = log_of(tail.radius);
+    double least = radius - 1;
+    for (std::size_t i = 0; i < places.given; ++i) {
+        for (std::size_t j = 0; j < places.given; ++j) {
+            const double error = log_of(tail.error[places.of(i, j)]) + scales.weight(i, j);
+            if (error > nothing) {
+                least = std::min(least, radius + (wanted - error) / (tail.degree + 1));
+            }
+        }
+    }
+    return least;
+}
+
+/// log2 of the largest term of the map of errors at a distance, in the same weights, 0 at least: a map that contracts
+/// is the sum of terms that much larger than 1, and about as much smaller than 1 itself.
+inline double growth_of_terms(const taylor_expansion<ball>& series, const unknown_scales& scales,
+                              const variation_places& places, double distance) {
+    double largest = 0;
+    for (std::size_t i = 0; i < places.given; ++i) {
+        for (std::size_t j = 0; j < places.given; ++j) {
+            const double weight = scales.weight(i, j);
+            if (weight == nothing) {
+                continue;
+            }
+            const ball* const a = series.coefficients(static_cast<int>(places.of(i, j)));
+            for (int n = 0; n <= series.order(); ++n) {
+                if (const magnitude size(a[n]); !size.is_zero()) {
+                    largest = std::max(largest, static_cast<double>(size.exponent()) + n * distance + weight);
+                }
+            }
+        }
+    }
+    return largest;
+}
+
+}  // namespace libration::ode
