@@ -66,6 +66,8 @@ TEST_CASE("the quarter periods of the pendulum are events of its equation", "[od
 }
 
 TEST_CASE("conditions may hold the time and functions", "[ode][proved]") {
+    CHECK(events_of("y' = 1; y(0) = 1", "1/y = 1/4", 1, 20).front().time.text == "3.0000000000000000000");
+    CHECK_THROWS_WITH(events_of("y' = 1; y(0) = 0", "1/y = 1/4", 1, 20), Catch::Contains("divides by zero"));
     // e^t = 2 + t^2 has one root: g changes sign there; enclosed against itself by exp of balls.
     const auto found = events_of("y' = y; y(0) = 1", "y = 2 + t^2", 1, 30);
     const precision_scope scope(60);

@@ -23,12 +23,16 @@ std::vector<std::optional<number>> given_values(const explicit_system& system, c
         for (int j = 0; j < each.order; ++j) {
             const expression leaf = unknown(each.name, j);
             const expression factor = partial(g, leaf);
+            values.emplace_back();
+            if (factor.kind() != node_kind::constant || factor.is(0)) {
+                continue;  // g is not linear in it, and may have no value where it is 0
+            }
             const expression rest = replaced(g, [&](const expression& other) -> std::optional<expression> {
                 return same_form(other, leaf) ? std::optional(expression()) : std::nullopt;
             });
-            const bool alone =
-                factor.kind() == node_kind::constant && !factor.is(0) && rest.kind() == node_kind::constant;
-            values.push_back(alone ? std::optional(-(rest.constant() / factor.constant())) : std::nullopt);
+            if (rest.kind() == node_kind::constant) {
+                values.back() = -(rest.constant() / factor.constant());
+            }
         }
     }
     return values;
