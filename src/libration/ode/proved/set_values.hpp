@@ -57,23 +57,23 @@ struct power_size {
 };
 
 // log2 of the radius of convergence of a series by its coefficients: the least over the last powers n of the largest
-// over the first powers m of log2(|a_m|/|a_n|)/(n - m). Only coefficients that are certainly not 0 count, so that the
+// over the first powers m of log2(|a_m|/|a_n|)/(n - m). Coefficients 0 do not count, so that the
 // powers that a series leaves out have no effect, and the unit of the unknown has none either. no_radius where the
-// first or the second half of the coefficients has none of them.
-template <field R>
-double estimated_radius(const R* coefficients, int order) {
+// first or the second half of the coefficients has none of them. The size of a coefficient is 0 where it does not count.
+template <field R, class SizeOf>
+double estimated_radius(const R* coefficients, int order, const SizeOf& size_of_coefficient) {
     std::array<power_size, powers_of_estimate> first{};
     std::size_t count = 0;
     for (int m = 0; m <= order / 2 && count < powers_of_estimate; ++m) {
-        if (const magnitude size = least_size_of(coefficients[m]); !size.is_zero()) {
+        if (const magnitude size = size_of_coefficient(coefficients[m]); !size.is_zero() && size.is_finite()) {
             first[count++] = {m, size.exponent()};
         }
     }
     double least = no_radius;
     std::size_t seen = 0;
     for (int n = order; count > 0 && n > order / 2 && seen < powers_of_estimate; --n) {
-        const magnitude size = least_size_of(coefficients[n]);
-        if (size.is_zero()) {
+        const magnitude size = size_of_coefficient(coefficients[n]);
+        if (size.is_zero() || !size.is_finite()) {
             continue;
         }
         ++seen;
@@ -87,14 +87,19 @@ double estimated_radius(const R* coefficients, int order) {
     return least;
 }
 
-// The least of the radii of the first unknowns.
+// The least of the radii of the first unknowns; by upper bounds of the coefficients where all of them may be 0, as those
+// of a wide set.
 template <field R>
 double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns) {
-    double least = no_radius;
-    for (std::size_t i = 0; i < unknowns; ++i) {
-        least = std::min(least, estimated_radius(of.coefficients(static_cast<int>(i)), of.order()));
-    }
-    return least;
+    const auto least_by = [&](const auto& size) {
+        double least = no_radius;
+        for (std::size_t i = 0; i < unknowns; ++i) {
+            least = std::min(least, estimated_radius(of.coefficients(static_cast<int>(i)), of.order(), size));
+        }
+        return least;
+    };
+    const double certain = least_by([](const R& a) { return least_size_of(a); });
+    return certain < no_radius ? certain : least_by([](const R& a) { return size_of(a); });
 }
 
 // The first bound that bound_at(radius) gives, radius by radius; where that is far below the estimate, the largest one
