@@ -88,7 +88,8 @@ expression::expression(node&& made) {
 }
 
 expression::expression() {
-    static const expression zero{number()};
+    // For each thread: another one would wait for ever for a thread that a failure of GMP keeps in here.
+    thread_local const expression zero{number()};
     node_ = zero.node_;
 }
 
