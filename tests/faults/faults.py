@@ -81,7 +81,6 @@ FAULTS = [
     *in_file(
         BALL_SOURCES + "exponent_blocks.cpp", [SEQUENCES],
         ("blocks that cut the last bit", "high - static_cast<long>(arf_bits", "high + 1 - static_cast<long>(arf_bits"),
-        ("exponents of any size in blocks", "std::labs(*exponent) <= largest", "true"),
     ),
     *in_file(
         "src/libration/scalar/expression_value.cpp", ["scalar/text/expression_test.cpp"],
