@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "libration/problem/axis.hpp"
 
@@ -27,7 +28,8 @@ std::vector<column> columns_of(const ode::explicit_system& system, input_style s
 
 table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style) {
     const auto columns = columns_of(of.system, style);
-    const table values = problem_trajectory(of.system, times, {{scalar_kind::arbitrary, digits}, digits});
+    const reference_table values = problem_trajectory(of.system, times, {{scalar_kind::arbitrary, digits}, digits});
+    require_complete(values);
     table result = [&] {
         auto all = columns;
         if (style == input_style::typed) {
@@ -36,7 +38,7 @@ table problem_table(const table_problem& of, const std::vector<exact>& times, lo
         return table(std::move(all));
     }();
     for (std::size_t i = 0; i < times.size(); ++i) {
-        table_row_cells row = values.rows()[i];
+        table_row_cells row = values.rows.rows()[i];
         row[0] = number_cell(style == input_style::typed ? decimal_of(times[i], digits + more_input_digits)
                                                          : decimal_text(times[i], digits + more_input_digits));
         row.resize(result.columns().size());

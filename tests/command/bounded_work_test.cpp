@@ -57,7 +57,7 @@ TEST_CASE("long sums and products are expanded, proved and printed", "[command][
                  "30000", folder);
 }
 
-TEST_CASE("parameters that share others are evaluated once", "[command][bounded work]") {
+TEST_CASE("the command evaluates parameters that share others once", "[command][bounded work]") {
     const temporary_folder folder;
     const words coefficients{"coefficients", "--order", "1", "--digits", "19", "--format", "csv", "--problem"};
     check_prints(coefficients + words{chain_of("+", "1")}, "1,1152921504606846976", folder);  // 2^60

@@ -86,11 +86,11 @@ std::string refusal_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("expressions of any depth are made, compared, replaced, differentiated and destroyed", "[ode][deep]") {
-    const auto [of, slope] = GENERATE(table<kind, double>({{kind::left_sum, deep},
-                                                           {kind::right_sum, deep},
-                                                           {kind::product, deep},
-                                                           {kind::quotients, 1},
-                                                           {kind::differences, 1}}));
+    const auto [of, slope] = GENERATE(Catch::Generators::table<kind, double>({{kind::left_sum, deep},
+                                                                              {kind::right_sum, deep},
+                                                                              {kind::product, deep},
+                                                                              {kind::quotients, 1},
+                                                                              {kind::differences, 1}}));
     const expression e = nested(of, deep);
     const expression again = nested(of, deep);
     CHECK(e.hash() == again.hash());

@@ -91,12 +91,11 @@ TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
 
 // The same in scales that differ by 2^3000, of maps of the unknowns in units of their own.
 TEST_CASE("a moved frame holds the images of the corners in any scales", "[ode][proved]") {
-    std::mt19937 random(20'261'125);
+    tests::corner_numbers random(20'261'125);
     for (int run = 0; run < 100; ++run) {
         const precision_scope exactly(2000);
-        std::vector<long> scales = {static_cast<long>(random() % 3000) - 1500,
-                                    static_cast<long>(random() % 3000) - 1500};
-        const auto in_scales = [&](std::size_t i) { return magnitude::of(1 + random() % 1000, scales[i] - 50); };
+        std::vector<long> scales = {random.between(-1500, 1500), random.between(-1500, 1500)};
+        const auto in_scales = [&](std::size_t i) { return magnitude::of(1 + random.below(1000), scales[i] - 50); };
         error_frame set({in_scales(0), in_scales(1)});
         std::vector<std::vector<ball>> corners;
         for (const int a : {-1, 1}) {
@@ -107,7 +106,7 @@ TEST_CASE("a moved frame holds the images of the corners in any scales", "[ode][
         for (int step = 0; step < 8; ++step) {
             const std::vector<long> before = scales;
             for (long& each : scales) {
-                each += static_cast<long>(random() % 200) - 100;
+                each += random.between(-100, 100);
             }
             ball_matrix map(2);
             for (std::size_t i = 0; i < 2; ++i) {
