@@ -69,7 +69,7 @@ void check_states(const ode::explicit_system& system, const std::vector<exact>& 
 }
 
 // A time with its values, to the table and to the text.
-void add_state(reference_table& result, const std::vector<column>& columns,
+void add_state(partial_table& result, const std::vector<column>& columns,
                const std::vector<ode::trajectory_value>& state, const exact& time, long digits) {
     table_row_cells row{number_cell(decimal_of(time, digits))};
     result.text += fmt::format("{}{:<10}{}\n", result.text.empty() ? "" : "\n", columns.front().name, row[0].text());
@@ -92,8 +92,8 @@ void add_state(reference_table& result, const std::vector<column>& columns,
 
 }  // namespace
 
-reference_table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
-                                  bool check) {
+partial_table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
+                                bool check) {
     const auto checked = checked_products(check);
     const auto at = constants_of(times);
     way_to_go way(system, at);
@@ -109,7 +109,7 @@ reference_table problem_reference(const ode::explicit_system& system, const std:
     if (undecided) {
         columns.push_back({"undecided", ""});
     }
-    reference_table result{table(columns), {}, part.missing};
+    partial_table result{table(columns), {}, part.missing};
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (!part.states[i].empty()) {
             add_state(result, columns, part.states[i], times[i], digits);
@@ -118,7 +118,7 @@ reference_table problem_reference(const ode::explicit_system& system, const std:
     return result;
 }
 
-void require_complete(const reference_table& of) {
+void require_complete(const partial_table& of) {
     if (of.missing) {
         throw error(*of.missing);
     }

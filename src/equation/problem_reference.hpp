@@ -13,7 +13,7 @@
 namespace libration {
 
 /// What was proved at a list of times, and why the rest was not.
-struct reference_table {
+struct partial_table {
     /// A row for each time that is reached: time,<unknown and its lower derivatives>...,digits,rigour,time_typed. A value
     /// that no run within the limits distinguishes from 0 is an empty cell, and then a column `undecided` behind has its
     /// bound, "|y| < 1.2e-60", where there are several "|y| < 1.2e-60; |z| < 3e-61".
@@ -27,13 +27,13 @@ struct reference_table {
 };
 
 /// Throws the error of what is missing, once the rest has been written.
-void require_complete(const reference_table& of);
+void require_complete(const partial_table& of);
 
 /// Each value right to one unit in its last digit (ode::proved_part_of_trajectory); progress on a terminal. With `check`
 /// each is compared with a second proof (ode::proof_route::second): throws std::runtime_error with both enclosures where
 /// they disagree.
-reference_table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
-                                  bool check = false);
+partial_table problem_reference(const ode::explicit_system& system, const std::vector<exact>& times, long digits,
+                                bool check = false);
 
 /// States for people: each time a paragraph, each column a line.
 std::string lines_of_states(const table& data);

@@ -219,8 +219,8 @@ std::vector<exact> times_of_problem(const std::string& words) {
     return times;
 }
 
-reference_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
-                                   const arithmetic& numbers) {
+partial_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
+                                 const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::proved) {
         return problem_reference(system, times, numbers.digits);
     }

@@ -27,8 +27,8 @@ std::vector<column> columns_of_states(const ode::explicit_system& system);
 /// it (heuristic). in balls each digit proved (problem_reference). Where the problem states invariants, the column
 /// invariant_drift behind is the largest change of one of them since the start, of the values before they are rounded
 /// to be printed. Throws input_error for a time that is not reached; in balls that is what is missing.
-reference_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
-                                   const arithmetic& numbers);
+partial_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
+                                 const arithmetic& numbers);
 
 /// time_re,time_im,<unknown and its lower derivatives>_re,.._im,...,digits,rigour,time_typed: the same at points of the
 /// complex plane of time, by the corners and then straight to each (ode::complex_path). A part far below the other is

@@ -212,7 +212,7 @@ std::vector<asked_motion> motions_of_file(const reference_options& options) {
 }
 
 // When a condition holds.
-reference_table events_of_problem(const reference_options& options, long digits) {
+partial_table events_of_problem(const reference_options& options, long digits) {
     if (options.times) {
         throw input_error("--times", *options.times, "comes with --until, which finds the times", "leave one out");
     }
@@ -227,7 +227,7 @@ reference_table events_of_problem(const reference_options& options, long digits)
 }
 
 // Instead of a motion, any problem.
-reference_table reference_of_problem(const reference_options& options, long digits) {
+partial_table reference_of_problem(const reference_options& options, long digits) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
@@ -263,7 +263,7 @@ int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
     if (options.problem.given()) {
-        const reference_table found = reference_of_problem(options, digits);
+        const partial_table found = reference_of_problem(options, digits);
         if (found.has_output()) {
             options.output.write(found.rows, found.text);
         }

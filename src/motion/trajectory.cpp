@@ -97,7 +97,7 @@ trajectory_request choose(const trajectory_options& options) {
 }
 
 // In place of a motion, any problem.
-reference_table trajectory_of_problem(const trajectory_options& options) {
+partial_table trajectory_of_problem(const trajectory_options& options) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
     }
@@ -126,10 +126,10 @@ reference_table trajectory_of_problem(const trajectory_options& options) {
             throw input_error("--method", method, "is for real times", "leave --method out for complex ones");
         }
         return naming_option("--problem", [&] {
-            return reference_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
-                                                         times_of_problem(options.times), numbers),
-                                   {},
-                                   {}};
+            return partial_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
+                                                       times_of_problem(options.times), numbers),
+                                 {},
+                                 {}};
         });
     }
     const auto system = options.problem.choose();
@@ -137,7 +137,7 @@ reference_table trajectory_of_problem(const trajectory_options& options) {
         const auto corners = corners_of(options.via);
         const auto points = complex_points("--times", options.times);
         return naming_option("--problem", [&] {
-            return reference_table{problem_trajectory_along(system, corners, points, numbers), {}, {}};
+            return partial_table{problem_trajectory_along(system, corners, points, numbers), {}, {}};
         });
     }
     const auto times = times_of_problem(options.times);
@@ -147,7 +147,7 @@ reference_table trajectory_of_problem(const trajectory_options& options) {
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
     if (options.problem.given()) {
-        const reference_table found = trajectory_of_problem(options);
+        const partial_table found = trajectory_of_problem(options);
         if (found.has_output()) {
             options.output.write(found.rows);
         }

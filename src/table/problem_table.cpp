@@ -28,7 +28,7 @@ std::vector<column> columns_of(const ode::explicit_system& system, input_style s
 
 table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style) {
     const auto columns = columns_of(of.system, style);
-    const reference_table values = problem_trajectory(of.system, times, {{scalar_kind::arbitrary, digits}, digits});
+    const partial_table values = problem_trajectory(of.system, times, {{scalar_kind::arbitrary, digits}, digits});
     require_complete(values);
     table result = [&] {
         auto all = columns;
