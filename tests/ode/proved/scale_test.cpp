@@ -9,6 +9,7 @@
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/exact.hpp"
 #include "proved.hpp"
 
 namespace ode_proved_scale_test {
@@ -119,6 +120,18 @@ TEST_CASE("units of measure do not change the proof", "[ode][proved]") {
             CHECK(overlaps(scaled, plain[i]));
             CHECK(arb_rel_accuracy_bits(scaled.handle()) > arb_rel_accuracy_bits(plain[i].handle()) - 6);
         }
+    }
+}
+
+// Of a polynomial no coefficient limits the radius; of an entire function they limit it to about the unit.
+TEST_CASE("the unit of time does not change the proof", "[ode][proved]") {
+    const precision_scope scope(60);
+    for (const int power : {-1000, -400, -3, 5, 1000}) {
+        const std::string unit = "10^(" + std::to_string(power) + ")";
+        const rational three = read_exact("3e" + std::to_string(power)).coefficient;
+        check("y' = 1/(" + unit + "); y(0) = 1", three, {ball(4)});
+        check("y' = cos(t/(" + unit + "))/(" + unit + "); y(0) = 0", three, {sin(ball(3))});
+        check("y' = -y^2/(" + unit + "); y(0) = 1", three, {ball(1) / 4});
     }
 }
 

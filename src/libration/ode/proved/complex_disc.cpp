@@ -63,6 +63,9 @@ std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<comp
         log_of_radius = estimated_radius(expansion, of.orders().size());
     }
     for (const unsigned long part : parts_of_estimate) {
+        if (log_of_radius == no_radius) {
+            break;
+        }
         const magnitude radius = power_of_two(log_of_radius) * magnitude::of(part * 328, -15);
         if (auto bound = bounded_tail(of, expansion, point, radius)) {
             return bound;

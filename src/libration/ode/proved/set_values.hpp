@@ -45,7 +45,10 @@ solution_state<R> as_state(const std::vector<R>& values) {
 }
 
 // log2 of a radius that no coefficient limits.
-inline constexpr double no_radius = 1'000;
+inline constexpr double no_radius = std::numeric_limits<double>::infinity();
+
+// log2 of the largest radius that is tried where no coefficient limits it, relative to the scale of the series.
+inline constexpr double largest_tried = 1'000;
 
 // How many of the first and of the last powers of a series an estimate of its radius looks at.
 inline constexpr std::size_t powers_of_estimate = 4;
@@ -102,6 +105,26 @@ double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns) {
     return certain < no_radius ? certain : least_by([](const R& a) { return size_of(a); });
 }
 
+// log2 of the distance over which a series changes as a whole: the largest |a_m/a_n|^(1/(n - m)) with n > m, a_m the first
+// coefficient that is not 0; 1 at least.
+template <field R>
+double scale_of_series(const R* coefficients, int order) {
+    std::optional<power_size> first;
+    double scale = 0;
+    for (int n = 0; n <= order; ++n) {
+        const magnitude size = least_size_of(coefficients[n]);
+        if (size.is_zero() || !size.is_finite()) {
+            continue;
+        }
+        if (first) {
+            scale = std::max(scale, static_cast<double>(first->exponent - size.exponent()) / (n - first->power));
+        } else {
+            first = {n, size.exponent()};
+        }
+    }
+    return scale;
+}
+
 // The first bound that bound_at(radius) gives, radius by radius; where that is far below the estimate, the largest one
 // within a factor of 2.
 template <class BoundAt>
@@ -114,7 +137,7 @@ std::optional<tail_bound> first_tail(double log_of_radius, const BoundAt& bound_
     double failed = log_of_radius - 3;
     double distance = 1;
     std::optional<tail_bound> found;
-    const int powers = log_of_radius < no_radius ? tried_powers : tried_powers_without_estimate;
+    const int powers = log_of_radius < largest_tried ? tried_powers : tried_powers_without_estimate;
     for (int power = 0; power < powers && !found; ++power, distance *= 2) {
         found = bound_at(power_of_two(failed - distance));
         failed -= found ? 0 : distance;
@@ -132,6 +155,14 @@ std::optional<tail_bound> first_tail(double log_of_radius, const BoundAt& bound_
 template <field R>
 std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                     double log_of_radius) {
+    if (log_of_radius == no_radius) {
+        log_of_radius = largest_tried;
+        for (std::size_t i = 0; i < of.orders().size(); ++i) {
+            log_of_radius = std::max(
+                log_of_radius,
+                largest_tried + scale_of_series(expansion.coefficients(static_cast<int>(i)), expansion.order()));
+        }
+    }
     return first_tail(log_of_radius,
                       [&](const magnitude& radius) { return bounded_tail(of, expansion, point, radius); });
 }
