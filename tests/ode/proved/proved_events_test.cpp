@@ -160,7 +160,7 @@ TEST_CASE("events are certainly before the end, or refused with their bounds", "
     for (const std::string end : {"pi/6", "-7*pi/6"}) {
         const auto open = found("y = 1/2", end, 1);
         CHECK(open.events.empty());
-        CHECK_THAT(open.missing->what(), Catch::Contains("do not tell from the end of the search"));
+        CHECK_THAT(open.missing->what(), Catch::Contains("do not distinguish from the end of the search"));
     }
     CHECK_THAT(found("y = 1/2", "pi/6", 1).missing->what(), Catch::Contains("[0.523598775598, 0.523598775599]"));
 }

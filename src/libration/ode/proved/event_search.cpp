@@ -49,7 +49,7 @@ void event_search::require_no_event_before_first_step(const ball& start) {
     sign_ = known_sign(values.of(g_));
     if (sign_ == 0) {
         throw error(error_kind::undecided, "event", "",
-                    "is not told from one within the first step from the start, where the equation is singular");
+                    "is not excluded within the first step from the start, where the equation is singular");
     }
 }
 

@@ -116,7 +116,7 @@ private:
             return true;
         }
         raise_bits_for("lies in " + bounds_text(time) + ", which " + std::to_string(bits_.now()) +
-                       " bits do not tell from the end of the search in " + bounds_text(end));
+                       " bits do not distinguish from the end of the search in " + bounds_text(end));
         return false;
     }
 
@@ -181,8 +181,8 @@ private:
     }
 
     std::string text_of(const undecided_place& place) const {
-        return "is not decided by " + std::to_string(bits_.now()) + " bits: the condition is not told from one that " +
-               "holds in [" + bound_text(place.from, MPFR_RNDD) + ", " + bound_text(place.to, MPFR_RNDU) +
+        return "is not decided by " + std::to_string(bits_.now()) + " bits: the condition may " + "hold in [" +
+               bound_text(place.from, MPFR_RNDD) + ", " + bound_text(place.to, MPFR_RNDU) +
                "], where its two sides differ by at most " + upper_bound_text(place.value.exact()) +
                " and the derivatives of the two sides by at most " + upper_bound_text(place.slope.exact());
     }
