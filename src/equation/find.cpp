@@ -43,7 +43,8 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
     };
     if (std::ranges::any_of(options.conditions, is_at_infinity)) {
         if (options.check) {
-            throw input_error("--check compares two proofs and a condition at infinity has one, by a lemma: leave it out");
+            throw input_error(
+                "--check compares two proofs and a condition at infinity has one, by a lemma: leave it out");
         }
         const bool one = options.conditions.size() == 1;
         return named(

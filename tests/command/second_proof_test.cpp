@@ -17,7 +17,8 @@ void check_confirmed(const words& line) {
 
 }  // namespace
 
-TEST_CASE("the option --check proves values, events, unknowns, radii, positions and coefficients twice", "[command][check]") {
+TEST_CASE("the option --check proves values, events, unknowns, radii, positions and coefficients twice",
+          "[command][check]") {
     check_confirmed({"reference", "--problem", "lorenz", "--time", "1,2", "--digits", "20"});
     check_confirmed({"reference", "--problem", "y' = (c/(1-t))*(c/(t-1)); y(0)=0; c = 1 - 2^(-349)", "--time", "1/16",
                      "--digits", "197"});
