@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -52,9 +53,9 @@ public:
             }
             open.back().second = true;
             const operand_pair below = operands(*node);
-            for (auto each = below.rbegin(); each != below.rend(); ++each) {
-                if (*each != nullptr) {
-                    open.emplace_back(*each, false);
+            for (std::size_t k = below.size(); k-- > 0;) {
+                if (below[k] != nullptr) {
+                    open.emplace_back(below[k], false);
                 }
             }
         }
