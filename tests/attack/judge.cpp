@@ -14,6 +14,8 @@ namespace {
 constexpr long most_digits_of_truth = 40'000;
 constexpr long first_guard_digits = 60;
 constexpr long digits_that_agree = 20;
+// Where two precisions agree on 0, constants next to 1 may cancel in both: more digits than any of them has decide.
+constexpr long digits_of_a_zero = 3'000;
 
 // 10^n, exactly.
 rational power_of_ten(long n) {
@@ -33,7 +35,7 @@ long first_exponent(std::string_view text) {
     return exponent + (at < dot ? dot - at - 1 : dot - at);
 }
 
-// The truth in twice as many digits as the one that it agrees with.
+// The truth in twice as many digits as the one that it agrees with; a 0 in many.
 template <class Use>
 std::optional<verdict> settled(const truth& exact, long digits, const Use& use) {
     for (long precision = digits + first_guard_digits; precision <= most_digits_of_truth; precision *= 2) {
@@ -48,7 +50,8 @@ std::optional<verdict> settled(const truth& exact, long digits, const Use& use) 
             return std::nullopt;
         }
         const mpfr small = abs(fine) * real(power_of_ten(-(digits + digits_that_agree)));
-        if (abs(mpfr(fine - rough)) <= small) {
+        const bool may_cancel = fine == 0 && precision < digits_of_a_zero;
+        if (!may_cancel && abs(mpfr(fine - rough)) <= small) {
             return use(fine, small);
         }
     }

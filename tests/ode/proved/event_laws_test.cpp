@@ -219,6 +219,27 @@ TEST_CASE("the events of polynomials are their roots, at all scales", "[ode][pro
     check_polynomials(1000, 300);
 }
 
+// y = (t - a)(t + b)(t + c): the root a is the only one behind the start, and pieces are often halved exactly there.
+TEST_CASE("the event of a cubic without an end is its positive root", "[ode][proved][events]") {
+    for (int a = 1; a <= 3; ++a) {
+        for (int b = 1; b <= 3; ++b) {
+            for (int c = 1; c <= b; ++c) {
+                const int square = b + c - a;
+                const int linear = b * c - a * (b + c);
+                const std::string problem = "y' = 3*t^2 + 2*(" + std::to_string(square) + ")*t + (" +
+                                            std::to_string(linear) + "); y(0) = " + std::to_string(-a * b * c);
+                INFO(problem);
+                const auto system = parse(problem);
+                event_request request;
+                request.g = parse_condition(system, "y = 0");
+                const auto report = searched_events(explicit_system(system), request, digits);
+                REQUIRE(report.events.size() == 1);
+                CHECK(printed_well(report.events[0].time, rational(a)));
+            }
+        }
+    }
+}
+
 TEST_CASE("the events of harmonic oscillators are inverse cosines", "[ode][proved][events]") { check_oscillators(12); }
 
 TEST_CASE("the events of harmonic oscillators are inverse cosines, in many cases", "[ode][proved][events][.long]") {

@@ -99,6 +99,13 @@ struct step_piece {
     }
     step_piece before(const ball& place) const { return {from, place, digits, at_0() ? halvings + 1 : 0, 0, beyond}; }
     step_piece behind(const ball& place) const { return {place, to, digits, 0, 0, beyond}; }
+    /// What it has in common with an enclosure.
+    step_piece within(const ball& place) const {
+        step_piece part = *this;
+        if (const ball least = lower_bound(place); exactly_less(from, least)) part = part.behind(least);
+        if (const ball most = upper_bound(place); exactly_less(most, part.to)) part = part.before(most);
+        return part;
+    }
 };
 
 }  // namespace libration::ode

@@ -105,6 +105,7 @@ private:
     std::optional<proved_event> passed(const step_piece& p, int slope);
     std::optional<proved_event> joined();
     void add_part(step_piece p);
+    bool narrowed_by_signs(step_piece& p) const;
     void split(const step_piece& p);
     bool split_at_turn(const step_piece& p);
 

@@ -235,8 +235,8 @@ std::optional<proved_event> event_search::passed(const step_piece& p, int slope)
     return behind == 0 ? std::nullopt : joined();
 }
 
-// Where the zero is if it is on the piece, on which gamma is monotone: by Newton's method, and by the sign in the middle
-// as long as its slope contains 0. Nothing is added where it is not on the piece.
+// Where the zero is if it is on the piece, on which gamma is monotone: by Newton's method and, as long as a slope that
+// varies much keeps that from narrowing, by signs between the ends. Nothing is added where the zero is not on the piece.
 void event_search::add_part(step_piece p) {
     for (;;) {
         const auto place = zero_within(
@@ -246,14 +246,32 @@ void event_search::add_part(step_piece p) {
             return;
         }
         sample here = sampled(*place);
-        const ball middle = p.middle();
-        const int sign = known_sign(here.slope) == 0 && !p.is_narrow(march_.bits()) ? sign_at(middle) : 0;
-        if (sign == 0) {
+        p = p.within(*place * direction_);
+        const bool converged = known_sign(here.slope) != 0 && known_sign(of_state(g_, exact_midpoint(*place))) == 0;
+        if (converged || p.is_narrow(march_.bits()) || !narrowed_by_signs(p)) {
             parts_.push_back({march_.reached() + *place, std::move(here.state), crossing::any});
             return;
         }
-        p = sign == sign_ ? p.behind(middle) : p.before(middle);
     }
+}
+
+// Cuts the piece on which gamma is monotone at its middle; where gamma is not told from 0 there, which may be its zero,
+// between that and both ends.
+bool event_search::narrowed_by_signs(step_piece& p) const {
+    const auto cut = [&](const ball& place) {
+        const bool inside = exactly_less(p.from, place) && exactly_less(place, p.to);
+        const int sign = inside ? sign_at(place) : 0;
+        if (sign != 0) p = sign == sign_ ? p.behind(place) : p.before(place);
+        return sign != 0;
+    };
+    const ball middle = p.middle();
+    if (cut(middle)) {
+        return true;
+    }
+    const ball first = p.before(middle).middle();
+    const ball last = p.behind(middle).middle();
+    const bool before = cut(first);
+    return cut(last) || before;
 }
 
 // The one zero of the pieces that were joined.
