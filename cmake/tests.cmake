@@ -62,7 +62,7 @@ if(LIBRATION_BUILD_COMMAND)
     set_tests_properties(attack PROPERTIES TIMEOUT 600)
 endif()
 
-# The installed tree: it is complete, find_package(libration) works on it, and so do the ten lines of the README.
+# The installed tree: it is complete, find_package(libration) works on it, and so does the first program of docs/cpp.md.
 set(installed ${PROJECT_BINARY_DIR}/installed)
 list(JOIN sanitizer_options " " consumer_flags) # what links our archives has the sanitizers too
 set(consumer ${CMAKE_COMMAND}
@@ -89,11 +89,11 @@ add_test(NAME consumer_of_balls
         -D PROGRAM=proved.cpp
         -D SCALARS=ball
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
-add_test(NAME readme_example
+add_test(NAME cpp_example
     COMMAND ${consumer}
-        -D BUILD=${PROJECT_BINARY_DIR}/readme
+        -D BUILD=${PROJECT_BINARY_DIR}/cpp_example
         -D SCALARS=ball
-        -D README=${PROJECT_SOURCE_DIR}/README.md
+        -D README=${PROJECT_SOURCE_DIR}/docs/cpp.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 add_test(NAME equations_example
     COMMAND ${consumer}
