@@ -111,7 +111,7 @@ add_test(NAME c_examples
         -P ${PROJECT_SOURCE_DIR}/cmake/check_c_examples.cmake)
 set_tests_properties(c_examples PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 120)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
-set_tests_properties(consumer consumer_of_balls readme_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
+set_tests_properties(consumer consumer_of_balls cpp_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
 add_test(NAME versions
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)
