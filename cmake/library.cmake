@@ -71,6 +71,9 @@ target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/
 target_link_libraries(libration
     PUBLIC libration-headers
     PRIVATE $<LINK_ONLY:PkgConfig::hwy> $<BUILD_INTERFACE:libration-warnings>)
+# A new kind of node, function or operation does not compile until each switch names it.
+set(switches_name_all $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wswitch-enum>)
+target_compile_options(libration PRIVATE ${switches_name_all})
 
 # The sources that use Highway, which compiles them once for each set of vector instructions, by themselves.
 add_library(libration-vectors OBJECT ${vector_sources})
@@ -85,6 +88,7 @@ target_compile_features(libration-vectors PRIVATE cxx_std_20)
 target_compile_definitions(libration-vectors PRIVATE
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 target_link_libraries(libration-vectors PRIVATE PkgConfig::hwy libration-warnings)
+target_compile_options(libration-vectors PRIVATE ${switches_name_all})
 target_sources(libration PRIVATE $<TARGET_OBJECTS:libration-vectors>)
 
 # Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
@@ -102,6 +106,7 @@ if(FLINT_FOUND)
     target_link_libraries(libration-proved
         PUBLIC libration FLINT::FLINT
         PRIVATE $<BUILD_INTERFACE:libration-warnings>)
+    target_compile_options(libration-proved PRIVATE ${switches_name_all})
     target_precompile_headers(libration-proved REUSE_FROM libration)
     target_sources(libration-proved PUBLIC
         FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${proved_headers})

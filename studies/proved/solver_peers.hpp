@@ -110,15 +110,19 @@ private:
             case arcsine: return "asin";
             case hyperbolic_sine_cosine: return "sinh";
             case hyperbolic_tangent: return "tanh";
-            case companion: break;
-            default: return "nothing";  // slopes, which series alone need
+            case companion: return word_beside(tape_.steps()[k - 1].kind);
+            case delayed:
+            case slope: break;  // which series alone need
         }
-        switch (tape_.steps()[k - 1].kind) {
-            case sine_cosine: return "cos";
-            case hyperbolic_sine_cosine: return "cosh";
-            case arcsine: return "root_beside";
-            default: return "nothing";
-        }
+        return "nothing";
+    }
+
+    static const char* word_beside(ode::operation kind) {
+        using enum ode::operation;
+        return kind == sine_cosine              ? "cos"
+               : kind == hyperbolic_sine_cosine ? "cosh"
+               : kind == arcsine                ? "root_beside"
+                                                : "nothing";
     }
 
     void add_step(std::size_t k) {

@@ -97,7 +97,7 @@ ARGUED = {
     (PLACE, "if (!result.evidence && last) {"): "as above",
     (STEP, "if (bound) {"): "a radius among those that are tried has held for every start; kept, because no bound is no proof",
     (STEP, "if (refusal.kind() == error_kind::argument) {"): "no start is refused for another reason; another one has to pass",
-    (TAIL, 'default: throw std::logic_error("theorem T takes products and sums alone");'):
+    (TAIL, '[[noreturn]] static void refuse() { throw std::logic_error("theorem T takes products and sums alone"); }'):
         "lifted systems have no other steps: it says a mistake of the program",
     (TAIL, "if (!std::ranges::all_of(next, [](const magnitude& each) { return each.is_finite(); })) {"):
         "magnitudes have no largest exponent: infinity comes from balls alone, which are refused before",

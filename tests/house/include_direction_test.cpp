@@ -238,6 +238,32 @@ complaints doubles(const house& all) {
     return found;
 }
 
+// Switches over an enumeration of the library that do not name all of it, and kinds that are compared by their order: a
+// new kind of node, function or operation would silently be taken for another. `default:` is left for numbers and
+// characters. The compiler checks the same of the library by -Wswitch-enum, which also sees an `if` too few.
+complaints unnamed_kinds(const house& all) {
+    static const std::regex named_case(R"(\bcase\s+[A-Za-z_])"),
+        order(R"(\s[<>]=?\s(?:\w+::)*(?:node_kind|operation|elementary|atom_kind)::\w)");
+    complaints found;
+    for (const auto& [path, text] : all) {
+        if (!path.starts_with("include/") && !path.starts_with("src/libration/")) continue;
+        const auto code = without_comments_and_strings(text);
+        const auto complain = [&](std::size_t at, const std::string& about) {
+            const auto line = 1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            found.push_back(path + ":" + std::to_string(line) + ": " + about);
+        };
+        for (auto at = code.find("default:"); at != std::string::npos; at = code.find("default:", at + 1)) {
+            const auto opened = code.rfind("switch", at);
+            if (opened != std::string::npos && std::regex_search(code.substr(opened, at - opened), named_case))
+                complain(at, "a default of named kinds");
+        }
+        for (auto match = std::sregex_iterator(code.begin(), code.end(), order); match != std::sregex_iterator();
+             ++match)
+            complain(static_cast<std::size_t>(match->position()), "kinds compared by their order");
+    }
+    return found;
+}
+
 // The headers that a program can only compile with FLINT stand in rooms of their own, and every other one leaves them
 // alone; the umbrella of the proved half gathers them.
 bool needs_flint(const std::string& path) {
@@ -313,6 +339,17 @@ TEST_CASE("no room holds more than 25 sources", "[house]") {
         INFO(folder);
         CHECK(count <= 25);
     }
+}
+
+TEST_CASE("each switch over kinds names all of them", "[house]") {
+    const auto found = unnamed_kinds(this_house());
+    INFO(lines(found));
+    CHECK(found.empty());
+    const std::string path = "src/libration/ode/tape.cpp";
+    CHECK(unnamed_kinds({{path, "switch (k) { case operation::sum: return 1; default: return 0; }"}}).size() == 1);
+    CHECK(unnamed_kinds({{path, "switch (k) { case sum: return 1; default: return 0; }"}}).size() == 1);
+    CHECK(unnamed_kinds({{path, "switch (c) { case 'a': case 1: return 1; default: return 0; }"}}).empty());
+    CHECK(unnamed_kinds({{path, "return a.kind < operation::product || b >= node_kind::sum;"}}).size() == 2);
 }
 
 TEST_CASE("no double hides in the templated headers", "[house]") {

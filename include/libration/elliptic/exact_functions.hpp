@@ -62,7 +62,8 @@ T circular_value(jacobi_function f, const exact& u) {
     switch (f) {
         case jacobi_function::am: return from_exact<T>(u);
         case jacobi_function::dn: return T(1);
-        default: break;
+        case jacobi_function::sn:
+        case jacobi_function::cn: break;
     }
     if (u.is_angle()) {
         // sin q pi = cos (q - 1/2) pi, and the cosine of a whole number of quarter turns is 1, 0, -1 or 0.
@@ -86,8 +87,10 @@ T hyperbolic_value(jacobi_function f, const exact& u) {
     switch (f) {
         case jacobi_function::am: return atan(tanh(x / 2)) * 2;
         case jacobi_function::sn: return tanh(x);
-        default: return 1 / cosh(x);
+        case jacobi_function::cn:
+        case jacobi_function::dn: break;
     }
+    return 1 / cosh(x);
 }
 
 /// The function at u. Cost O(log digits) square roots and divisions and a tangent; loses the bits that u has before its

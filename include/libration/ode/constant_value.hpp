@@ -101,10 +101,11 @@ R function_value(elementary f, const R& x) {
         case elementary::cosh:
             if constexpr (requires { R(cosh(x)); }) return R(cosh(x));
             return missing("cosh");
-        default:
+        case elementary::tanh:
             if constexpr (requires { R(tanh(x)); }) return R(tanh(x));
             return missing("tanh");
     }
+    return missing("a function");
 }
 
 /// x^r for a value x at an expansion point.

@@ -79,8 +79,10 @@ private:
             case node_kind::quotient: return R(done_.at(e.left()) / done_.at(e.right()));
             case node_kind::power: return raised(e);
             case node_kind::function: return function_value<R>(e.function(), done_.at(e.left()));
-            default: return values_[indices_.at(e.name())];
+            case node_kind::unknown:
+            case node_kind::parameter: break;
         }
+        return values_[indices_.at(e.name())];
     }
 
     // Whole powers by products, so that any base will do.

@@ -23,8 +23,12 @@ inline operand_pair operands_of(const expression& e) {
         case node_kind::unknown:
         case node_kind::parameter: return {};
         case node_kind::function: return {&e.left()};
-        default: return {&e.left(), &e.right()};
+        case node_kind::sum:
+        case node_kind::product:
+        case node_kind::quotient:
+        case node_kind::power: break;
     }
+    return {&e.left(), &e.right()};
 }
 
 /// Values of the nodes of expressions, each computed once for copies of one object; the nodes are kept alive, so that

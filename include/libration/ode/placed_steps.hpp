@@ -75,6 +75,7 @@ private:
     };
 
     static bool computed(const step& each, int n);
+    static bool computed_from_first(const step& each, int n);
     template <class Otherwise>
     static void run_one(const step& each, int n, const Otherwise& otherwise) {
         if (!computed(each, n)) {
@@ -156,11 +157,33 @@ bool placed_steps<R>::computed(const step& each, int n) {
                 result[n] /= static_cast<R>(each.divisor);
             }
             return true;
-        default: break;
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::square_root:
+        case operation::power:
+        case operation::exponential:
+        case operation::logarithm:
+        case operation::sine_cosine:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent:
+        case operation::companion: break;
     }
-    if (n == 0) {
-        return false;  // a value of the function itself
-    }
+    return n > 0 && computed_from_first(each, n);
+}
+
+// What has a value of its own at n = 0.
+template <class R>
+bool placed_steps<R>::computed_from_first(const step& each, int n) {
+    const R* const a = each.a;
+    const R* const b = each.b;
+    R* const result = each.result;
     const auto degree = static_cast<R>(n);
     switch (each.kind) {
         case operation::constant: return true;
@@ -178,8 +201,27 @@ bool placed_steps<R>::computed(const step& each, int n) {
             slope[n - 1] = result[n] * degree;
             return true;
         }
-        default: return false;
+        case operation::variable:
+        case operation::state:
+        case operation::sum:
+        case operation::difference:
+        case operation::scaled:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::product:
+        case operation::square:
+        case operation::quotient:
+        case operation::slope:
+        case operation::exponential:
+        case operation::logarithm:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent:
+        case operation::companion: break;
     }
+    return false;
 }
 
 }  // namespace libration::ode

@@ -36,6 +36,51 @@ enum class operation {
     companion                ///< filled by a step before
 };
 
+/// What kernels an operation needs.
+enum class operation_group {
+    linear,        ///< one operation of a field for each coefficient
+    convolution,   ///< sums of products of coefficients, or the slope
+    function,      ///< a function with a value of its own at the start
+    odd_function,  ///< a function that keeps an even one beside it
+    none           ///< filled by a step before
+};
+
+constexpr operation_group group_of(operation kind) {
+    switch (kind) {
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::sum:
+        case operation::difference:
+        case operation::scaled:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed: return operation_group::linear;
+        case operation::product:
+        case operation::square:
+        case operation::quotient:
+        case operation::slope: return operation_group::convolution;
+        case operation::square_root:
+        case operation::power:
+        case operation::exponential:
+        case operation::logarithm: return operation_group::function;
+        case operation::sine_cosine:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent: return operation_group::odd_function;
+        case operation::companion: break;
+    }
+    return operation_group::none;
+}
+
+constexpr bool is_linear(operation kind) { return group_of(kind) == operation_group::linear; }
+constexpr bool keeps_even_beside(operation kind) { return group_of(kind) == operation_group::odd_function; }
+constexpr bool is_function(operation kind) {
+    return group_of(kind) == operation_group::function || keeps_even_beside(kind);
+}
+
 /// One operation; operands are indices of steps.
 struct tape_step {
     operation kind = operation::constant;

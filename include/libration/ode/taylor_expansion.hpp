@@ -77,6 +77,7 @@ private:
     void set_newest(int unknown, int n, const R& value);
     R solved(int unknown, int n) const;
     void step(int index, int at);
+    R multiple(const tape_step& s, const R& a) const;
     void linear_step(const tape_step& s, int index, int n);
     void function_step(const tape_step& s, int index, int n);
     void set_centre(const tape_step& s, int index);
@@ -174,12 +175,12 @@ void taylor_expansion<R>::about(const R& point, const solution_state<R>& state) 
 template <field R>
 bool taylor_expansion<R>::due(const tape_step& step, int n) const {
     if (stride_ == 1) {
-        return !exact_ || step.residue >= 0 || step.kind > operation::square_root;
+        return !exact_ || step.residue >= 0 || (is_function(step.kind) && step.kind != operation::square_root);
     }
     if (step.kind == operation::slope) {
         --n;  // one degree behind
     }
-    const bool pair = step.kind > operation::logarithm;  // and functions that keep an even one beside them
+    const bool pair = keeps_even_beside(step.kind);
     return (step.residue >= 0 && n % stride_ == step.residue) || (pair && n % stride_ == 0);
 }
 
@@ -301,7 +302,7 @@ void taylor_expansion<R>::step(int index, int at) {
     if (n < 0 || s.kind == operation::state || s.kind == operation::companion || !due(s, n)) {
         return;
     }
-    if (s.kind < operation::product) {
+    if (is_linear(s.kind)) {
         linear_step(s, index, n);
     } else {
         function_step(s, index, n);
@@ -333,16 +334,33 @@ void taylor_expansion<R>::linear_step(const tape_step& s, int index, int n) {
             return;
         case operation::by_variable: result = n == 0 ? R(point_ * a[0]) : R(point_ * a[n] + a[n - 1]); return;
         case operation::delayed: result = n < s.shift ? R(0) : a[n - s.shift]; return;
-        default: break;  // scaled
+        case operation::scaled: result = multiple(s, a[n]); return;
+        case operation::state:
+        case operation::product:
+        case operation::square:
+        case operation::quotient:
+        case operation::slope:
+        case operation::square_root:
+        case operation::power:
+        case operation::exponential:
+        case operation::logarithm:
+        case operation::sine_cosine:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent:
+        case operation::companion: return;
     }
+}
+
+template <field R>
+R taylor_expansion<R>::multiple(const tape_step& s, const R& a) const {
     if (s.constant >= 0) {
-        result = R(a[n] * constants_[static_cast<std::size_t>(s.constant)]);
-        return;
+        return R(a * constants_[static_cast<std::size_t>(s.constant)]);
     }
-    result = s.numerator == 1 ? a[n] : s.numerator == -1 ? R(-a[n]) : R(a[n] * s.numerator);
-    if (s.denominator != 1) {
-        result = R(result / s.denominator);
-    }
+    const R result = s.numerator == 1 ? a : s.numerator == -1 ? R(-a) : R(a * s.numerator);
+    return s.denominator == 1 ? result : R(result / s.denominator);
 }
 
 template <field R>
@@ -389,7 +407,20 @@ void taylor_expansion<R>::set_centre(const tape_step& s, int index) {
                 exact_ && exact ? constant_value<R>::of(*exact) : function_value<R>(elementary::sqrt, R(R(1) - x * x));
             return;
         }
-        default: return;
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::sum:
+        case operation::difference:
+        case operation::scaled:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::product:
+        case operation::square:
+        case operation::quotient:
+        case operation::slope:
+        case operation::companion: return;
     }
 }
 
@@ -429,7 +460,19 @@ void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
         case operation::hyperbolic_sine_cosine:
             hyperbolic_sine_cosine_kernel(b, result, array(index + 1), n, of_slope, sums_);
             return;
-        default: hyperbolic_tangent_kernel(b, array(index + 1), result, n, of_a, sums_); return;
+        case operation::hyperbolic_tangent:
+            hyperbolic_tangent_kernel(b, array(index + 1), result, n, of_a, sums_);
+            return;
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::sum:
+        case operation::difference:
+        case operation::scaled:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::companion: return;
     }
 }
 

@@ -31,8 +31,9 @@ struct scalar_spec {
             case scalar_kind::extended: return "long-double";
             case scalar_kind::binary128: return "quad";
             case scalar_kind::proved: return "ball:" + std::to_string(digits);
-            default: return "mpfr:" + std::to_string(digits);
+            case scalar_kind::arbitrary: break;
         }
+        return "mpfr:" + std::to_string(digits);
     }
 };
 
@@ -90,7 +91,7 @@ decltype(auto) with_scalar(const scalar_spec& spec, long guard, F&& f) {
         case scalar_kind::extended: return std::forward<F>(f).template operator()<long double>();
         case scalar_kind::binary128: return std::forward<F>(f).template operator()<quad>();
         case scalar_kind::proved: throw std::logic_error(spec.name() + " among the scalars that round");
-        default: break;
+        case scalar_kind::arbitrary: break;
     }
     const precision_scope scope(spec.digits + guard);
     return std::forward<F>(f).template operator()<mpfr>();

@@ -1,6 +1,7 @@
 #include "libration/ode/expression.hpp"
 
 #include <set>
+#include <stdexcept>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -274,8 +275,9 @@ expression slope_of(elementary f, const expression& x, const expression& value) 
         case elementary::atan: return 1 / (1 + x * x);
         case elementary::sinh: return cosh(x);
         case elementary::cosh: return sinh(x);
-        default: return 1 - value * value;
+        case elementary::tanh: break;
     }
+    return 1 - value * value;
 }
 
 // The derivative of a node from those of its operands, `by_right` null where it has one.
@@ -289,8 +291,13 @@ expression derived(const expression& e, const expression& by_left, const express
             const expression by_base = e.right() * pow(a, e.right() - 1) * by_left;
             return by_right->is(0) ? by_base : by_base + log(a) * e * *by_right;
         }
-        default: return by_left.is(0) ? expression() : slope_of(e.function(), a, e) * by_left;
+        case node_kind::function: return by_left.is(0) ? expression() : slope_of(e.function(), a, e) * by_left;
+        case node_kind::constant:
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter: break;
     }
+    throw std::logic_error("a leaf has no operands");
 }
 
 }  // namespace
@@ -326,8 +333,11 @@ expression replaced(const expression& in, const replacement& by) {
             case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
             case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
             case node_kind::function: return apply(e.function(), done.at(e.left()));
-            default: return by(e).value_or(e);
+            case node_kind::variable:
+            case node_kind::unknown:
+            case node_kind::parameter: break;
         }
+        return by(e).value_or(e);
     });
 }
 

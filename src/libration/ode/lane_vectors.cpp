@@ -72,9 +72,26 @@ HWY_INLINE vector coefficient(const lane_group& of, const lane_rows& rows, std::
         case operation::product: return sum_of_products(a, b, n, 0, n);
         case operation::square: return sum_of_squares(a, n, 0);
         case operation::quotient: return hn::Div(hn::Sub(a[n], sum_of_products(b, result, n, 1, n)), b[0]);
-        default:  // square_root
-            return hn::Div(hn::Sub(a[n], sum_of_squares(result, n, 1)), hn::LoadU(d, factors));
+        case operation::square_root: return hn::Div(hn::Sub(a[n], sum_of_squares(result, n, 1)), hn::LoadU(d, factors));
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::slope:
+        case operation::power:
+        case operation::exponential:
+        case operation::logarithm:
+        case operation::sine_cosine:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent:
+        case operation::companion: break;
     }
+    return hn::Zero(d);  // has_lanes() leaves these out
 }
 
 // From all over row n to one place.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "libration/ode/dependency.hpp"
@@ -92,8 +93,11 @@ private:
             case node_kind::quotient: return done_.at(e.left()) * inverse(done_.at(e.right()));
             case node_kind::power: return power_of(done_.at(e.left()), e.right());
             case node_kind::function: return function_of(e.function(), done_.at(e.left()));
-            default: return e;
+            case node_kind::constant:
+            case node_kind::variable:
+            case node_kind::parameter: break;
         }
+        return e;
     }
 
     // u^(a/b) with p = u^(-1/b) is u^k p^(b k - a), k the least whole number >= 0 that is not below a/b.
@@ -172,8 +176,10 @@ private:
             case elementary::tanh: return (1 - leaf * leaf) * du;
             case elementary::atan: return inverse(1 + u * u) * du;
             case elementary::asin: return added(pow(1 - u * u, expression(rational(-1, 2)))) * du;
-            default: return -(added(pow(1 - u * u, expression(rational(-1, 2)))) * du);  // acos
+            case elementary::acos: return -(added(pow(1 - u * u, expression(rational(-1, 2)))) * du);
+            case elementary::sqrt: break;  // a power
         }
+        throw std::logic_error("a root is a power here");
     }
 
     const explicit_system& of_;
@@ -196,8 +202,35 @@ bool has_one_value(const expression& e) {
         case elementary::asin:
         case elementary::acos:
         case elementary::atan: return false;
-        default: return true;
+        case elementary::exp:
+        case elementary::sqrt:
+        case elementary::sin:
+        case elementary::cos:
+        case elementary::tan:
+        case elementary::sinh:
+        case elementary::cosh:
+        case elementary::tanh: break;
     }
+    return true;
+}
+
+// Of all numbers.
+bool is_entire(elementary f) {
+    switch (f) {
+        case elementary::exp:
+        case elementary::sin:
+        case elementary::cos:
+        case elementary::sinh:
+        case elementary::cosh: return true;
+        case elementary::log:
+        case elementary::sqrt:
+        case elementary::tan:
+        case elementary::asin:
+        case elementary::acos:
+        case elementary::atan:
+        case elementary::tanh: break;
+    }
+    return false;
 }
 
 // Of the variable, where its unknowns are entire.
@@ -212,17 +245,13 @@ bool is_entire(const expression& whole) {
                 const auto exponent = e.right().fraction();
                 return done.at(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
             }
-            case node_kind::function:
-                switch (e.function()) {
-                    case elementary::exp:
-                    case elementary::sin:
-                    case elementary::cos:
-                    case elementary::sinh:
-                    case elementary::cosh: return done.at(e.left());
-                    default: return e.is_constant();
-                }
-            default: return true;
+            case node_kind::function: return e.is_constant() || (is_entire(e.function()) && done.at(e.left()));
+            case node_kind::constant:
+            case node_kind::variable:
+            case node_kind::unknown:
+            case node_kind::parameter: break;
         }
+        return true;
     });
 }
 

@@ -61,8 +61,11 @@ private:
             case node_kind::quotient: return quotient(e);
             case node_kind::power: require_free(e.left(), "a power"); return {{}, e};
             case node_kind::function: require_free(e.left(), "a function"); return {{}, e};
-            default: return {{}, e};
+            case node_kind::constant:
+            case node_kind::variable:
+            case node_kind::parameter: break;
         }
+        return {{}, e};
     }
 
     linear_form leaf(const expression& e) const {

@@ -20,8 +20,7 @@ bool has_fractions_alone(const tape& made) {
     return is_fraction(made.point()) && are_fractions(made.constants()) &&
            std::ranges::all_of(made.starts(), are_fractions) &&
            std::ranges::all_of(made.steps(), [&](const tape_step& step) {
-               const bool function = step.kind >= operation::square_root && step.kind != operation::companion;
-               return !function || (step.centre && is_fraction(*step.centre));
+               return !is_function(step.kind) || (step.centre && is_fraction(*step.centre));
            });
 }
 

@@ -66,8 +66,11 @@ private:
             }
             case node_kind::power: return of_power(e);
             case node_kind::function: return of_function(e);
-            default: return {0, e};
+            case node_kind::constant:
+            case node_kind::variable:
+            case node_kind::unknown: break;
         }
+        return {0, e};
     }
 
     expression joined(const factored_form& f) {
@@ -138,8 +141,11 @@ long lag_of(const expression& whole, int root) {
             }
             case node_kind::sum:
             case node_kind::quotient: return std::max(done.at(e.left()), done.at(e.right()));
-            default: return 0L;
+            case node_kind::constant:
+            case node_kind::variable:
+            case node_kind::parameter: break;
         }
+        return 0L;
     });
 }
 

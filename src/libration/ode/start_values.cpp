@@ -1,5 +1,7 @@
 #include "start_values.hpp"
 
+#include <stdexcept>
+
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -38,20 +40,15 @@ void start_values::require_analytic(const expression& e, const number& argument)
     }
 }
 
-number start_values::computed(const expression& e) {
-    switch (e.kind()) {
-        case node_kind::constant: return e.constant();
-        case node_kind::variable:
-        case node_kind::unknown:
-        case node_kind::parameter: {
-            auto value = of_leaf_(e);
-            if (!value) {
-                refuse_value("has no value");
-            }
-            return *value;
-        }
-        default: break;
+number start_values::of_leaf(const expression& leaf) const {
+    const auto value = of_leaf_(leaf);
+    if (!value) {
+        refuse_value("has no value");
     }
+    return *value;
+}
+
+number start_values::of_operation(const expression& e) const {
     if (e.kind() == node_kind::power && e.left().kind() == node_kind::parameter && e.right().constant().sign() > 0) {
         return {};  // s^r, which stands for a power of the series' variable
     }
@@ -62,8 +59,28 @@ number start_values::computed(const expression& e) {
         case node_kind::product: return left * done_.at(e.right());
         case node_kind::quotient: return left / done_.at(e.right());
         case node_kind::power: return power(left, e.right().constant());
-        default: return apply(e.function(), left);
+        case node_kind::function: return apply(e.function(), left);
+        case node_kind::constant:
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter: break;
     }
+    throw std::logic_error("a leaf is no operation");
+}
+
+number start_values::computed(const expression& e) const {
+    switch (e.kind()) {
+        case node_kind::constant: return e.constant();
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter: return of_leaf(e);
+        case node_kind::sum:
+        case node_kind::product:
+        case node_kind::quotient:
+        case node_kind::power:
+        case node_kind::function: break;
+    }
+    return of_operation(e);
 }
 
 number start_values::value_of(const expression& e) {

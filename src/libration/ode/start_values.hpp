@@ -26,7 +26,9 @@ public:
     number value_of(const expression& e);
 
 private:
-    number computed(const expression& e);
+    number computed(const expression& e) const;
+    number of_leaf(const expression& leaf) const;
+    number of_operation(const expression& e) const;
     static void require_analytic(const expression& e, const number& argument);
 
     leaf_value of_leaf_;

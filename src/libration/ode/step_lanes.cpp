@@ -28,8 +28,25 @@ bool has_lanes(const tape_step& step) {
         case operation::quotient:
         case operation::square_root: return true;
         case operation::scaled: return step.constant >= 0 || step.denominator == 1;
-        default: return false;
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::slope:
+        case operation::power:
+        case operation::exponential:
+        case operation::logarithm:
+        case operation::sine_cosine:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent:
+        case operation::companion: break;
     }
+    return false;
 }
 
 std::vector<int> operands_of(const tape_step& step) {

@@ -77,8 +77,14 @@ operand_pair tape_builder::operands(const expression& e) const {
         case node_kind::product:
             return is_constant_node(e.left()) || is_delay(e.left()) ? operand_pair{&e.right()} : operands_of(e);
         case node_kind::power: return is_delay(e) ? operand_pair{} : operand_pair{&e.left()};
-        default: return operands_of(e);
+        case node_kind::constant:
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter:
+        case node_kind::quotient:
+        case node_kind::function: break;
     }
+    return operands_of(e);
 }
 
 // Whether it is a power of the distance from a singular start.
@@ -96,8 +102,9 @@ int tape_builder::made(const expression& e) {
         case node_kind::product: return product_of(e);
         case node_kind::quotient: return quotient(done_.at(e.left()), done_.at(e.right()));
         case node_kind::power: return power_of(e);
-        default: return function_of(e);
+        case node_kind::function: break;
     }
+    return function_of(e);
 }
 
 int tape_builder::shared(tape_step step) {
@@ -331,13 +338,12 @@ int tape_builder::function_of(const expression& e) {
         case elementary::tanh: return with(operation::hyperbolic_tangent, 1);
         case elementary::atan: return with(operation::arctangent, 2);
         case elementary::asin: return with(operation::arcsine, 2);
-        default: {  // acos x = pi/2 - asin x
-            const int negative = scaled_by(with(operation::arcsine, 2), number(rational(-1)));
-            return shared({.kind = operation::raised,
-                           .left = negative,
-                           .constant = constant_index(number(rational(1, 2), unit::pi))});
-        }
+        case elementary::acos: break;
     }
+    // acos x = pi/2 - asin x
+    const int negative = scaled_by(with(operation::arcsine, 2), number(rational(-1)));
+    return shared(
+        {.kind = operation::raised, .left = negative, .constant = constant_index(number(rational(1, 2), unit::pi))});
 }
 
 }  // namespace libration::ode

@@ -50,8 +50,14 @@ int tape_symmetry::residue_of(const tape_step& step, int stride) const {
         case operation::exponential:
         case operation::logarithm: return a <= 0 ? 0 : contradiction;
         case operation::companion: return 0;
-        default: return a <= 0 || odd ? a : contradiction;  // odd functions
+        case operation::sine_cosine:
+        case operation::tangent:
+        case operation::arctangent:
+        case operation::arcsine:
+        case operation::hyperbolic_sine_cosine:
+        case operation::hyperbolic_tangent: break;
     }
+    return a <= 0 || odd ? a : contradiction;  // odd functions
 }
 
 bool tape_symmetry::holds(int stride) {

@@ -78,7 +78,8 @@ mpfr mpfr_from_exact(const exact& number) {
         case unit::period:
             throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         case unit::expression: break;
-        default: return from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
+        case unit::pi:
+        case unit::degree: return from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
     }
     if (number.has_periods()) {
         throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");

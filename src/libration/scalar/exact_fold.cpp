@@ -105,8 +105,12 @@ std::optional<plain_number> folded_at_fraction(elementary f, const rational& x) 
             return complement ? in(unit::pi, rational(rational(1, 2) - *complement)) : std::nullopt;
         }
         case elementary::atan: return abs(x) == 1 ? in(unit::pi, rational(x / 4)) : in(unit::one, value_at_zero(0));
-        default: return in(unit::one, value_at_zero(0));
+        case elementary::sin:
+        case elementary::tan:
+        case elementary::sinh:
+        case elementary::tanh: break;
     }
+    return in(unit::one, value_at_zero(0));
 }
 
 }  // namespace
@@ -156,8 +160,17 @@ std::optional<plain_number> folded_function(elementary f, const plain_number& x)
         case elementary::cos: return in(unit::one, cosine(in_pi));
         case elementary::sin: return in(unit::one, cosine(rational(in_pi - rational(1, 2))));
         case elementary::tan: return in(unit::one, tangent(in_pi));
-        default: return std::nullopt;
+        case elementary::exp:
+        case elementary::log:
+        case elementary::sqrt:
+        case elementary::asin:
+        case elementary::acos:
+        case elementary::atan:
+        case elementary::sinh:
+        case elementary::cosh:
+        case elementary::tanh: break;
     }
+    return std::nullopt;
 }
 
 }  // namespace libration

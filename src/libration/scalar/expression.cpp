@@ -38,8 +38,10 @@ atom_kind kind_of(unit u) {
         case unit::pi: return atom_kind::pi;
         case unit::degree: return atom_kind::degree;
         case unit::period: return atom_kind::period;
-        default: return atom_kind::one;
+        case unit::one:
+        case unit::expression: break;
     }
+    return atom_kind::one;
 }
 
 std::optional<unit> unit_of(atom_kind kind) {
@@ -48,8 +50,12 @@ std::optional<unit> unit_of(atom_kind kind) {
         case atom_kind::pi: return unit::pi;
         case atom_kind::degree: return unit::degree;
         case atom_kind::period: return unit::period;
-        default: return std::nullopt;
+        case atom_kind::product:
+        case atom_kind::quotient:
+        case atom_kind::power:
+        case atom_kind::function: break;
     }
+    return std::nullopt;
 }
 
 void require_no_period(const expression& x) {

@@ -19,7 +19,19 @@ struct expression::atom {
     std::size_t hash = 0;
     long depth = 1;
 
-    bool is_composed() const { return kind >= atom_kind::product; }
+    bool is_composed() const {
+        switch (kind) {
+            case atom_kind::one:
+            case atom_kind::pi:
+            case atom_kind::degree:
+            case atom_kind::period: return false;
+            case atom_kind::product:
+            case atom_kind::quotient:
+            case atom_kind::power:
+            case atom_kind::function: break;
+        }
+        return true;
+    }
 };
 
 [[noreturn]] inline void refuse_number(const std::string& reason) {

@@ -177,8 +177,10 @@ bounds of_function(elementary f, const number_bounds& x) {
         case elementary::tan: return quotient(of_circle(mpfr_sin, x), of_circle(mpfr_cos, x));
         case elementary::atan: return rising(mpfr_atan, x);
         case elementary::tanh: return rising(mpfr_tanh, x);
-        default: return arc(f, x);
+        case elementary::asin:
+        case elementary::acos: break;
     }
+    return arc(f, x);
 }
 
 // x^n for n > 0.
@@ -271,7 +273,11 @@ private:
             case atom_kind::degree: return product(of_pi(), of_fraction(rational(1, 180)));
             case atom_kind::period:
                 throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
-            default: break;
+            case atom_kind::one:
+            case atom_kind::product:
+            case atom_kind::quotient:
+            case atom_kind::power:
+            case atom_kind::function: break;
         }
         const auto known = done_.find(&a);
         return known != done_.end() ? known->second : done_.emplace(&a, composed(a)).first->second;

@@ -24,8 +24,9 @@ inline std::string name_of(singularity_kind kind) {
         case singularity_kind::algebraic: return "algebraic";
         case singularity_kind::boundary: return "boundary";
         case singularity_kind::branch: return "branch";
-        default: return "unknown";
+        case singularity_kind::unknown: break;
     }
+    return "unknown";
 }
 
 /// The answer of one test, in the unit of the variable. What a test does not tell is left out.

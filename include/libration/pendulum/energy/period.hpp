@@ -47,8 +47,9 @@ T effective_period_by(const period_rule& rule, const energy_level<T>& o) {
     switch (rule.method) {
         case period_method::series: return effective_period_series(o, rule.order);
         case period_method::resummed: return effective_period_resummed(o, rule.order);
-        default: return effective_period(o);
+        case period_method::agm: break;
     }
+    return effective_period(o);
 }
 
 /// How many T* make a period: 4 for libration (and the limit E = 0), 2 for rotation.

@@ -14,8 +14,9 @@ T effective_period_bound(const period_rule& rule, const energy_level<T>& o) {
     switch (rule.method) {
         case period_method::series: return complete_integral_series_bound(o.modulus, rule.order) / o.time_scale;
         case period_method::resummed: return complete_integral_resummed_bound(o.modulus, rule.order) / o.time_scale;
-        default: return T(0);
+        case period_method::agm: break;
     }
+    return T(0);
 }
 
 /// Decimal digits by which the error of (Knew), the smaller of the two, is below T* at this order: what a computation

@@ -31,8 +31,9 @@ constexpr std::string_view name_of(approximation a) {
         case approximation::eighth: return "resummed_8";
         case approximation::two_point: return "two_point";
         case approximation::pade: return "pade";
-        default: return "uniform";
+        case approximation::uniform: break;
     }
+    return "uniform";
 }
 
 /// The last power N from the top and the number m of conditions at the bottom.
@@ -47,8 +48,12 @@ constexpr int fixed_conditions(approximation a) {
         case approximation::resummed: return 2;
         case approximation::fourth: return 4;
         case approximation::eighth: return 8;
-        default: return 0;
+        case approximation::series:
+        case approximation::two_point:
+        case approximation::pade:
+        case approximation::uniform: break;
     }
+    return 0;
 }
 
 /// The size that takes `count` coefficients, theta's parity about the top being 0 (libration) or 1; nothing where there
@@ -72,8 +77,13 @@ std::optional<T> convergence_rate(approximation a, const top_bounds<T>& b) {
     switch (a) {
         case approximation::pade: return std::nullopt;
         case approximation::two_point: return two_point_rate(b);
-        default: return by_power * by_power;
+        case approximation::series:
+        case approximation::resummed:
+        case approximation::fourth:
+        case approximation::eighth:
+        case approximation::uniform: break;
     }
+    return by_power * by_power;
 }
 
 /// The bound that is proved for it: theorem A for the series, A2 and its generalisation for those with conditions at
@@ -102,8 +112,12 @@ auto with_approximation(approximation a, const motion& m, const fundamental_arc<
         case approximation::series: return use(series_from_top(arc, size.order));
         case approximation::pade: return use(pade_from_top(arc, count));
         case approximation::uniform: return use(uniform_from_top<mpfr>(m, size.order));
-        default: return use(endpoint_from_top(arc, size.order, size.conditions));
+        case approximation::resummed:
+        case approximation::fourth:
+        case approximation::eighth:
+        case approximation::two_point: break;
     }
+    return use(endpoint_from_top(arc, size.order, size.conditions));
 }
 
 }  // namespace libration::pendulum

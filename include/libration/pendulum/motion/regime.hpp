@@ -15,8 +15,9 @@ inline std::string_view name_of(regime r) {
         case regime::rotation: return "rotation";
         case regime::separatrix: return "separatrix";
         case regime::stable_equilibrium: return "stable-equilibrium";
-        default: return "unstable-equilibrium";
+        case regime::unstable_equilibrium: break;
     }
+    return "unstable-equilibrium";
 }
 
 /// E = 2 exactly: the period is infinite and there is no top to expand about.

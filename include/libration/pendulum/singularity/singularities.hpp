@@ -39,7 +39,8 @@ std::optional<singularity_lattice<T>> singularities(const motion& m) {
         case regime::stable_equilibrium:
         case regime::unstable_equilibrium: return std::nullopt;
         case regime::separatrix: return singularity_lattice<T>{T(0), pi<T>() / 2, true};
-        default: break;
+        case regime::libration:
+        case regime::rotation: break;
     }
     const energy_level<T> o = energy_level_of<T>(m);
     return singularity_lattice<T>{effective_period(o), singularity_height(o)};

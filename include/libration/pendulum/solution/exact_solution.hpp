@@ -68,8 +68,10 @@ public:
             case regime::rotation: return rotating(p);
             case regime::separatrix: return on_separatrix(p);
             case regime::unstable_equilibrium: return {from_exact<T>(*motion_.theta0()), T(0), T(1), T(0)};
-            default: return librating(p);
+            case regime::libration:
+            case regime::stable_equilibrium: break;
         }
+        return librating(p);
     }
 
     /// The quarter of the top that canonical motions start from: +theta_max or (turns + 1/2) 2 pi.

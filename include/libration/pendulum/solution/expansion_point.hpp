@@ -46,7 +46,7 @@ phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& cl
         case expansion_point::place::start: return clock().at(exact{});
         case expansion_point::place::time: return clock().at(point.time);
         case expansion_point::place::bottom: return phase_map<T>::at_quarter(critical ? integer(0) : integer(top + 1));
-        default: break;
+        case expansion_point::place::top: break;
     }
     if (critical) {
         throw error(error_kind::argument, "point", "top", "is not a point of a motion with E = 2");

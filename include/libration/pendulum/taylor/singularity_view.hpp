@@ -51,8 +51,9 @@ power_pattern powers_about(const motion& m, const phase<T>& at) {
     switch (parity_about(m, at)) {
         case series::parity::any: return {0, 1};
         case series::parity::odd: return {1, 2};
-        default: return m.energy() && *m.energy() == 1 ? power_pattern{2, 4} : power_pattern{0, 2};
+        case series::parity::even: break;
     }
+    return m.energy() && *m.energy() == 1 ? power_pattern{2, 4} : power_pattern{0, 2};
 }
 
 /// The lattice of a motion from one of its points, in dimensionless time.

@@ -23,7 +23,8 @@ T from_exact(const exact& number) {
         case unit::period:
             throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
         case unit::expression: break;
-        default: return from_rational<T>(number.in_pi()) * pi<T>();
+        case unit::pi:
+        case unit::degree: return from_rational<T>(number.in_pi()) * pi<T>();
     }
     if (number.has_periods()) {
         throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");

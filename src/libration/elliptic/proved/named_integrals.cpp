@@ -212,7 +212,8 @@ true_value nome_value(std::string_view name, const function_arguments& at) {
         case range::zero: return exact_value(0);
         case range::one: return exact_value(1);
         case range::above: refuse_not_real(name, p.m());
-        default: break;
+        case range::negative:
+        case range::within: break;
     }
     const modulus<ball> reduced = p.reduced();
     const ball nome = exp(ball(-pi<ball>() * complete_integral(reduced.swapped()) / complete_integral(reduced)));

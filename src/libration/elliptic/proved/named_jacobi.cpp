@@ -99,8 +99,11 @@ jacobi_values<ball> triple_at(const exact& u, const real_parameter& p) {
     switch (where) {
         case range::negative: return {at.sn / at.dn / stretch, at.cn / at.dn, 1 / at.dn};
         case range::above: return {at.sn / stretch, at.dn, at.cn};
-        default: return at;
+        case range::zero:
+        case range::within:
+        case range::one: break;
     }
+    return at;
 }
 
 char letter_at(char letter, range where) {

@@ -42,8 +42,11 @@ modulus<ball> real_parameter::reduced() const {
     switch (where_) {
         case range::negative: return modulus<ball>::from_both(sqrt(ball(-m / complement)), sqrt(ball(1 / complement)));
         case range::above: return modulus<ball>::from_both(sqrt(ball(1 / m)), sqrt(ball(-complement / m)));
-        default: return modulus<ball>::from_both(sqrt(m), sqrt(complement));
+        case range::zero:
+        case range::within:
+        case range::one: break;
     }
+    return modulus<ball>::from_both(sqrt(m), sqrt(complement));
 }
 
 ball real_parameter::stretch() const {

@@ -204,8 +204,10 @@ std::optional<proved_event> event_search::examined(step_piece p) {
         case finding::no_zero: return with_sign(found.sign);
         case finding::monotone: return passed(p, found.sign);
         case finding::open: split(p); return std::nullopt;
-        default: end_ = search_end::undecided; return std::nullopt;
+        case finding::undecided: break;
     }
+    end_ = search_end::undecided;
+    return std::nullopt;
 }
 
 // g has this sign from here on.

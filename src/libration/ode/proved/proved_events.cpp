@@ -176,7 +176,8 @@ private:
                         ", where the steps become too small, as they do near a singularity");
                 break;
             case search_end::undecided: raise_bits_for(text_of(search.undecided())); break;
-            default: bits_.raise_to(2 * bits_.now(), "event", name_of_next());
+            case search_end::none:
+            case search_end::precision: bits_.raise_to(2 * bits_.now(), "event", name_of_next()); break;
         }
     }
 

@@ -45,7 +45,21 @@ void require_polynomials(const tape& of) {
             case delayed:
             case product:
             case square: break;
-            default: refuse_start("with more than products of its unknowns, which is not proved: choose another start");
+            case by_variable:
+            case quotient:
+            case slope:
+            case square_root:
+            case power:
+            case exponential:
+            case logarithm:
+            case sine_cosine:
+            case tangent:
+            case arctangent:
+            case arcsine:
+            case hyperbolic_sine_cosine:
+            case hyperbolic_tangent:
+            case companion:
+                refuse_start("with more than products of its unknowns, which is not proved: choose another start");
         }
     }
 }

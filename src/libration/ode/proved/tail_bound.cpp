@@ -67,13 +67,29 @@ public:
                     result.push_back(norm(s.left) * right() + left() * norm(s.right) + left() * right());
                     break;
                 case operation::square: result.push_back(left() * (norm(s.left) + norm(s.left) + left())); break;
-                default: result.emplace_back(); break;  // a constant, the variable
+                case operation::constant:
+                case operation::variable: result.emplace_back(); break;
+                case operation::quotient:
+                case operation::slope:
+                case operation::square_root:
+                case operation::power:
+                case operation::exponential:
+                case operation::logarithm:
+                case operation::sine_cosine:
+                case operation::tangent:
+                case operation::arctangent:
+                case operation::arcsine:
+                case operation::hyperbolic_sine_cosine:
+                case operation::hyperbolic_tangent:
+                case operation::companion: refuse(); break;
             }
         }
         return result;
     }
 
 private:
+    [[noreturn]] static void refuse() { throw std::logic_error("theorem T takes products and sums alone"); }
+
     magnitude factor_of(const tape_step& s) const {
         if (s.constant >= 0) {
             return constants_[static_cast<std::size_t>(s.constant)];
@@ -112,8 +128,21 @@ private:
             case operation::delayed: return rest_of_delayed(of(s.left), s);
             case operation::product: return rest_of_product(of(s.left), of(s.right));
             case operation::square: return rest_of_product(of(s.left), of(s.left));
-            default: throw std::logic_error("theorem T takes products and sums alone");
+            case operation::quotient:
+            case operation::slope:
+            case operation::square_root:
+            case operation::power:
+            case operation::exponential:
+            case operation::logarithm:
+            case operation::sine_cosine:
+            case operation::tangent:
+            case operation::arctangent:
+            case operation::arcsine:
+            case operation::hyperbolic_sine_cosine:
+            case operation::hyperbolic_tangent:
+            case operation::companion: break;
         }
+        refuse();
     }
 
     // The degrees from N - shift on, moved up.

@@ -322,11 +322,9 @@ std::optional<std::function<mpfr(const mpfr&)>> asymptotic_approximant(const far
             return from_pade(damped_pade<mpfr>::of(f, half, {limit, far.rate, mpfr(mpfr(1) / 2)}), false);
         case far_form::damped_logarithm:
             return from_pade(damped_pade<mpfr>::of(series::logarithm(f), half, {log(limit), far.rate, mpfr(0)}), true);
-        default:
-            return [of = branch_approximant<mpfr>(f, far.end, mpfr(mpfr(2) / 5), 2)](const mpfr& t) {
-                return of.value(t);
-            };
+        case far_form::branch: break;
     }
+    return [of = branch_approximant<mpfr>(f, far.end, mpfr(mpfr(2) / 5), 2)](const mpfr& t) { return of.value(t); };
 }
 
 }  // namespace libration
