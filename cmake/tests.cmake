@@ -116,6 +116,26 @@ set_tests_properties(consumer consumer_of_balls cpp_example equations_example PR
 add_test(NAME versions
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)
 
+# The documents are free of the expressions in tests/words/banned.txt. When the messages, the comments or the studies have been
+# rewritten, their directories are added here.
+set(worded
+    README.md
+    docs
+    CHANGELOG.md
+    CONTRIBUTING.md
+    REFERENCES.md
+    studies/errata.md.in
+    results/errata.md)
+find_program(words_python python3 PATHS /usr/bin)
+if(words_python)
+    add_test(NAME words
+        COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/words/check_words.py
+            --readme-lines 100
+            --sentences ${PROJECT_SOURCE_DIR}/tests/words/sentences.txt
+            ${worded})
+    set_tests_properties(words PROPERTIES TIMEOUT 20)
+endif()
+
 # The readers of our tables in docs/ whose tools Debian has.
 if(LIBRATION_BUILD_COMMAND)
     add_test(NAME completion COMMAND ${PROJECT_SOURCE_DIR}/tests/completion/check $<TARGET_FILE:libration-command>)

@@ -35,8 +35,8 @@ PAGES = {
 # Pages that are generated, as the others link to them.
 GENERATED = ["gallery.md", "reference/options.md", "reference/c.md", "reference/cpp/index.rst"]
 MATHJAX = Path("/usr/share/javascript/mathjax")
-# The rooms in the order of the house, and the headers that a user includes beside their faces.
-ROOMS = {
+# The modules in their dependency order, and the headers that a user includes in addition to the umbrella headers.
+MODULES = {
     "scalar": ["scalar/exact.hpp", "scalar/precision_scope.hpp", "scalar/error.hpp", "scalar/text/decimal.hpp"],
     "digits": [],
     "series": [],
@@ -94,7 +94,7 @@ class Stage:
     def linked(self, text, path, name):
         """The text with the links of the repository made those of the site, outside of code."""
         parts = re.split(r"(^ *```.*?^ *```$|`[^`\n]*`)", text, flags=re.M | re.S)
-        # A link's text may hold code, so links are looked for in the whole text, and code is put aside.
+        # A link's text may hold code, so links are searched in the whole text, and code is put aside.
         codes = parts[1::2]
         hidden = "".join(part if i % 2 == 0 else f"\x00{i // 2}\x00" for i, part in enumerate(parts))
         folder, here = posixpath.dirname(path), posixpath.dirname(name)
@@ -105,7 +105,7 @@ class Stage:
                 return match[0]
             file = posixpath.normpath(posixpath.join(folder, target))
             if not (ROOT / file).is_file():
-                fail(f"{path} shows '{target}', which there is not")
+                fail(f"{path} shows '{target}', which does not exist")
             copy = self.source / "images" / file.replace("/", "-")
             copy.parent.mkdir(exist_ok=True)
             shutil.copyfile(ROOT / file, copy)
@@ -131,12 +131,12 @@ class Stage:
         """The place in the site of a file or folder of the repository; sources get the ending .txt, which browsers show."""
         if file == "results" or file.startswith("results/"):
             if not (ROOT / file).exists():
-                fail(f"{path} links to '{target}', which there is not")
+                fail(f"{path} links to '{target}', which does not exist")
             return file
         if (ROOT / file).is_dir():
             return self.listed(file, path, target)
         if not (ROOT / file).is_file():
-            fail(f"{path} links to '{target}', which there is not")
+            fail(f"{path} links to '{target}', which does not exist")
         copy = self.extra / "files" / (file + ("" if file.endswith((".svg", ".png", ".html")) else ".txt"))
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / file, copy)
@@ -160,7 +160,7 @@ class Stage:
 
 
 def markdown_of_notebook(notebook, target):
-    """What the notebook shows, as it was executed last; its pictures beside the page."""
+    """The notebook with its last outputs; its pictures are next to the page."""
     done = subprocess.run(
         [sys.executable, "-m", "nbconvert", "--to", "markdown", "--output", target.stem, "--output-dir", target.parent, notebook],
         capture_output=True,
@@ -188,7 +188,7 @@ def printed(program, *arguments):
 
 
 def command_pages(program, source):
-    """The reference of the commands, as the program tells it."""
+    """The reference of the commands, from --help."""
     whole = printed(program, "--help")
     names = re.findall(r"^  ([a-z]+)(?:  |$)", whole[whole.index("ubcommands") :], flags=re.M)
     if len(names) < 15:
@@ -230,19 +230,19 @@ def c_page(source):
     (source / "reference" / "c.md").write_text("\n".join(page))
 
 
-def headers_of(room):
-    """The headers of a room's page: what its face includes, and those named above."""
-    face = f"{room}/{room}.hpp"
-    included = re.findall(r'#include "libration/([^"]+)"', (ROOT / "include/libration" / face).read_text())
-    found = [each for each in included if each.startswith(f"{room}/")] or []
-    for each in ROOMS[room]:
+def headers_of(module):
+    """The headers of a module's page: those that its umbrella header includes, and those named above."""
+    umbrella = f"{module}/{module}.hpp"
+    included = re.findall(r'#include "libration/([^"]+)"', (ROOT / "include/libration" / umbrella).read_text())
+    found = [each for each in included if each.startswith(f"{module}/")] or []
+    for each in MODULES[module]:
         text = (ROOT / "include/libration" / each).read_text()
-        if each.rpartition("/")[2].removesuffix(".hpp") in ("asymptotic", *ROOMS) and "#include" in text:
-            found += [each for each in re.findall(r'#include "libration/([^"]+)"', text) if each.startswith(f"{room}/")]
+        if each.rpartition("/")[2].removesuffix(".hpp") in ("asymptotic", *MODULES) and "#include" in text:
+            found += [each for each in re.findall(r'#include "libration/([^"]+)"', text) if each.startswith(f"{module}/")]
         if re.search(r"^(?:template|class|struct|inline|std|[a-z_:<>]+ [a-z_]+\()", text, flags=re.M):
             found.append(each)
-    if re.search(r"^(?:struct|class|template|concept)", (ROOT / "include/libration" / face).read_text(), flags=re.M):
-        found.insert(0, face)
+    if re.search(r"^(?:struct|class|template|concept)", (ROOT / "include/libration" / umbrella).read_text(), flags=re.M):
+        found.insert(0, umbrella)
     return list(dict.fromkeys(found))
 
 
@@ -256,42 +256,42 @@ def opening_comment(header):
 
 
 def cpp_pages(work, source):
-    """The C++ faces: Doxygen reads the headers, Breathe shows what it found."""
-    rooms = {room: headers_of(room) for room in ROOMS}
-    inputs = " ".join(f'"{ROOT}/include/libration/{each}"' for headers in rooms.values() for each in headers)
+    """The public C++ headers: Doxygen reads them, Breathe shows its output."""
+    modules = {module: headers_of(module) for module in MODULES}
+    inputs = " ".join(f'"{ROOT}/include/libration/{each}"' for headers in modules.values() for each in headers)
     settings = (ROOT / "docs/site/Doxyfile").read_text()
     settings += f'INPUT = {inputs}\nOUTPUT_DIRECTORY = "{work}/doxygen"\nSTRIP_FROM_PATH = "{ROOT}/include"\n'
     (work / "doxygen").mkdir()
     (work / "doxygen" / "Doxyfile").write_text(settings)
     with open(work / "doxygen" / "log", "w") as log:
         subprocess.run(["doxygen", work / "doxygen" / "Doxyfile"], stdout=log, stderr=log, check=True)
-    # What is private is no face, and Doxygen writes it down all the same.
+    # Private members are not documented, but Doxygen writes them.
     for description in (work / "doxygen" / "xml").glob("*.xml"):
         whole = description.read_text()
         description.write_text(re.sub(r'<sectiondef kind="private-.*?</sectiondef>', "", whole, flags=re.S))
     folder = source / "reference" / "cpp"
     folder.mkdir(parents=True)
-    index = ["C++", "===", "", "The headers that users include, room by room; :doc:`../../headers` says which one serves for what."]
+    index = ["C++", "===", "", "The public headers by module; :doc:`../../headers` lists them by task."]
     index += ["", ".. toctree::", ""]
-    for room, headers in rooms.items():
-        index.append(f"   {room}")
-        title = f"libration/{room}"
+    for module, headers in modules.items():
+        index.append(f"   {module}")
+        title = f"libration/{module}"
         page = [title, "=" * len(title), ""]
         for header in headers:
-            name = header.removeprefix(f"{room}/")
+            name = header.removeprefix(f"{module}/")
             page += [name, "-" * len(name), "", f"``#include <libration/{header}>``", ""]
             page += [".. code-block:: text", "", *[f"   {line}" for line in opening_comment(header)], ""]
             page += [f".. doxygenfile:: libration/{header}", "   :project: libration", ""]
-        (folder / f"{room}.rst").write_text("\n".join(page))
+        (folder / f"{module}.rst").write_text("\n".join(page))
     (folder / "index.rst").write_text("\n".join([*index, ""]))
 
 
 def gallery_page(source):
     page = ["# The report and its figures", ""]
-    page += ["`./run reproduce` computes the paper again, judges its statements and draws these figures."]
-    page += ['<a href="results/index.html">The whole report</a> is one page with what to look at in each figure;']
-    page += ["[the verdicts](verdicts.md) and [the corrections](errata.md) are also pages here. Each figure below opens as a drawing,"]
-    page += ["and its folder has the numbers.", ""]
+    page += ["`./run reproduce` reproduces the paper, tests its statements and draws these figures."]
+    page += ['<a href="results/index.html">The whole report</a> is one page with a short explanation of each figure;']
+    page += ["[the verdicts](verdicts.md) and [the corrections](errata.md) are also pages here. Each figure below links to its SVG,"]
+    page += ["and its directory contains the numbers.", ""]
     for description in sorted((ROOT / "results").glob("*/*.json")):
         name = description.parent.name
         picture = description.parent / f"{name}.png"

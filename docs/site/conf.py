@@ -1,4 +1,4 @@
-# Sphinx's settings of the site; build.py says where things are.
+# Sphinx's settings of the site; build.py passes the paths.
 import logging
 import os
 import re
