@@ -4,6 +4,7 @@
 #include "libration/approximant/proved/approximant.hpp"
 #include "libration/digits/proved/digits.hpp"
 #include "libration/elliptic/proved/elliptic.hpp"
+#include "libration/function/ball/values.hpp"
 #include "libration/libration.hpp"
 #include "libration/ode/proved/ode.hpp"
 #include "libration/pendulum/proved/pendulum.hpp"

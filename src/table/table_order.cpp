@@ -23,7 +23,7 @@ namespace {
 constexpr const char* motions = "pendulum";
 constexpr std::array<const char*, 8> motion_names{"--energies",  "--gaps",   "--theta0",  "--omega0",
                                                   "--direction", "--length", "--gravity", "--times"};
-constexpr std::array<const char*, 9> function_names{"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--q"};
+constexpr std::array<const char*, 9> argument_names{"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--q"};
 
 constexpr const char* rigour = "proved to one unit in the last place";
 
@@ -89,11 +89,11 @@ void require_own_options(const table_order& order) {
         }
     };
     if (order.problem) {
-        refuse(function_names);
+        refuse(argument_names);
         refuse(std::to_array<const char*>({"--energies", "--gaps", "--theta0", "--omega0", "--direction", "--length",
                                            "--gravity", "--points", "--columns"}));
     } else if (order.what == motions) {
-        refuse(function_names);
+        refuse(argument_names);
     } else {
         refuse(motion_names);
     }

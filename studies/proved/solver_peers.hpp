@@ -86,7 +86,7 @@ private:
     }
 
     // The step's word, and where it is the second of two, that of its companion.
-    const char* word_of(std::size_t k) const {
+    std::string word_of(std::size_t k) const {
         using enum ode::operation;
         switch (tape_.steps()[k].kind) {
             case constant: return "constant";
@@ -102,27 +102,21 @@ private:
             case quotient: return "quotient";
             case square_root: return "sqrt";
             case power: return "power";
-            case exponential: return "exp";
-            case logarithm: return "log";
-            case sine_cosine: return "sin";
-            case tangent: return "tan";
-            case arctangent: return "atan";
-            case arcsine: return "asin";
-            case hyperbolic_sine_cosine: return "sinh";
-            case hyperbolic_tangent: return "tanh";
-            case companion: return word_beside(tape_.steps()[k - 1].kind);
+            case function: return std::string(name_of(tape_.steps()[k].function));
+            case companion: return word_beside(tape_.steps()[k - 1]);
+            case primitive:
             case delayed:
             case slope: break;  // which series alone need
         }
         return "nothing";
     }
 
-    static const char* word_beside(ode::operation kind) {
-        using enum ode::operation;
-        return kind == sine_cosine              ? "cos"
-               : kind == hyperbolic_sine_cosine ? "cosh"
-               : kind == arcsine                ? "root_beside"
-                                                : "nothing";
+    static const char* word_beside(const ode::tape_step& step) {
+        const auto is = [&](function_kind f) { return step.kind == ode::operation::function && step.function == f; };
+        return is(function_kind::sin)    ? "cos"
+               : is(function_kind::sinh) ? "cosh"
+               : is(function_kind::asin) ? "root_beside"
+                                         : "nothing";
     }
 
     void add_step(std::size_t k) {

@@ -48,16 +48,19 @@ std::map<std::string, rooms> order_of_rooms() {
     const rooms scalar{"scalar"},
         numbers = scalar + rooms{"scalar/text"}, digits = numbers + rooms{"digits"},
         balls = digits + rooms{"scalar/ball", "digits/proved"}, series = digits + rooms{"series"},
-        algebra = series + rooms{"algebra"}, approximant = algebra + rooms{"approximant"},
-        estimate = algebra + rooms{"convergence/estimate"}, list = estimate + rooms{"convergence/list"},
-        test = list + rooms{"convergence/test"}, convergence = test + rooms{"convergence"},
-        ode = convergence + approximant + rooms{"convergence/known", "ode"}, elliptic = digits + rooms{"elliptic"},
+        functions{"function", "function/elementary", "function/special"}, algebra = series + rooms{"algebra"},
+        approximant = algebra + rooms{"approximant"}, estimate = algebra + rooms{"convergence/estimate"},
+        list = estimate + rooms{"convergence/list"}, test = list + rooms{"convergence/test"},
+        convergence = test + rooms{"convergence"},
+        ode = convergence + approximant + functions + rooms{"convergence/known", "ode"},
+        elliptic = digits + rooms{"elliptic"},
         // The pendulum: motion -> energy -> time -> solution -> singularity -> taylor, and what stands on them.
         motion = ode + elliptic + rooms{"pendulum/motion"}, energy = motion + rooms{"pendulum/energy"},
         time = energy + rooms{"pendulum/time"}, solution = time + rooms{"pendulum/solution"},
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
         arc = taylor + rooms{"pendulum/arc"},
-        proofs = balls + rooms{"approximant/proved", "elliptic/proved", "ode/ball", "ode/singularity", "ode/proved"},
+        proofs = balls + functions + rooms{"function/ball", "approximant/proved", "elliptic/proved",
+                                           "ode/ball",      "ode/singularity",    "ode/proved"},
         pendulum = arc + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
         problem = ode + proofs + rooms{"approximant/asymptotic", "problem", "problem/far"},
@@ -70,6 +73,11 @@ std::map<std::string, rooms> order_of_rooms() {
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
+        {"scalar/number", scalar + functions},
+        {"function", series + functions},
+        {"function/elementary", rooms{"function"}},
+        {"function/special", rooms{"function"}},
+        {"function/ball", balls + functions},
         {"scalar/vector", scalar},
         {"scalar/ball", numbers},
         {"digits", numbers},
@@ -84,9 +92,9 @@ std::map<std::string, rooms> order_of_rooms() {
         {"convergence/test", list},
         {"convergence", test},
         {"convergence/known", convergence + approximant + rooms{"ode"}},
-        {"ode", convergence + approximant},
+        {"ode", convergence + approximant + functions},
         {"ode/text", ode},
-        {"ode/ball", ode + balls},
+        {"ode/ball", ode + balls + rooms{"function/ball"}},
         {"ode/singularity", ode},
         {"ode/proved", ode + balls + rooms{"ode/ball", "ode/singularity"}},
         {"elliptic", digits},
@@ -243,7 +251,7 @@ complaints doubles(const house& all) {
 // characters. The compiler checks the same of the library by -Wswitch-enum, which also sees an `if` too few.
 complaints unnamed_kinds(const house& all) {
     static const std::regex named_case(R"(\bcase\s+[A-Za-z_])"),
-        order(R"(\s[<>]=?\s(?:\w+::)*(?:node_kind|operation|elementary|atom_kind)::\w)");
+        order(R"(\s[<>]=?\s(?:\w+::)*(?:node_kind|operation|function_kind|atom_kind)::\w)");
     complaints found;
     for (const auto& [path, text] : all) {
         if (!path.starts_with("include/") && !path.starts_with("src/libration/")) continue;

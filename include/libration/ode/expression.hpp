@@ -45,10 +45,14 @@ public:
     /// The order of the derivative of an unknown: 0 for itself.
     int derivative() const;
     /// Of a function.
-    elementary function() const;
+    function_kind function() const;
     /// The operands: the argument of a function is the left one, base and exponent of a power are left and right.
     const expression& left() const;
     const expression& right() const;
+    /// Whether it is a function with an order, right(): a constant, or parameters that are given values later.
+    bool has_order() const;
+    /// The order; 0 for a function without one. Throws error while parameters are in it.
+    rational order() const;
 
     /// Whether the variable, an unknown, a parameter occurs in it.
     bool has_variable() const;
@@ -73,7 +77,9 @@ public:
     friend expression operator/(const expression& a, const expression& b);
     /// base^exponent. Throws error where the exponent is not constant.
     friend expression pow(const expression& base, const expression& exponent);
-    friend expression apply(elementary f, const expression& x);
+    friend expression apply(function_kind f, const expression& x);
+    /// Of constant order. Throws error for an order that is not a fraction, and for a function without one.
+    friend expression apply(function_kind f, const expression& order, const expression& x);
     /// Whether both are written alike.
     friend bool same_form(const expression& a, const expression& b);
 
@@ -91,6 +97,9 @@ private:
     std::shared_ptr<const node> node_;
 };
 
+/// The function of a node, and its order, of another argument.
+expression with_argument(const expression& function, const expression& x);
+
 /// The independent variable, whatever its name.
 expression variable();
 /// The unknown function of this name, or a derivative of it.
@@ -100,18 +109,47 @@ expression parameter(const std::string& name);
 /// The derivative of an unknown, or of a derivative of it. Throws error for any other expression.
 expression derivative(const expression& of, int order = 1);
 
-inline expression exp(const expression& x) { return apply(elementary::exp, x); }
-inline expression log(const expression& x) { return apply(elementary::log, x); }
-inline expression sqrt(const expression& x) { return apply(elementary::sqrt, x); }
-inline expression sin(const expression& x) { return apply(elementary::sin, x); }
-inline expression cos(const expression& x) { return apply(elementary::cos, x); }
-inline expression tan(const expression& x) { return apply(elementary::tan, x); }
-inline expression asin(const expression& x) { return apply(elementary::asin, x); }
-inline expression acos(const expression& x) { return apply(elementary::acos, x); }
-inline expression atan(const expression& x) { return apply(elementary::atan, x); }
-inline expression sinh(const expression& x) { return apply(elementary::sinh, x); }
-inline expression cosh(const expression& x) { return apply(elementary::cosh, x); }
-inline expression tanh(const expression& x) { return apply(elementary::tanh, x); }
+inline expression exp(const expression& x) { return apply(function_kind::exp, x); }
+inline expression log(const expression& x) { return apply(function_kind::log, x); }
+inline expression sqrt(const expression& x) { return apply(function_kind::sqrt, x); }
+inline expression sin(const expression& x) { return apply(function_kind::sin, x); }
+inline expression cos(const expression& x) { return apply(function_kind::cos, x); }
+inline expression tan(const expression& x) { return apply(function_kind::tan, x); }
+inline expression asin(const expression& x) { return apply(function_kind::asin, x); }
+inline expression acos(const expression& x) { return apply(function_kind::acos, x); }
+inline expression atan(const expression& x) { return apply(function_kind::atan, x); }
+inline expression sinh(const expression& x) { return apply(function_kind::sinh, x); }
+inline expression cosh(const expression& x) { return apply(function_kind::cosh, x); }
+inline expression tanh(const expression& x) { return apply(function_kind::tanh, x); }
+inline expression asinh(const expression& x) { return apply(function_kind::asinh, x); }
+inline expression acosh(const expression& x) { return apply(function_kind::acosh, x); }
+inline expression atanh(const expression& x) { return apply(function_kind::atanh, x); }
+inline expression log10(const expression& x) { return apply(function_kind::log10, x); }
+inline expression log2(const expression& x) { return apply(function_kind::log2, x); }
+inline expression exp2(const expression& x) { return apply(function_kind::exp2, x); }
+inline expression cbrt(const expression& x) { return apply(function_kind::cbrt, x); }
+inline expression sinc(const expression& x) { return apply(function_kind::sinc, x); }
+inline expression expm1(const expression& x) { return apply(function_kind::expm1, x); }
+inline expression log1p(const expression& x) { return apply(function_kind::log1p, x); }
+inline expression erf(const expression& x) { return apply(function_kind::erf, x); }
+inline expression erfc(const expression& x) { return apply(function_kind::erfc, x); }
+inline expression airy_ai(const expression& x) { return apply(function_kind::airy_ai, x); }
+inline expression airy_ai_prime(const expression& x) { return apply(function_kind::airy_ai_prime, x); }
+inline expression airy_bi(const expression& x) { return apply(function_kind::airy_bi, x); }
+inline expression airy_bi_prime(const expression& x) { return apply(function_kind::airy_bi_prime, x); }
+inline expression lambertw(const expression& x) { return apply(function_kind::lambertw, x); }
+inline expression bessel_j(const rational& order, const expression& x) {
+    return apply(function_kind::bessel_j, expression(order), x);
+}
+inline expression bessel_y(const rational& order, const expression& x) {
+    return apply(function_kind::bessel_y, expression(order), x);
+}
+inline expression bessel_i(const rational& order, const expression& x) {
+    return apply(function_kind::bessel_i, expression(order), x);
+}
+inline expression bessel_k(const rational& order, const expression& x) {
+    return apply(function_kind::bessel_k, expression(order), x);
+}
 
 /// Calls seen(leaf) for the variable, the unknowns and the parameters in an expression, from left to right; for copies
 /// of one object once.

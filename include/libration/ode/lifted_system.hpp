@@ -9,6 +9,7 @@
 
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/function_value.hpp"
 #include "libration/ode/node_values.hpp"
 
 namespace libration::ode {
@@ -17,7 +18,7 @@ namespace libration::ode {
 using gradient = std::vector<std::pair<std::size_t, expression>>;
 
 /// y' = f(t, y), f polynomial. The first unknowns are those of the given system with their lower derivatives, in order;
-/// each of the others is a function of those before it: e = exp u has e' = e u'; sine and cosine come together; q = 1/u
+/// each of the others is a function of those before it: e = exp u has e' = e u', any function the derivative that its file says; q = 1/u
 /// has q' = -q^2 u', l = log u has l' = q u', p = u^(-1/b) has p' = -(1/b) p^(b+1) u', any other power p' = r p q u'.
 /// The solution of the given system is part of the solution of this one as long as that exists: 1/u, log u and powers
 /// need u != 0.
@@ -78,11 +79,16 @@ private:
             case node_kind::product: return R(done_.at(e.left()) * done_.at(e.right()));
             case node_kind::quotient: return R(done_.at(e.left()) / done_.at(e.right()));
             case node_kind::power: return raised(e);
-            case node_kind::function: return function_value<R>(e.function(), done_.at(e.left()));
+            case node_kind::function: return of_function(e);
             case node_kind::unknown:
             case node_kind::parameter: break;
         }
         return values_[indices_.at(e.name())];
+    }
+
+    R of_function(const expression& e) {
+        const rational order = e.order();
+        return function_value<R>(e.function(), done_.at(e.left()), &order);
     }
 
     // Whole powers by products, so that any base will do.

@@ -68,6 +68,8 @@ private:
         R* behind;    // what the next step holds
         R factor;     // the constant, or the numerator over a denominator
         int divisor;  // of multiples, where it is not 1
+        function_kind function;
+        const R* derivative;  // of a primitive
     };
     struct state {
         R* here;
@@ -101,7 +103,8 @@ placed_steps<R>::placed_steps(const tape& of, R* arrays, std::size_t length, con
         place_of_.push_back(steps_.size());
         if (s.kind != operation::state && s.kind != operation::companion) {
             steps_.push_back({s.kind, i, array(i), s.left < 0 ? nullptr : array(s.left),
-                              s.right < 0 ? nullptr : array(s.right), array(i + 1), factors.back(), s.denominator});
+                              s.right < 0 ? nullptr : array(s.right), array(i + 1), factors.back(), s.denominator,
+                              s.function, s.derivative < 0 ? nullptr : array(s.derivative)});
         }
     }
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -165,14 +168,8 @@ bool placed_steps<R>::computed(const step& each, int n) {
         case operation::delayed:
         case operation::square_root:
         case operation::power:
-        case operation::exponential:
-        case operation::logarithm:
-        case operation::sine_cosine:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent:
+        case operation::function:
+        case operation::primitive:
         case operation::companion: break;
     }
     return n > 0 && computed_from_first(each, n);
@@ -189,7 +186,11 @@ bool placed_steps<R>::computed_from_first(const step& each, int n) {
         case operation::constant: return true;
         case operation::raised: result[n] = a[n]; return true;
         case operation::square_root: result[n] = (a[n] - square_in_fours(result, n, 1)) / each.behind[0]; return true;
-        case operation::sine_cosine:
+        case operation::primitive: result[n] = sum_in_fours(b, each.derivative, n - 1, 0, n - 1) / degree; return true;
+        case operation::function:
+            if (each.function != function_kind::sin) {
+                return false;
+            }
             result[n] = sum_in_fours(b, each.behind, n - 1, 0, n - 1) / degree;
             each.behind[n] = -sum_in_fours(b, result, n - 1, 0, n - 1) / degree;
             return true;
@@ -212,13 +213,6 @@ bool placed_steps<R>::computed_from_first(const step& each, int n) {
         case operation::square:
         case operation::quotient:
         case operation::slope:
-        case operation::exponential:
-        case operation::logarithm:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent:
         case operation::companion: break;
     }
     return false;

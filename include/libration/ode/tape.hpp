@@ -10,30 +10,24 @@ namespace libration::ode {
 
 /// What a step of a tape computes, coefficient by coefficient; a and b are its operands.
 enum class operation {
-    constant,                ///< one of the constants of the tape
-    variable,                ///< t = t0 + s; on a singular tape s itself, a power of the series' variable
-    state,                   ///< an unknown or one of its lower derivatives
-    sum,                     ///< a + b
-    difference,              ///< a - b
-    scaled,                  ///< a constant times a, or a numerator / denominator
-    raised,                  ///< a plus a constant
-    by_variable,             ///< t a
-    delayed,                 ///< a times a power of the series' variable, `shift`
-    product,                 ///< a b
-    square,                  ///< a^2
-    quotient,                ///< a / b
-    slope,                   ///< the derivative of a by the series' variable, one degree behind
-    square_root,             ///< sqrt a
-    power,                   ///< a^r, r a constant, b the slope of a
-    exponential,             ///< exp a, b the slope of a; so the next ones
-    logarithm,               ///< log a
-    sine_cosine,             ///< sin a, and cos a in the step behind
-    tangent,                 ///< tan a
-    arctangent,              ///< atan a
-    arcsine,                 ///< asin a
-    hyperbolic_sine_cosine,  ///< sinh a, and cosh a in the step behind
-    hyperbolic_tangent,      ///< tanh a
-    companion                ///< filled by a step before
+    constant,     ///< one of the constants of the tape
+    variable,     ///< t = t0 + s; on a singular tape s itself, a power of the series' variable
+    state,        ///< an unknown or one of its lower derivatives
+    sum,          ///< a + b
+    difference,   ///< a - b
+    scaled,       ///< a constant times a, or a numerator / denominator
+    raised,       ///< a plus a constant
+    by_variable,  ///< t a
+    delayed,      ///< a times a power of the series' variable, `shift`
+    product,      ///< a b
+    square,       ///< a^2
+    quotient,     ///< a / b
+    slope,        ///< the derivative of a by the series' variable, one degree behind
+    square_root,  ///< sqrt a
+    power,        ///< a^r, r a constant, b the slope of a
+    function,     ///< f(a) by a recurrence of its own (function/NAME.hpp), b the slope of a
+    primitive,    ///< f(a) as the primitive of its derivative, a step behind, times b, the slope of a
+    companion     ///< filled by a step before
 };
 
 /// What kernels an operation needs.
@@ -62,34 +56,28 @@ constexpr operation_group group_of(operation kind) {
         case operation::slope: return operation_group::convolution;
         case operation::square_root:
         case operation::power:
-        case operation::exponential:
-        case operation::logarithm: return operation_group::function;
-        case operation::sine_cosine:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent: return operation_group::odd_function;
+        case operation::function:
+        case operation::primitive: return operation_group::function;
         case operation::companion: break;
     }
     return operation_group::none;
 }
 
 constexpr bool is_linear(operation kind) { return group_of(kind) == operation_group::linear; }
-constexpr bool keeps_even_beside(operation kind) { return group_of(kind) == operation_group::odd_function; }
-constexpr bool is_function(operation kind) {
-    return group_of(kind) == operation_group::function || keeps_even_beside(kind);
-}
+constexpr bool is_function(operation kind) { return group_of(kind) == operation_group::function; }
 
 /// One operation; operands are indices of steps.
 struct tape_step {
     operation kind = operation::constant;
     int left = -1;
     int right = -1;
-    int constant = -1;  ///< index of a constant
+    int constant = -1;  ///< index of a constant: a factor, an exponent, the order of a function
     int numerator = 1;  ///< of scaled without a constant
     int denominator = 1;
     int shift = 0;
+    function_kind function = function_kind::exp;  ///< of functions, companions and square roots
+    int derivative = -1;                          ///< of a primitive: the step of f'(a), which is behind this one
+    bool odd = false;                             ///< whether an odd function keeps an even one beside it
     /// At step n of the recurrence coefficient n - lag is computed.
     int lag = 0;
     /// Whether that coefficient depends on the newest ones of the unknowns.

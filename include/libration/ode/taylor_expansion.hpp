@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/function_value.hpp"
 #include "libration/ode/placed_steps.hpp"
 #include "libration/ode/tape.hpp"
 #include "libration/series/arithmetic.hpp"
@@ -81,7 +82,10 @@ private:
     void linear_step(const tape_step& s, int index, int n);
     void function_step(const tape_step& s, int index, int n);
     void set_centre(const tape_step& s, int index);
-    R centre(const tape_step& s, elementary f) const;
+    template <class F>
+    void set_kept(const tape_step& s, int index);
+    void own_step(const tape_step& s, int index, int n);
+    R centre(const tape_step& s) const;
 
     const tape* tape_;
     int order_;
@@ -180,7 +184,7 @@ bool taylor_expansion<R>::due(const tape_step& step, int n) const {
     if (step.kind == operation::slope) {
         --n;  // one degree behind
     }
-    const bool pair = keeps_even_beside(step.kind);
+    const bool pair = step.odd;  // keeps an even one beside it
     return (step.residue >= 0 && n % stride_ == step.residue) || (pair && n % stride_ == 0);
 }
 
@@ -342,14 +346,8 @@ void taylor_expansion<R>::linear_step(const tape_step& s, int index, int n) {
         case operation::slope:
         case operation::square_root:
         case operation::power:
-        case operation::exponential:
-        case operation::logarithm:
-        case operation::sine_cosine:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent:
+        case operation::function:
+        case operation::primitive:
         case operation::companion: return;
     }
 }
@@ -363,71 +361,76 @@ R taylor_expansion<R>::multiple(const tape_step& s, const R& a) const {
     return s.denominator == 1 ? result : R(result / s.denominator);
 }
 
+// f(x_0), or the exact value at the start.
 template <field R>
-R taylor_expansion<R>::centre(const tape_step& s, elementary f) const {
-    return exact_ && s.centre ? constant_value<R>::of(*s.centre) : function_value<R>(f, array(s.left)[0]);
+R taylor_expansion<R>::centre(const tape_step& s) const {
+    if (exact_ && s.centre) {
+        return constant_value<R>::of(*s.centre);
+    }
+    const rational order = s.kind == operation::primitive && s.constant >= 0
+                               ? tape_->constants()[static_cast<std::size_t>(s.constant)].fraction().value()
+                               : rational(0);
+    return function_value<R>(s.function, array(s.left)[0], &order);
 }
 
 // The values that only the functions themselves know.
 template <field R>
 void taylor_expansion<R>::set_centre(const tape_step& s, int index) {
-    const auto second = [&](elementary f) {
-        const tape_step& behind = tape_->steps()[static_cast<std::size_t>(index) + 1];
-        return exact_ && behind.centre ? constant_value<R>::of(*behind.centre) : function_value<R>(f, array(s.left)[0]);
-    };
     R& value = array(index)[0];
-    switch (s.kind) {
-        case operation::square_root:
-            value = centre(s, elementary::sqrt);
-            array(index + 1)[0] = R(value * 2);
-            return;
-        case operation::power:
-            value = exact_ && s.centre
-                        ? constant_value<R>::of(*s.centre)
-                        : power_value<R>(array(s.left)[0], constants_[static_cast<std::size_t>(s.constant)]);
-            return;
-        case operation::exponential: value = centre(s, elementary::exp); return;
-        case operation::logarithm: value = centre(s, elementary::log); return;
-        case operation::tangent: value = centre(s, elementary::tan); return;
-        case operation::arctangent: value = centre(s, elementary::atan); return;
-        case operation::hyperbolic_tangent: value = centre(s, elementary::tanh); return;
-        case operation::sine_cosine:
-            value = centre(s, elementary::sin);
-            array(index + 1)[0] = second(elementary::cos);
-            return;
-        case operation::hyperbolic_sine_cosine:
-            value = centre(s, elementary::sinh);
-            array(index + 1)[0] = second(elementary::cosh);
-            return;
-        case operation::arcsine: {
-            value = centre(s, elementary::asin);
-            const auto& exact = tape_->steps()[static_cast<std::size_t>(index) + 1].centre;
-            const R& x = array(s.left)[0];
-            array(index + 1)[0] =
-                exact_ && exact ? constant_value<R>::of(*exact) : function_value<R>(elementary::sqrt, R(R(1) - x * x));
-            return;
-        }
-        case operation::constant:
-        case operation::variable:
-        case operation::state:
-        case operation::sum:
-        case operation::difference:
-        case operation::scaled:
-        case operation::raised:
-        case operation::by_variable:
-        case operation::delayed:
-        case operation::product:
-        case operation::square:
-        case operation::quotient:
-        case operation::slope:
-        case operation::companion: return;
+    if (s.kind == operation::power) {
+        value = exact_ && s.centre ? constant_value<R>::of(*s.centre)
+                                   : power_value<R>(array(s.left)[0], constants_[static_cast<std::size_t>(s.constant)]);
+        return;
     }
+    value = centre(s);
+    if (s.kind == operation::square_root) {
+        array(index + 1)[0] = R(value * 2);
+    } else if (s.kind == operation::function) {
+        function::with_function(s.function, [&](auto of) {
+            using each = decltype(of);
+            if constexpr (requires { each::values_kept; }) {
+                set_kept<each>(s, index);
+            }
+        });
+    }
+}
+
+// And those of what the recurrence of a function keeps beside it.
+template <field R>
+template <class F>
+void taylor_expansion<R>::set_kept(const tape_step& s, int index) {
+    const auto call = [](function_kind f, const R& x) { return function_value<R>(f, x); };
+    for (int i = 0; i < F::values_kept; ++i) {
+        const auto& exact = tape_->steps()[static_cast<std::size_t>(index + 1 + i)].centre;
+        array(index + 1 + i)[0] =
+            exact_ && exact ? constant_value<R>::of(*exact) : F::first_kept(i, array(s.left)[0], call);
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::own_step(const tape_step& s, int index, int n) {
+    function::with_function(s.function, [&](auto of) {
+        using each = decltype(of);
+        if constexpr (requires { each::kept; }) {
+            function::series_arrays<R> arrays{array(s.left),
+                                              array(s.right),
+                                              array(index),
+                                              {},
+                                              degrees_of(s.left),
+                                              degrees_of(s.right),
+                                              series::progression(stride_, 0)};
+            for (int i = 0; i < each::kept; ++i) {
+                arrays.kept[static_cast<std::size_t>(i)] = array(index + 1 + i);
+            }
+            each::next_coefficient(arrays, n, sums_);
+        }
+    });
 }
 
 template <field R>
 void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
     using namespace series;
-    if (n == 0) {
+    if (n == 0 && is_function(s.kind)) {
         set_centre(s, index);
     }
     R* const result = array(index);
@@ -447,21 +450,11 @@ void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
             power_kernel(a, b, r, array(index + 1), result, n, even, sums_);
             return;
         }
-        case operation::exponential: exponential_kernel(b, result, n, of_slope, sums_); return;
-        case operation::logarithm: logarithm_kernel(a, array(index + 1), result, n, of_slope, sums_); return;
-        case operation::sine_cosine: sine_cosine_kernel(b, result, array(index + 1), n, of_slope, sums_); return;
-        case operation::tangent: tangent_kernel(b, array(index + 1), result, n, of_a, sums_); return;
-        case operation::arctangent:
-            arctangent_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a, sums_);
-            return;
-        case operation::arcsine:
-            arcsine_kernel(a, b, array(index + 1), array(index + 2), result, n, of_a, sums_);
-            return;
-        case operation::hyperbolic_sine_cosine:
-            hyperbolic_sine_cosine_kernel(b, result, array(index + 1), n, of_slope, sums_);
-            return;
-        case operation::hyperbolic_tangent:
-            hyperbolic_tangent_kernel(b, array(index + 1), result, n, of_a, sums_);
+        case operation::function: own_step(s, index, n); return;
+        case operation::primitive:
+            if (n > 0) {  // n w_n = sum_{k=1}^{n} k u_k f'(u)_{n-k}
+                result[n] = R(sums_.product(b, array(s.derivative), n - 1, of_slope) / n);
+            }
             return;
         case operation::constant:
         case operation::variable:

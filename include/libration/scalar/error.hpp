@@ -38,4 +38,9 @@ private:
     std::string subject_, value_, reason_;
 };
 
+/// Throws error of kind argument for a number that is not named here.
+[[noreturn]] inline void refuse_number(const std::string& reason) {
+    throw error(error_kind::argument, "number", "", reason);
+}
+
 }  // namespace libration

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,11 +15,51 @@ namespace libration {
 /// What an exact number counts; `expression` where it is no fraction of a single one of the others.
 enum class unit { one, pi, degree, period, expression };
 
-/// The elementary functions of one number.
-enum class elementary { exp, log, sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh };
+/// The functions of formulas and equations; function/NAME.hpp says all of each.
+enum class function_kind {
+    exp,
+    log,
+    sqrt,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    sinh,
+    cosh,
+    tanh,
+    asinh,
+    acosh,
+    atanh,
+    log10,
+    log2,
+    exp2,
+    cbrt,
+    sinc,
+    expm1,
+    log1p,
+    erf,
+    erfc,
+    bessel_j,
+    bessel_y,
+    bessel_i,
+    bessel_k,
+    airy_ai,
+    airy_ai_prime,
+    airy_bi,
+    airy_bi_prime,
+    lambertw
+};
+inline constexpr std::size_t function_kinds = 33;
 
-/// The function of this name, "exp" say.
-std::optional<elementary> elementary_of(std::string_view name);
+/// The function of this name, "exp" say, and the name of a function.
+std::optional<function_kind> function_named(std::string_view name);
+std::string_view name_of(function_kind f);
+/// All names, parted by blanks.
+std::string function_names();
+/// Whether it has a constant order before its argument: bessel_j(0, x).
+bool has_order(function_kind f);
 
 /// lower <= x <= upper.
 struct number_bounds {
@@ -60,7 +101,9 @@ public:
     friend expression operator/(const expression& a, const expression& b);
     /// base^exponent: any base with a whole exponent, else a base that is not negative.
     friend expression power(const expression& base, const expression& exponent);
-    friend expression apply(elementary f, const expression& x);
+    friend expression apply(function_kind f, const expression& x);
+    /// Of a function with an order. Throws error for others.
+    friend expression apply(function_kind f, const rational& order, const expression& x);
     /// Whether both are the same by their form; equal numbers may differ in it.
     friend bool same_form(const expression& a, const expression& b);
     /// Equal for equal forms.
@@ -86,6 +129,7 @@ private:
     };
 
     static expression of_atom(atom a);
+    static expression of_function(function_kind f, const rational& order, const expression& x);
     static bool same_atom(const atom& a, const atom& b);
     void add(const rational& coefficient, const std::shared_ptr<const atom>& of);
     const term* only_term() const { return terms_.size() == 1 ? &terms_.front() : nullptr; }

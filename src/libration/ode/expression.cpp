@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/function/list.hpp"
 #include "libration/ode/node_values.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -20,7 +21,7 @@ struct expression::node {
     ~node();
 
     node_kind kind = node_kind::constant;
-    elementary f = elementary::exp;
+    function_kind f = function_kind::exp;
     int derivative = 0;
     std::string name;
     number value;
@@ -112,9 +113,10 @@ node_kind expression::kind() const { return node_->kind; }
 const number& expression::constant() const { return node_->value; }
 const std::string& expression::name() const { return node_->name; }
 int expression::derivative() const { return node_->derivative; }
-elementary expression::function() const { return node_->f; }
+function_kind expression::function() const { return node_->f; }
 const expression& expression::left() const { return node_->left; }
 const expression& expression::right() const { return node_->right; }
+bool expression::has_order() const { return kind() == node_kind::function && node_->right.node_ != nullptr; }
 bool expression::has_variable() const { return node_->variable; }
 bool expression::has_unknowns() const { return node_->unknowns; }
 bool expression::has_parameters() const { return node_->parameters; }
@@ -248,7 +250,11 @@ expression pow(const expression& base, const expression& exponent) {
     return exponent.is(0) ? expression(1) : expression::binary(node_kind::power, base, exponent);
 }
 
-expression apply(elementary f, const expression& x) {
+expression apply(function_kind f, const expression& x) {
+    if (libration::has_order(f)) {
+        throw error(error_kind::argument, "function", std::string(name_of(f)),
+                    "has a constant order: write " + std::string(name_of(f)) + "(0, y)");
+    }
     if (is_number(x)) {
         return apply(f, x.constant());
     }
@@ -259,25 +265,54 @@ expression apply(elementary f, const expression& x) {
     return expression(std::move(made));
 }
 
+expression apply(function_kind f, const expression& order, const expression& x) {
+    if (!libration::has_order(f)) {
+        throw error(error_kind::argument, "function", std::string(name_of(f)),
+                    "has one argument: write " + std::string(name_of(f)) + "(y)");
+    }
+    if (!order.is_constant() || (is_number(order) && !order.fraction())) {
+        throw error(error_kind::argument, "order", "",
+                    std::string(order.is_constant() ? "is not a fraction" : "is not constant") +
+                        ": write a number first, as in " + std::string(name_of(f)) + "(0, y)");
+    }
+    if (is_number(x) && is_number(order)) {
+        return apply(f, *order.fraction(), x.constant());
+    }
+    expression::node made;
+    made.kind = node_kind::function;
+    made.f = f;
+    made.left = x;
+    made.right = order;
+    return expression(std::move(made));
+}
+
+rational expression::order() const {
+    if (!has_order()) {
+        return 0;
+    }
+    const auto q = right().fraction();
+    if (!q) {
+        throw error(error_kind::argument, "order", "", "is not a number: give its parameters values");
+    }
+    return *q;
+}
+
+expression with_argument(const expression& function, const expression& x) {
+    return function.has_order() ? apply(function.function(), function.right(), x) : apply(function.function(), x);
+}
+
 namespace {
 
-// f'(x), f(x) being at hand.
-expression slope_of(elementary f, const expression& x, const expression& value) {
-    switch (f) {
-        case elementary::exp: return value;
-        case elementary::log: return 1 / x;
-        case elementary::sqrt: return 1 / (2 * value);
-        case elementary::sin: return cos(x);
-        case elementary::cos: return -sin(x);
-        case elementary::tan: return 1 + value * value;
-        case elementary::asin: return 1 / sqrt(1 - x * x);
-        case elementary::acos: return -(1 / sqrt(1 - x * x));
-        case elementary::atan: return 1 / (1 + x * x);
-        case elementary::sinh: return cosh(x);
-        case elementary::cosh: return sinh(x);
-        case elementary::tanh: break;
-    }
-    return 1 - value * value;
+// The derivative of f(x) by x, f(x) being at hand.
+expression slope_of(const expression& e) {
+    return function::with_function(e.function(), [&](auto of) -> expression {
+        using each = decltype(of);
+        if constexpr (function::ordered<each>) {
+            return each::derivative(e.order(), e.left(), e);
+        } else {
+            return each::derivative(e.left(), e);
+        }
+    });
 }
 
 // The derivative of a node from those of its operands, `by_right` null where it has one.
@@ -291,7 +326,7 @@ expression derived(const expression& e, const expression& by_left, const express
             const expression by_base = e.right() * pow(a, e.right() - 1) * by_left;
             return by_right->is(0) ? by_base : by_base + log(a) * e * *by_right;
         }
-        case node_kind::function: return by_left.is(0) ? expression() : slope_of(e.function(), a, e) * by_left;
+        case node_kind::function: return by_left.is(0) ? expression() : slope_of(e) * by_left;
         case node_kind::constant:
         case node_kind::variable:
         case node_kind::unknown:
@@ -315,7 +350,7 @@ void each_leaf(const expression& e, const std::function<void(const expression& l
             seen(next);
         }
         const auto [left, right] = operands_of(next);
-        for (const expression* each : {right, left}) {
+        for (const expression* each : {next.has_order() ? &next.right() : right, left}) {
             if (each != nullptr) {
                 open.push_back(each);
             }
@@ -332,7 +367,9 @@ expression replaced(const expression& in, const replacement& by) {
             case node_kind::product: return done.at(e.left()) * done.at(e.right());
             case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
             case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
-            case node_kind::function: return apply(e.function(), done.at(e.left()));
+            case node_kind::function:
+                return e.has_order() ? apply(e.function(), replaced(e.right(), by), done.at(e.left()))
+                                     : apply(e.function(), done.at(e.left()));
             case node_kind::variable:
             case node_kind::unknown:
             case node_kind::parameter: break;
@@ -346,6 +383,9 @@ expression partial(const expression& e, const expression& leaf) {
     return done.of(e, [&](const expression& each) -> expression {
         if (is_number(each) || is_leaf(each)) {
             return same_form(each, leaf) ? 1 : 0;
+        }
+        if (each.has_order() && each.right().has_parameters() && !partial(each.right(), leaf).is(0)) {
+            throw error(error_kind::argument, "order", "", "of a function has no derivative here");
         }
         const auto [left, right] = operands_of(each);
         return derived(each, done.at(*left), right == nullptr ? nullptr : &done.at(*right));

@@ -81,14 +81,8 @@ HWY_INLINE vector coefficient(const lane_group& of, const lane_rows& rows, std::
         case operation::delayed:
         case operation::slope:
         case operation::power:
-        case operation::exponential:
-        case operation::logarithm:
-        case operation::sine_cosine:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent:
+        case operation::function:
+        case operation::primitive:
         case operation::companion: break;
     }
     return hn::Zero(d);  // has_lanes() leaves these out

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
+#include "libration/function/list.hpp"
 #include "libration/ode/dependency.hpp"
+#include "start_values.hpp"
 
 namespace libration::ode {
 
@@ -81,20 +82,30 @@ private:
     }
     expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }
 
+    // Of an expression in the given unknowns.
     expression polynomial(const expression& e) {
-        return done_.of(e, [this](const expression& each) { return converted(each); });
+        return done_.of(e, [this](const expression& each) {
+            return each.kind() == node_kind::unknown ? given_.at(primed(each.name(), each.derivative()))
+                                                     : converted(each, done_);
+        });
     }
 
-    expression converted(const expression& e) {
+    // Of an expression in leaves.
+    expression in_leaves(const expression& e) {
+        node_values<expression> done;
+        return done.of(e, [&](const expression& each) { return converted(each, done); });
+    }
+
+    expression converted(const expression& e, const node_values<expression>& done) {
         switch (e.kind()) {
-            case node_kind::unknown: return given_.at(primed(e.name(), e.derivative()));
-            case node_kind::sum: return done_.at(e.left()) + done_.at(e.right());
-            case node_kind::product: return done_.at(e.left()) * done_.at(e.right());
-            case node_kind::quotient: return done_.at(e.left()) * inverse(done_.at(e.right()));
-            case node_kind::power: return power_of(done_.at(e.left()), e.right());
-            case node_kind::function: return function_of(e.function(), done_.at(e.left()));
+            case node_kind::sum: return done.at(e.left()) + done.at(e.right());
+            case node_kind::product: return done.at(e.left()) * done.at(e.right());
+            case node_kind::quotient: return done.at(e.left()) * inverse(done.at(e.right()));
+            case node_kind::power: return power_of(done.at(e.left()), e.right());
+            case node_kind::function: return function_of(e, done.at(e.left()));
             case node_kind::constant:
             case node_kind::variable:
+            case node_kind::unknown:
             case node_kind::parameter: break;
         }
         return e;
@@ -119,14 +130,18 @@ private:
         return pow(u, expression(k)) * pow(p, expression(b * k - a));
     }
 
-    expression function_of(elementary f, const expression& u) {
+    expression function_of(const expression& e, const expression& u) {
         if (u.is_constant()) {
-            return apply(f, u);
+            return with_argument(e, u);
         }
-        if (f == elementary::sqrt) {
-            return power_of(u, expression(rational(1, 2)));
-        }
-        return added(apply(f, u));
+        return function::with_function(e.function(), [&](auto of) -> expression {
+            using each = decltype(of);
+            if constexpr (requires { each::in_others(u); }) {
+                return in_leaves(each::in_others(u));
+            } else {
+                return added(with_argument(e, u));
+            }
+        });
     }
 
     // The derivative of unknown k along the solution, in unknowns.
@@ -165,21 +180,15 @@ private:
             }
             return w.right() * leaf * inverse(u) * du;
         }
-        switch (w.function()) {
-            case elementary::exp: return leaf * du;
-            case elementary::log: return inverse(u) * du;
-            case elementary::sin: return added(cos(u)) * du;
-            case elementary::cos: return -(added(sin(u)) * du);
-            case elementary::sinh: return added(cosh(u)) * du;
-            case elementary::cosh: return added(sinh(u)) * du;
-            case elementary::tan: return (1 + leaf * leaf) * du;
-            case elementary::tanh: return (1 - leaf * leaf) * du;
-            case elementary::atan: return inverse(1 + u * u) * du;
-            case elementary::asin: return added(pow(1 - u * u, expression(rational(-1, 2)))) * du;
-            case elementary::acos: return -(added(pow(1 - u * u, expression(rational(-1, 2)))) * du);
-            case elementary::sqrt: break;  // a power
-        }
-        throw std::logic_error("a root is a power here");
+        const expression by_argument = function::with_function(w.function(), [&](auto of) -> expression {
+            using each = decltype(of);
+            if constexpr (function::ordered<each>) {
+                return each::derivative(w.order(), u, leaf);
+            } else {
+                return each::derivative(u, leaf);
+            }
+        });
+        return in_leaves(by_argument) * du;
     }
 
     const explicit_system& of_;
@@ -189,48 +198,18 @@ private:
     node_values<expression> done_;
 };
 
-// A function with one value for each of its argument; square roots are powers here.
-bool has_one_value(const expression& e) {
-    if (e.kind() == node_kind::quotient) {
-        return true;
-    }
-    if (e.kind() != node_kind::function) {
-        return false;
-    }
-    switch (e.function()) {
-        case elementary::log:
-        case elementary::asin:
-        case elementary::acos:
-        case elementary::atan: return false;
-        case elementary::exp:
-        case elementary::sqrt:
-        case elementary::sin:
-        case elementary::cos:
-        case elementary::tan:
-        case elementary::sinh:
-        case elementary::cosh:
-        case elementary::tanh: break;
-    }
-    return true;
+function::analytic_form form_of(const expression& e) {
+    return function::with_function(e.function(), [&](auto of) {
+        using each = decltype(of);
+        return function::ordered<each> && !function::is_whole(e.order()) ? function::analytic_form::several_values
+                                                                         : each::form;
+    });
 }
 
-// Of all numbers.
-bool is_entire(elementary f) {
-    switch (f) {
-        case elementary::exp:
-        case elementary::sin:
-        case elementary::cos:
-        case elementary::sinh:
-        case elementary::cosh: return true;
-        case elementary::log:
-        case elementary::sqrt:
-        case elementary::tan:
-        case elementary::asin:
-        case elementary::acos:
-        case elementary::atan:
-        case elementary::tanh: break;
-    }
-    return false;
+// A function with one value for each of its argument; square roots are powers here.
+bool has_one_value(const expression& e) {
+    return e.kind() == node_kind::quotient ||
+           (e.kind() == node_kind::function && form_of(e) != function::analytic_form::several_values);
 }
 
 // Of the variable, where its unknowns are entire.
@@ -245,7 +224,8 @@ bool is_entire(const expression& whole) {
                 const auto exponent = e.right().fraction();
                 return done.at(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
             }
-            case node_kind::function: return e.is_constant() || (is_entire(e.function()) && done.at(e.left()));
+            case node_kind::function:
+                return e.is_constant() || (form_of(e) == function::analytic_form::entire && done.at(e.left()));
             case node_kind::constant:
             case node_kind::variable:
             case node_kind::unknown:
@@ -276,6 +256,37 @@ bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is
         right, [&](const expression& leaf) { return is_own(leaf) ? std::optional(expression(0)) : std::nullopt; }));
 }
 
+// Points where a function has a series, and a derivative that divides by its argument.
+function::singular_points points_without_form(function_kind f) {
+    return function::with_function(f, [](auto of) {
+        if constexpr (requires { of.without_polynomial_form; }) {
+            return function::singular_points(of.without_polynomial_form);
+        } else {
+            return function::no_points;
+        }
+    });
+}
+
+void require_polynomial_form(const explicit_system& of) {
+    start_values values(leaves_at_start(of));
+    node_values<bool> done;
+    const auto check = [&](const expression& e) {
+        const auto points = e.kind() == node_kind::function ? points_without_form(e.function()) : function::no_points;
+        for (int i = 0; i < points.count; ++i) {
+            const auto x = values.refusal_of(e.left()) ? std::nullopt : values.value_of(e.left()).fraction();
+            if (x && *x == points.points[static_cast<std::size_t>(i)]) {
+                refuse("", {},
+                       std::string("starts where it ") + points.reason +
+                           ", so that its values are not proved: choose another start");
+            }
+        }
+        return true;
+    };
+    for (const expression& right : of.right()) {
+        done.of(right, check);
+    }
+}
+
 }  // namespace
 
 lifted_system lifted_for_paths(const explicit_system& of) {
@@ -302,6 +313,7 @@ lifted_system lifted(const explicit_system& of) {
     if (of.singular()) {
         refuse("", {}, "starts where its equation is singular, which is not proved: choose another start");
     }
+    require_polynomial_form(of);
     return lifting(of).result();
 }
 

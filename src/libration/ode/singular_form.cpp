@@ -104,14 +104,14 @@ private:
 
     factored_form of_function(const expression& e) {
         const auto& inner = done_.at(e.left());
-        if (e.function() == elementary::sqrt) {
+        if (e.function() == function_kind::sqrt) {
             return {inner.exponent / 2, sqrt(inner.rest)};
         }
         if (inner.exponent < 0) {
             throw error(error_kind::argument, "problem", "",
                         "has a function of what may be infinite at the start: choose another start");
         }
-        return {0, apply(e.function(), joined(inner))};
+        return {0, with_argument(e, joined(inner))};
     }
 
     start_values& values_;

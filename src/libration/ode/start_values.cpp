@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "libration/function/list.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -31,12 +32,13 @@ void start_values::require_analytic(const expression& e, const number& argument)
     if (e.kind() != node_kind::function) {
         return;
     }
-    if (e.function() == elementary::sqrt && is_zero(argument)) {
-        refuse_value("takes the root of 0");
-    }
-    const bool arc = e.function() == elementary::asin || e.function() == elementary::acos;
-    if (arc && is_zero(argument * argument - number(rational(1)))) {
-        refuse_value("takes acos or asin of 1 or -1, where they have no series");
+    const function::singular_points singular =
+        function::with_function(e.function(), [](auto of) { return function::singular_points(of.singular); });
+    for (int i = 0; i < singular.count; ++i) {
+        const number distance = argument - number(rational(singular.points[static_cast<std::size_t>(i)]));
+        if (is_zero(distance)) {
+            refuse_value(singular.reason);
+        }
     }
 }
 
@@ -59,7 +61,7 @@ number start_values::of_operation(const expression& e) const {
         case node_kind::product: return left * done_.at(e.right());
         case node_kind::quotient: return left / done_.at(e.right());
         case node_kind::power: return power(left, e.right().constant());
-        case node_kind::function: return apply(e.function(), left);
+        case node_kind::function: return with_argument(e, expression(left)).constant();
         case node_kind::constant:
         case node_kind::variable:
         case node_kind::unknown:

@@ -36,14 +36,8 @@ bool has_lanes(const tape_step& step) {
         case operation::delayed:
         case operation::slope:
         case operation::power:
-        case operation::exponential:
-        case operation::logarithm:
-        case operation::sine_cosine:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent:
+        case operation::function:
+        case operation::primitive:
         case operation::companion: break;
     }
     return false;
@@ -153,6 +147,11 @@ private:
     void find_read(const std::vector<std::vector<int>>& together) {
         in_arrays_.insert(of_.outputs().begin(), of_.outputs().end());
         in_arrays_.insert(of_.watched().begin(), of_.watched().end());
+        for (const tape_step& each : of_.steps()) {
+            if (each.kind == operation::primitive) {
+                in_arrays_.insert(each.derivative);
+            }
+        }
         for (const auto& steps : together) {
             for (const int step : steps) {
                 const auto operands = operands_of(step_at(step));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "libration/function/list.hpp"
+
 namespace libration::ode {
 
 namespace {
@@ -113,7 +115,7 @@ int tape_builder::shared(tape_step step) {
         std::swap(step.left, step.right);
     }
     const std::tuple key(static_cast<int>(step.kind), step.left, step.right, step.constant, step.numerator,
-                         step.denominator, step.shift);
+                         step.denominator, step.shift, static_cast<int>(step.function));
     const auto found = known_.find(key);
     if (found != known_.end()) {
         return found->second;
@@ -266,16 +268,17 @@ int tape_builder::power_of(const expression& e) {
     return index;
 }
 
-std::optional<number> tape_builder::centre_of(elementary f, const expression& argument) {
+std::optional<number> tape_builder::centre_of(function_kind f, const rational& order, const expression& argument) {
     if (at_start_ == nullptr || !at_start_->value_of(argument).plain()) {
         return std::nullopt;
     }
-    return apply(f, at_start_->value_of(argument));
+    const number x = at_start_->value_of(argument);
+    return has_order(f) ? apply(f, order, x) : apply(f, x);
 }
 
 int tape_builder::root_of(int a, const expression& argument) {
-    tape_step step{.kind = operation::square_root, .left = a};
-    step.centre = centre_of(elementary::sqrt, argument);
+    tape_step step{.kind = operation::square_root, .left = a, .function = function_kind::sqrt};
+    step.centre = centre_of(function_kind::sqrt, 0, argument);
     const auto before = result_.steps_.size();
     const int index = shared(step);
     if (result_.steps_.size() > before) {
@@ -297,53 +300,64 @@ int tape_builder::companions(int of, int count) {
     return of;
 }
 
-int tape_builder::pair_of(operation kind, const expression& e, int argument, bool second) {
-    const bool circular = kind == operation::sine_cosine;
-    tape_step step{.kind = kind, .left = argument, .right = slope_of(argument)};
-    step.centre = centre_of(circular ? elementary::sin : elementary::sinh, e.left());
+// By the recurrence of the function itself.
+template <class F>
+int tape_builder::own_series(const expression& e) {
+    const int a = done_.at(e.left());
+    tape_step step{.kind = operation::function, .left = a, .right = slope_of(a), .function = F::kind, .odd = F::odd};
+    step.centre = centre_of(F::kind, 0, e.left());
+    const auto before = result_.steps_.size();
+    const int index = shared(step);
+    if (result_.steps_.size() == before) {
+        return index;
+    }
+    companions(index, F::kept);
+    if constexpr (requires { F::values_kept; }) {
+        const auto call = [](function_kind f, const number& x) { return apply(f, x); };
+        for (int i = 0; step.centre && i < F::values_kept; ++i) {
+            result_.steps_[before + 1 + static_cast<std::size_t>(i)].centre =
+                F::first_kept(i, at_start_->value_of(e.left()), call);
+        }
+    }
+    return index;
+}
+
+// As the primitive of f'(u) u', f'(u) in steps behind it, which may read its coefficients below.
+template <class F>
+int tape_builder::primitive_of(const expression& e) {
+    const int a = done_.at(e.left());
+    tape_step step{.kind = operation::primitive, .left = a, .right = slope_of(a), .function = F::kind};
+    if (e.has_order()) {
+        step.constant = constant_index(number(e.order()));
+    }
+    step.centre = centre_of(F::kind, e.order(), e.left());
     const auto before = result_.steps_.size();
     const int index = shared(step);
     if (result_.steps_.size() > before) {
-        companions(index, 1);
-        result_.steps_.back().centre = centre_of(circular ? elementary::cos : elementary::cosh, e.left());
+        int derivative = 0;
+        if constexpr (function::ordered<F>) {
+            derivative = step_of(F::derivative(e.order(), e.left(), e));
+        } else {
+            derivative = step_of(F::derivative(e.left(), e));
+        }
+        result_.steps_[before].derivative = derivative;
     }
-    return second ? index + 1 : index;
+    return index;
 }
 
 int tape_builder::function_of(const expression& e) {
-    const int a = done_.at(e.left());
-    const auto with = [&](operation kind, int arrays) {
-        tape_step step{.kind = kind, .left = a, .right = slope_of(a)};
-        step.centre = centre_of(kind == operation::arcsine ? elementary::asin : e.function(), e.left());
-        const auto before = result_.steps_.size();
-        const int index = shared(step);
-        if (result_.steps_.size() > before) {
-            companions(index, arrays);
-            if (kind == operation::arcsine && step.centre) {
-                const number x = at_start_->value_of(e.left());
-                result_.steps_[before + 1].centre = apply(elementary::sqrt, number(rational(1)) - x * x);
-            }
+    return function::with_function(e.function(), [&](auto of) -> int {
+        using each = decltype(of);
+        if constexpr (requires { each::in_others(e); }) {
+            return step_of(each::in_others(e.left()));
+        } else if constexpr (requires { each::companion_of; }) {
+            return step_of(apply(each::companion_of, e.left())) + 1;
+        } else if constexpr (requires { each::kept; }) {
+            return own_series<each>(e);
+        } else {
+            return primitive_of<each>(e);
         }
-        return index;
-    };
-    switch (e.function()) {
-        case elementary::sqrt: return root_of(a, e.left());
-        case elementary::exp: return with(operation::exponential, 0);
-        case elementary::log: return with(operation::logarithm, 1);
-        case elementary::sin: return pair_of(operation::sine_cosine, e, a, false);
-        case elementary::cos: return pair_of(operation::sine_cosine, e, a, true);
-        case elementary::sinh: return pair_of(operation::hyperbolic_sine_cosine, e, a, false);
-        case elementary::cosh: return pair_of(operation::hyperbolic_sine_cosine, e, a, true);
-        case elementary::tan: return with(operation::tangent, 1);
-        case elementary::tanh: return with(operation::hyperbolic_tangent, 1);
-        case elementary::atan: return with(operation::arctangent, 2);
-        case elementary::asin: return with(operation::arcsine, 2);
-        case elementary::acos: break;
-    }
-    // acos x = pi/2 - asin x
-    const int negative = scaled_by(with(operation::arcsine, 2), number(rational(-1)));
-    return shared(
-        {.kind = operation::raised, .left = negative, .constant = constant_index(number(rational(1, 2), unit::pi))});
+    });
 }
 
 }  // namespace libration::ode

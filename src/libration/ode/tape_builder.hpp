@@ -31,7 +31,10 @@ private:
     int power_of(const expression& e);
     int whole_power(int base, const integer& n);
     int function_of(const expression& e);
-    int pair_of(operation kind, const expression& e, int argument, bool second);
+    template <class F>
+    int own_series(const expression& e);
+    template <class F>
+    int primitive_of(const expression& e);
     int delayed_by(int of, const rational& exponent);
     int scaled_by(int of, const number& factor);
     int product(int a, int b);
@@ -45,14 +48,14 @@ private:
     /// The step like this one, a new one where there is none.
     int shared(tape_step step);
     void set_lag(tape_step& step) const;
-    std::optional<number> centre_of(elementary f, const expression& argument);
+    std::optional<number> centre_of(function_kind f, const rational& order, const expression& argument);
 
     const explicit_system& system_;
     std::map<std::string, std::size_t> places_;
     start_values* at_start_;
     tape result_;
     node_values<int> done_;
-    std::map<std::tuple<int, int, int, int, int, int, int>, int> known_;
+    std::map<std::tuple<int, int, int, int, int, int, int, int>, int> known_;
 };
 
 /// Finds the largest stride in which the coefficients about a start stand, and sets the residues.

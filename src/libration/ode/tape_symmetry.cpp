@@ -47,17 +47,11 @@ int tape_symmetry::residue_of(const tape_step& step, int stride) const {
         case operation::slope: return moved(a, -1);
         case operation::square_root:
         case operation::power:
-        case operation::exponential:
-        case operation::logarithm: return a <= 0 ? 0 : contradiction;
-        case operation::companion: return 0;
-        case operation::sine_cosine:
-        case operation::tangent:
-        case operation::arctangent:
-        case operation::arcsine:
-        case operation::hyperbolic_sine_cosine:
-        case operation::hyperbolic_tangent: break;
+        case operation::primitive: return a <= 0 ? 0 : contradiction;
+        case operation::function: return a <= 0 ? (step.odd ? a : 0) : step.odd && odd ? a : contradiction;
+        case operation::companion: break;
     }
-    return a <= 0 || odd ? a : contradiction;  // odd functions
+    return 0;
 }
 
 bool tape_symmetry::holds(int stride) {

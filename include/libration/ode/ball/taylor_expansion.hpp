@@ -1,6 +1,7 @@
 // Taylor coefficients of differential equations in balls: each contains the exact one.
 #pragma once
 
+#include "libration/function/ball/values.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/ball/ball.hpp"
 

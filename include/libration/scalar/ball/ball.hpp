@@ -40,3 +40,5 @@ T from_exact(const exact& number) {
 #include "libration/scalar/scalar.hpp"
 
 static_assert(libration::scalar<libration::ball>);
+
+#include "libration/scalar/ball/complex_values.hpp"

@@ -4,7 +4,21 @@
 
 #include "libration/scalar/ball/value.hpp"
 
+#if __has_include(<flint/arb_hypgeom.h>)
+#include <flint/arb_hypgeom.h>
+#else
+#include <arb_hypgeom.h>
+#endif
+
 namespace libration {
+
+/// F(arguments) for a function of function/NAME.hpp that FLINT has.
+template <class F, class... Balls>
+requires(std::same_as<Balls, ball>&&...) ball function_at(F /*of*/, const Balls&... arguments) {
+    ball result;
+    F::real_ball(result.handle(), arguments.handle()..., ball::working_bits());
+    return result;
+}
 
 /// An Arb function of one argument at the working precision.
 template <class Function>

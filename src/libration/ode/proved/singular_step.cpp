@@ -50,14 +50,8 @@ void require_polynomials(const tape& of) {
             case slope:
             case square_root:
             case power:
-            case exponential:
-            case logarithm:
-            case sine_cosine:
-            case tangent:
-            case arctangent:
-            case arcsine:
-            case hyperbolic_sine_cosine:
-            case hyperbolic_tangent:
+            case function:
+            case primitive:
             case companion:
                 refuse_start("with more than products of its unknowns, which is not proved: choose another start");
         }

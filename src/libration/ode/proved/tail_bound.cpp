@@ -73,14 +73,8 @@ public:
                 case operation::slope:
                 case operation::square_root:
                 case operation::power:
-                case operation::exponential:
-                case operation::logarithm:
-                case operation::sine_cosine:
-                case operation::tangent:
-                case operation::arctangent:
-                case operation::arcsine:
-                case operation::hyperbolic_sine_cosine:
-                case operation::hyperbolic_tangent:
+                case operation::function:
+                case operation::primitive:
                 case operation::companion: refuse(); break;
             }
         }
@@ -132,14 +126,8 @@ private:
             case operation::slope:
             case operation::square_root:
             case operation::power:
-            case operation::exponential:
-            case operation::logarithm:
-            case operation::sine_cosine:
-            case operation::tangent:
-            case operation::arctangent:
-            case operation::arcsine:
-            case operation::hyperbolic_sine_cosine:
-            case operation::hyperbolic_tangent:
+            case operation::function:
+            case operation::primitive:
             case operation::companion: break;
         }
         refuse();

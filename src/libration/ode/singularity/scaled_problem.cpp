@@ -75,10 +75,10 @@ private:
             case node_kind::function: break;
         }
         const scaled_form inner = form(e.left());
-        if (e.function() == elementary::sqrt && inner.exponent % 2 == 0) {
+        if (e.function() == function_kind::sqrt && inner.exponent % 2 == 0) {
             return {inner.exponent / 2, sqrt(inner.rest)};
         }
-        return {0, apply(e.function(), inner.value())};
+        return {0, with_argument(e, inner.value())};
     }
 
     static scaled_form constant(const expression& e) {

@@ -59,6 +59,9 @@ private:
         if (word.symbol == ')') {
             refuse(")", word.at, "closes nothing: add a (");
         }
+        if (word.symbol == ',') {
+            refuse(",", word.at, "is no part of a problem: write a point in decimals and ; between statements");
+        }
         refuse(std::string(word.text), word.at, "is not expected here: write + - * / or ^ between numbers and names");
     }
 
@@ -195,8 +198,28 @@ private:
             refuse(std::string(word.text), word.at,
                    "is a function without ( behind it: write " + std::string(word.text) + "(...)");
         }
-        const expression x = in_parentheses(words_[next_ - 1].at);
-        return folded(word.at, [&] { return apply(*elementary_of(word.text), x); });
+        const function_kind f = *function_named(word.text);
+        const place opened = words_[next_ - 1].at;
+        const expression first = before_end(opened);
+        if (!has_order(f)) {
+            refuse_comma(word, " has one argument: write " + std::string(word.text) + "(x)");
+            close(opened);
+            return folded(word.at, [&] { return apply(f, first); });
+        }
+        const std::string call = std::string(word.text) + "(0, x)";
+        if (!take(',')) {
+            refuse(std::string(word.text), word.at, "has two arguments, its order and where: write " + call);
+        }
+        const expression x = before_end(opened);
+        refuse_comma(word, " has two arguments: write " + call);
+        close(opened);
+        return folded(word.at, [&] { return apply(f, first, x); });
+    }
+
+    void refuse_comma(const token& word, const std::string& reason) const {
+        if (at_symbol(',')) {
+            refuse(std::string(word.text), word.at, reason.substr(1));
+        }
     }
 
     // f(t), f(0), g(x).
@@ -210,9 +233,7 @@ private:
             refuse(name + "(", word.at,
                    "is no part of an equation: a start is a statement, " + name + "(0) = 1, and a product has *");
         }
-        refuse(
-            name, word.at,
-            "is no function: write * for a product, or one of exp log sqrt sin cos tan asin acos atan sinh cosh tanh");
+        refuse(name, word.at, "is no function: write * for a product, or one of " + function_names());
     }
 
     expression named(const token& word) const {
@@ -245,18 +266,31 @@ private:
     }
 
     expression in_parentheses(const place& opened) {
+        const expression value = before_end(opened);
+        close(opened);
+        return value;
+    }
+
+    // Up to a ) or a comma.
+    expression before_end(const place& opened) {
         if (next_ >= last_) {
             refuse("(", opened, "is not closed: add a )");
         }
-        expression value = sum();
+        const expression value = sum();
         if (next_ >= last_) {
             refuse("(", opened, "is not closed: add a )");
         }
+        return value;
+    }
+
+    void close(const place& opened) {
         if (!take(')')) {
+            if (next_ >= last_) {
+                refuse("(", opened, "is not closed: add a )");
+            }
             refuse_next();
         }
         juxtaposed_ = false;
-        return value;
     }
 
     const statement& words_;
@@ -269,7 +303,7 @@ private:
 
 }  // namespace
 
-bool is_function_name(std::string_view name) { return elementary_of(name).has_value(); }
+bool is_function_name(std::string_view name) { return function_named(name).has_value(); }
 
 void require_free_name(const token& name, const std::string& variable) {
     const std::string text(name.text);

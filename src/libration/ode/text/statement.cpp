@@ -1,5 +1,6 @@
 #include "statement.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include "libration/ode/parse.hpp"
@@ -111,6 +112,12 @@ private:
         return rest_.size() - tail.size();
     }
 
+    // Where a comma parts the arguments of a function.
+    bool in_parentheses() const {
+        const auto count = [this](char c) { return std::ranges::count(words_, c, &token::symbol); };
+        return count('(') > count(')');
+    }
+
     std::size_t read_symbol(token& made) const {
         const char c = rest_.front();
         if (rest_.starts_with("**")) {
@@ -121,7 +128,7 @@ private:
             refuse(std::string(*sign), at_, interval_reason);
         }
         made.symbol = c;
-        if (std::string_view("()+-*/^=").find(c) != std::string_view::npos) {
+        if (std::string_view("()+-*/^=").find(c) != std::string_view::npos || (c == ',' && in_parentheses())) {
             return 1;
         }
         const std::string shown = c > ' ' && c < '\x7f' ? std::string(1, c) : std::string("\\") + "?";

@@ -52,7 +52,7 @@ motion motion::of_energy_from(const exact& energy, const exact& theta0, int dire
     const expression above = as_expression(energy) - expression(rational(1));
     std::optional<expression> half_square;
     if (cosine || is_formula) {
-        half_square = above + (cosine ? expression(*cosine) : apply(elementary::cos, as_expression(theta0)));
+        half_square = above + (cosine ? expression(*cosine) : apply(function_kind::cos, as_expression(theta0)));
     }
     const proved_sign kinetic = half_square ? sign_of(exactly(*half_square, what), what)
                                             : sign_of_sum_with_cosine(rational(energy.coefficient - 1), theta0, what);
@@ -101,7 +101,7 @@ void motion::set_energy(const exact& energy) {
 }
 
 void motion::set_energy_of_start(const exact& kinetic) {
-    const expression cosine = apply(elementary::cos, as_expression(*theta0_));
+    const expression cosine = apply(function_kind::cos, as_expression(*theta0_));
     const expression k = as_expression(kinetic);
     const expression one(rational(1));
     set_energy_and_gap(exactly(one - cosine + k, "E"), exactly(one + cosine - k, "2-E"));

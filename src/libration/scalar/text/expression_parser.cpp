@@ -214,14 +214,25 @@ private:
         if (const auto value = constant(name)) {
             return *value;
         }
-        const auto f = elementary_of(name);
+        const auto f = function_named(name);
         if (!f) {
             refuse_name(name, before);
         }
         if (!take_operator("(")) {
             refuse("has " + std::string(name) + " without a ( behind it" + column_of(before));
         }
-        return apply(*f, in_parentheses());
+        if (!has_order(*f)) {
+            return apply(*f, in_parentheses());
+        }
+        const auto order = before_end().fraction();
+        if (!order) {
+            refuse("has " + std::string(name) + " of an order that is not a fraction" + column_of(before));
+        }
+        if (!take(",")) {
+            refuse("has " + std::string(name) + " without an order: write " + std::string(name) + "(0, 1)" +
+                   column_of(before));
+        }
+        return apply(*f, *order, in_parentheses());
     }
 
     // A text that is one word is no formula.
@@ -236,13 +247,18 @@ private:
                "\"" + column_of(place));
     }
 
-    expression in_parentheses() {
+    expression before_end() {
         skip_blanks();
         expression value = sum();
         skip_blanks();
         if (rest_.empty()) {
             refuse("does not end: a ) is missing");
         }
+        return value;
+    }
+
+    expression in_parentheses() {
+        expression value = before_end();
         if (!take(")")) {
             refuse_here();
         }

@@ -15,9 +15,8 @@ rational within_limits(rational q);
 /// is beyond the limits.
 std::optional<rational> folded_power(const rational& base, const rational& exponent);
 
-/// f(x) where it is a fraction of 1 or of pi: at 0 and 1; roots of squares; sin, cos, tan of fractions of pi and their
-/// inverses (by Niven's theorem no others of these are rational). Throws libration::error of kind argument outside the
-/// domain.
-std::optional<plain_number> folded_function(elementary f, const plain_number& x);
+/// f(x), of an order where f has one, where it is a number of a single unit again. Throws libration::error of kind
+/// argument outside the domain.
+std::optional<plain_number> folded_function(function_kind f, const rational& order, const plain_number& x);
 
 }  // namespace libration

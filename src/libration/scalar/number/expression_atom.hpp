@@ -13,9 +13,9 @@ enum class atom_kind { one, pi, degree, period, product, quotient, power, functi
 
 struct expression::atom {
     atom_kind kind = atom_kind::one;
-    elementary f = elementary::exp;  ///< of a function
-    expression left;                 ///< the argument of a function
-    expression right;
+    function_kind f = function_kind::exp;  ///< of a function
+    expression left;                       ///< the argument of a function
+    expression right;                      ///< its order
     std::size_t hash = 0;
     long depth = 1;
 
@@ -33,9 +33,5 @@ struct expression::atom {
         return true;
     }
 };
-
-[[noreturn]] inline void refuse_number(const std::string& reason) {
-    throw error(error_kind::argument, "number", "", reason);
-}
 
 }  // namespace libration

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "expression_atom.hpp"
+#include "libration/function/interval.hpp"
+#include "libration/function/list.hpp"
 #include "libration/scalar/enclose.hpp"
 #include "libration/scalar/expression.hpp"
 #include "libration/scalar/precision.hpp"
@@ -19,17 +21,12 @@ namespace libration {
 
 namespace {
 
-using bounds = std::optional<number_bounds>;
-using rounded_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+using bounds = function::range;
+using function::require_exponent;
+using function::rising, function::quotient, function::size_of, function::at_corners, function::require_rounding;
 
 // Numbers of more than this many bits before the point, or zeros behind it, are refused: they become fractions.
 constexpr long largest_exponent = 1L << 27U;
-
-void require_rounding(bool as_asked) {
-    if (!as_asked) {
-        throw std::logic_error("a quotient of MPFR is on the wrong side of the exact one: no typed number is enclosed");
-    }
-}
 
 number_bounds of_fraction(const rational& q) {
     number_bounds result;
@@ -54,134 +51,7 @@ number_bounds sum(const number_bounds& a, const number_bounds& b) {
     return result;
 }
 
-// The least and the largest of an operation at the four corners, between which it is monotone in each operand.
-template <class Operation>
-number_bounds at_corners(const number_bounds& a, const number_bounds& b, const Operation& operation) {
-    number_bounds result;
-    bool first = true;
-    mpfr low;
-    mpfr high;
-    for (const mpfr* x : {&a.lower, &a.upper}) {
-        for (const mpfr* y : {&b.lower, &b.upper}) {
-            operation(handle(low), handle(*x), handle(*y), MPFR_RNDD);
-            operation(handle(high), handle(*x), handle(*y), MPFR_RNDU);
-            result.lower = first || low < result.lower ? low : result.lower;
-            result.upper = first || high > result.upper ? high : result.upper;
-            first = false;
-        }
-    }
-    return result;
-}
-
 number_bounds product(const number_bounds& a, const number_bounds& b) { return at_corners(a, b, mpfr_mul); }
-
-// x / y rounded down or up, y != 0: the exact product of y and of the result lies on that side of x, or on the other
-// where y < 0. Beyond the range of exponents the result is infinite or 0, and stands.
-int checked_quotient(mpfr_ptr result, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding) {
-    const int inexact = mpfr_div(result, x, y, rounding);
-    if (mpfr_regular_p(result) != 0 && mpfr_regular_p(x) != 0) {
-        mpfr_t product;
-        mpfr_init2(product, mpfr_get_prec(result) + mpfr_get_prec(y));
-        const bool in_range = mpfr_mul(product, result, y, MPFR_RNDN) == 0;
-        const int side = mpfr_cmp(product, x) * mpfr_sgn(y);
-        mpfr_clear(product);
-        if (!in_range) {
-            refuse_number("is beyond the range of numbers");
-        }
-        require_rounding(rounding == MPFR_RNDD ? side <= 0 : side >= 0);
-    }
-    return inexact;
-}
-
-bounds quotient(const number_bounds& a, const number_bounds& b) {
-    if (b.lower <= 0 && b.upper >= 0) {
-        return std::nullopt;
-    }
-    return at_corners(a, b, checked_quotient);
-}
-
-number_bounds rising(rounded_function f, const number_bounds& x) {
-    number_bounds result;
-    f(handle(result.lower), handle(x.lower), MPFR_RNDD);
-    f(handle(result.upper), handle(x.upper), MPFR_RNDU);
-    return result;
-}
-
-number_bounds falling(rounded_function f, const number_bounds& x) {
-    number_bounds result;
-    f(handle(result.lower), handle(x.upper), MPFR_RNDD);
-    f(handle(result.upper), handle(x.lower), MPFR_RNDU);
-    return result;
-}
-
-// Where the domain ends at a bound that the argument may reach: nothing while it may lie on both sides.
-bounds above(rounded_function f, const number_bounds& x, int least, bool with_least, const char* refusal) {
-    if (x.upper < least || (!with_least && x.upper <= least)) {
-        refuse_number(refusal);
-    }
-    return x.lower < least || (!with_least && x.lower <= least) ? std::nullopt : bounds(rising(f, x));
-}
-
-void require_exponent(const number_bounds& x) {
-    if (x.upper > largest_exponent || x.lower < -largest_exponent) {
-        refuse_number("is beyond the range of numbers");
-    }
-}
-
-// sin and cos move no faster than their argument: the value at the middle, and the distance from there to the ends.
-number_bounds of_circle(rounded_function f, const number_bounds& x) {
-    mpfr middle = (x.lower + x.upper) / 2;
-    middle = std::clamp(middle, x.lower, x.upper);
-    mpfr left;
-    mpfr right;
-    mpfr_sub(handle(left), handle(middle), handle(x.lower), MPFR_RNDU);
-    mpfr_sub(handle(right), handle(x.upper), handle(middle), MPFR_RNDU);
-    const mpfr reach = std::max(left, right);
-    number_bounds result;
-    f(handle(result.lower), handle(middle), MPFR_RNDD);
-    f(handle(result.upper), handle(middle), MPFR_RNDU);
-    mpfr_sub(handle(result.lower), handle(result.lower), handle(reach), MPFR_RNDD);
-    mpfr_add(handle(result.upper), handle(result.upper), handle(reach), MPFR_RNDU);
-    return {std::max(result.lower, mpfr(-1)), std::min(result.upper, mpfr(1))};
-}
-
-// |x|, for functions that are even.
-number_bounds size_of(const number_bounds& x) {
-    if (x.lower >= 0) {
-        return x;
-    }
-    return x.upper <= 0 ? number_bounds{mpfr(-x.upper), mpfr(-x.lower)}
-                        : number_bounds{mpfr(0), std::max(mpfr(-x.lower), x.upper)};
-}
-
-bounds arc(elementary f, const number_bounds& x) {
-    if (x.lower > 1 || x.upper < -1) {
-        refuse_number("takes acos or asin of a number beyond 1");
-    }
-    if (x.lower < -1 || x.upper > 1) {
-        return std::nullopt;
-    }
-    return f == elementary::asin ? rising(mpfr_asin, x) : falling(mpfr_acos, x);
-}
-
-bounds of_function(elementary f, const number_bounds& x) {
-    switch (f) {
-        case elementary::exp: require_exponent(x); return rising(mpfr_exp, x);
-        case elementary::sinh: require_exponent(x); return rising(mpfr_sinh, x);
-        case elementary::cosh: require_exponent(x); return rising(mpfr_cosh, size_of(x));
-        case elementary::log:
-            return above(mpfr_log, x, 0, false, "takes the logarithm of a number that is not positive");
-        case elementary::sqrt: return above(mpfr_sqrt, x, 0, true, "takes the root of a negative number");
-        case elementary::sin: return of_circle(mpfr_sin, x);
-        case elementary::cos: return of_circle(mpfr_cos, x);
-        case elementary::tan: return quotient(of_circle(mpfr_sin, x), of_circle(mpfr_cos, x));
-        case elementary::atan: return rising(mpfr_atan, x);
-        case elementary::tanh: return rising(mpfr_tanh, x);
-        case elementary::asin:
-        case elementary::acos: break;
-    }
-    return arc(f, x);
-}
 
 // x^n for n > 0.
 number_bounds positive_power(const number_bounds& x, const integer& n) {
@@ -267,6 +137,17 @@ public:
     }
 
 private:
+    static bounds of_function(const atom& a, const number_bounds& x) {
+        return function::with_function(a.f, [&](auto of) -> bounds {
+            using each = decltype(of);
+            if constexpr (function::ordered<each>) {
+                return each::bounds(a.right.fraction().value(), x);
+            } else {
+                return each::bounds(x);
+            }
+        });
+    }
+
     bounds of(const atom& a) {
         switch (a.kind) {
             case atom_kind::pi: return of_pi();
@@ -286,7 +167,7 @@ private:
     bounds composed(const atom& a) {
         const bounds left = of(a.left);
         if (!left || a.kind == atom_kind::function) {
-            return left ? of_function(a.f, *left) : std::nullopt;
+            return left ? of_function(a, *left) : std::nullopt;
         }
         const bounds right = of(a.right);
         if (!right) {

@@ -8,23 +8,11 @@
 
 #include "exact_fold.hpp"
 #include "expression_atom.hpp"
+#include "libration/function/list.hpp"
 
 namespace libration {
 
 namespace {
-
-constexpr std::array<std::pair<std::string_view, elementary>, 12> elementary_names{{{"exp", elementary::exp},
-                                                                                    {"log", elementary::log},
-                                                                                    {"sqrt", elementary::sqrt},
-                                                                                    {"sin", elementary::sin},
-                                                                                    {"cos", elementary::cos},
-                                                                                    {"tan", elementary::tan},
-                                                                                    {"asin", elementary::asin},
-                                                                                    {"acos", elementary::acos},
-                                                                                    {"atan", elementary::atan},
-                                                                                    {"sinh", elementary::sinh},
-                                                                                    {"cosh", elementary::cosh},
-                                                                                    {"tanh", elementary::tanh}}};
 
 constexpr long deepest_expression = 200;
 constexpr std::size_t most_terms = 10'000;
@@ -66,13 +54,37 @@ void require_no_period(const expression& x) {
 
 }  // namespace
 
-std::optional<elementary> elementary_of(std::string_view name) {
-    for (const auto& [each, f] : elementary_names) {
-        if (each == name) {
+std::string_view name_of(function_kind f) {
+    return function::with_function(f, [](auto of) { return std::string_view(of.name); });
+}
+
+bool has_order(function_kind f) {
+    return function::with_function(f, [](auto of) { return function::ordered<decltype(of)>; });
+}
+
+std::optional<function_kind> function_named(std::string_view name) {
+    for (std::size_t i = 0; i < function_kinds; ++i) {
+        const auto f = static_cast<function_kind>(i);
+        const std::string_view alias = function::with_function(f, [](auto of) -> std::string_view {
+            if constexpr (requires { of.alias; }) {
+                return of.alias;
+            } else {
+                return of.name;
+            }
+        });
+        if (name == name_of(f) || name == alias) {
             return f;
         }
     }
     return std::nullopt;
+}
+
+std::string function_names() {
+    std::string all;
+    for (std::size_t i = 0; i < function_kinds; ++i) {
+        all += (all.empty() ? "" : " ") + std::string(name_of(static_cast<function_kind>(i)));
+    }
+    return all;
 }
 
 expression::expression(const rational& coefficient, unit measure) {
@@ -252,7 +264,7 @@ expression expression::of_atom(atom a) {
 expression operator*(const expression& a, const expression& b) {
     const auto factor = a.fraction() ? a.fraction() : b.fraction();
     if (!factor) {
-        return expression::of_atom({atom_kind::product, elementary::exp, a, b});
+        return expression::of_atom({atom_kind::product, function_kind::exp, a, b});
     }
     expression result = a.fraction() ? b : a;
     if (*factor == 0) {
@@ -276,7 +288,7 @@ expression operator/(const expression& a, const expression& b) {
     if (above != nullptr && below != nullptr && expression::same_atom(*above->of, *below->of) && b.sign() != 0) {
         return expression(within_limits(rational(above->coefficient / below->coefficient)));
     }
-    return expression::of_atom({atom_kind::quotient, elementary::exp, a, b});
+    return expression::of_atom({atom_kind::quotient, function_kind::exp, a, b});
 }
 
 expression power(const expression& base, const expression& exponent) {
@@ -297,17 +309,31 @@ expression power(const expression& base, const expression& exponent) {
             return expression(*folded);
         }
     }
-    return expression::of_atom({atom_kind::power, elementary::exp, base, exponent});
+    return expression::of_atom({atom_kind::power, function_kind::exp, base, exponent});
 }
 
-expression apply(elementary f, const expression& x) {
+expression expression::of_function(function_kind f, const rational& order, const expression& x) {
     require_no_period(x);
     if (const auto number = x.plain()) {
-        if (const auto folded = folded_function(f, *number)) {
+        if (const auto folded = folded_function(f, order, *number)) {
             return expression(folded->coefficient, folded->measure);
         }
     }
-    return expression::of_atom({atom_kind::function, f, x, {}});
+    return of_atom({atom_kind::function, f, x, expression(order)});
+}
+
+expression apply(function_kind f, const expression& x) {
+    if (has_order(f)) {
+        refuse_number("takes " + std::string(name_of(f)) + " without an order");
+    }
+    return expression::of_function(f, 0, x);
+}
+
+expression apply(function_kind f, const rational& order, const expression& x) {
+    if (!has_order(f)) {
+        refuse_number("takes " + std::string(name_of(f)) + ", which has no order, of an order");
+    }
+    return expression::of_function(f, order, x);
 }
 
 }  // namespace libration

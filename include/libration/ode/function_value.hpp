@@ -1,0 +1,70 @@
+// Functions of one number in the ring of the coefficients.
+#pragma once
+
+#include <concepts>
+#include <string>
+
+#include "libration/function/ball_functions.hpp"
+#include "libration/function/list.hpp"
+#include "libration/ode/constant_value.hpp"
+
+namespace libration::ode {
+
+/// A function that FLINT has: then balls have it too, and by them every scalar.
+template <class F>
+concept function_of_flint = requires {
+    &F::template complex_ball<int>;
+};
+
+/// f(x) rounded in T by MPFR or from a ball, within a unit in the last place; not a number outside the domain. Throws
+/// error for a function that needs FLINT in a program without it.
+template <rounding_scalar T>
+requires std::same_as<wide_t<T>, mpfr> T value_by_balls(function_kind f, const rational* order, const T& x) {
+    return convert<T>(function::rounded_value(f, order, widen(x), static_cast<long>(digits<T>())));
+}
+
+/// The same of complex numbers, relative to the whole value.
+template <rounding_scalar T>
+requires std::same_as<wide_t<T>, mpfr> complex_number<T> value_by_balls(function_kind f, const rational* order,
+                                                                        const complex_number<T>& z) {
+    const auto value =
+        function::functions_of_balls(f).value(f, order, {widen(z.re), widen(z.im)}, static_cast<long>(digits<T>()));
+    return {convert<T>(value[0]), convert<T>(value[1])};
+}
+
+/// f(x), of this order where f has one, for the value x of an argument at an expansion point. Throws error where R has
+/// no such function.
+template <field R>
+R function_value(function_kind f, const R& x, const rational* order = nullptr) {
+    return function::with_function(f, [&](auto of) -> R {
+        using each = decltype(of);
+        if constexpr (requires { each::value(x); }) {
+            return each::value(x);
+        } else if constexpr (function_of_flint<each> && requires { function_at(of, x); }) {
+            if constexpr (function::ordered<each>) {
+                return function_at(of, constant_value<R>::of(number(*order)), x);
+            } else {
+                return function_at(of, x);
+            }
+        } else if constexpr (function_of_flint<each> && requires { value_by_balls(f, order, x); }) {
+            return value_by_balls(f, order, x);
+        } else {
+            throw error(error_kind::argument, "problem", "",
+                        "needs " + std::string(each::name) +
+                            " of a coefficient, which this scalar does not have: choose another");
+        }
+    });
+}
+
+/// x^r for a value x at an expansion point.
+template <field R>
+R power_value(const R& x, const R& r) {
+    using std::pow;
+    if constexpr (requires { R(pow(x, r)); }) {
+        return R(pow(x, r));
+    } else {
+        return function_value<R>(function_kind::exp, R(function_value<R>(function_kind::log, x) * r));
+    }
+}
+
+}  // namespace libration::ode
