@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-_functions = ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh")
+# Of SymPy, and their names here.
+_functions = {
+    **{name: name for name in "exp log sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh erf erfc sinc".split()},
+    "LambertW": "lambertw",
+    "airyai": "airy_ai", "airyaiprime": "airy_ai_prime", "airybi": "airy_bi", "airybiprime": "airy_bi_prime",
+}
+_functions_of_order = {"besselj": "bessel_j", "bessely": "bessel_y", "besseli": "bessel_i", "besselk": "bessel_k"}
 
 
 def _printer(variable: Any) -> Any:
@@ -29,9 +35,13 @@ def _printer(variable: Any) -> Any:
                 if expr.args != (variable,):
                     raise ValueError(f"{expr} is no function of {variable} alone")
                 return name
-            if name not in _functions or len(expr.args) != 1:
+            names = _functions if len(expr.args) == 1 else _functions_of_order if len(expr.args) == 2 else {}
+            if name not in names:
                 raise ValueError(f"the library has no function {name}")
-            return f"{name}({self._print(expr.args[0])})"
+            return f"{names[name]}({', '.join(self._print(each) for each in expr.args)})"
+
+        def _print_LambertW(self, expr: Any) -> str:
+            return self._print_Function(expr)
 
         def emptyPrinter(self, expr: Any) -> str:
             raise ValueError(f"{expr} of the type {type(expr).__name__} is nothing that the library reads")
