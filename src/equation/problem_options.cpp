@@ -60,7 +60,10 @@ problem_source problem_named(const std::string& words) {
 
 void problem_options::add_to(CLI::App& command) {
     command_ = &command;
-    command.add_option("--problem", problem_, "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
+    command
+        .add_option("--problem", problem_,
+                    "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\", with the functions " +
+                        function_names())
         ->type_name("P");
     command.add_option("--set", changes_, "another parameter or start of the problem: k=1/3, \"f'(0)=1\"")
         ->type_name("X=VALUE");
