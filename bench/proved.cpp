@@ -6,11 +6,11 @@
 
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/problem/known/proved/blasius.hpp"
 
 namespace {
 

@@ -39,8 +39,10 @@ endif()
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/libration/*.cpp)
 set(proved_sources ${library_sources})
-list(FILTER proved_sources INCLUDE REGEX "/(ball|proved)/")
-list(FILTER library_sources EXCLUDE REGEX "/(ball|proved)/")
+# The facts known of problems need FLINT behind a header that does not.
+set(proved_folders "/(ball|proved)/|/problem/known/")
+list(FILTER proved_sources INCLUDE REGEX "${proved_folders}")
+list(FILTER library_sources EXCLUDE REGEX "${proved_folders}")
 set(vector_sources ${library_sources})
 list(FILTER vector_sources INCLUDE REGEX "/([a-z]+_vectors|vector_instructions)\\.cpp$")
 list(REMOVE_ITEM library_sources ${vector_sources})

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "claims/claim.hpp"
-#include "libration/ode/flow.hpp"
+#include "libration/pendulum/numerical/flow.hpp"
 #include "libration/pendulum/taylor/coefficients.hpp"
 #include "libration/series/jet.hpp"
 

@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
-#include "equation/problem_at_infinity.hpp"
 #include "equation/problem_options.hpp"
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_root.hpp"
+#include "libration/problem/known_facts.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"
@@ -32,6 +32,20 @@ struct found_value {
     proved_decimal value;
 };
 
+std::vector<proved_decimal> found_for_infinity(const find_options& options, const ode::equation_system& system,
+                                               long digits) {
+    const std::string condition = options.conditions.size() == 1 ? options.conditions.front() : "several";
+    try {
+        return naming_option("--such-that",
+                             [&] { return proved_for_infinity(system, options.unknowns, condition, digits); });
+    } catch (const error& problem) {
+        if (problem.subject() != "condition") {
+            throw;
+        }
+        throw error(problem.kind(), "--such-that", problem.value(), problem.reason());
+    }
+}
+
 std::vector<found_value> found_unknowns(const find_options& options, long digits, const ode::proof_route& route) {
     const auto system = options.problem.equations();
     const auto named = [&](const std::vector<proved_decimal>& values) {
@@ -46,9 +60,7 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
             throw input_error(
                 "--check compares two proofs and a condition at infinity has one, by a lemma: leave it out");
         }
-        const bool one = options.conditions.size() == 1;
-        return named(
-            proved_for_infinity(system, options.unknowns, one ? options.conditions.front() : "several", digits));
+        return named(found_for_infinity(options, system, digits));
     }
     if (options.conditions.size() != options.unknowns.size()) {
         throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",

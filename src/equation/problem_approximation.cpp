@@ -11,7 +11,7 @@
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/axis.hpp"
-#include "libration/problem/far/far_behaviour.hpp"
+#include "libration/problem/known_facts.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "equation/problem_at_infinity.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
+#include "libration/problem/known_facts.hpp"
 #include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/problem_events.hpp"
@@ -226,6 +226,19 @@ partial_table events_of_problem(const reference_options& options, long digits) {
     return {std::move(found.data), std::move(text), std::move(found.missing)};
 }
 
+// The limits of the unknowns, by a lemma.
+table state_at_infinity(const problem_options& problem, long digits) {
+    const auto limits = proved_limits(problem.equations(), digits);
+    table data(columns_of_states(problem.choose()));
+    table_row_cells row{cell::number("inf", digits)};
+    for (const proved_decimal& each : limits) {
+        row.push_back(cell::number(each.text, digits));
+    }
+    row.insert(row.end(), {digits, "proved", "inf"});
+    data.add_row(std::move(row));
+    return data;
+}
+
 // Instead of a motion, any problem.
 partial_table reference_of_problem(const reference_options& options, long digits) {
     if (const auto other = options.motion.first_given()) {
@@ -250,7 +263,7 @@ partial_table reference_of_problem(const reference_options& options, long digits
         if (options.check) {
             throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
         }
-        table state = state_at_infinity(options.problem.equations(), digits);
+        table state = state_at_infinity(options.problem, digits);
         std::string text = lines_of_states(state);
         return {std::move(state), std::move(text), {}};
     }

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/numerical_solution.hpp"
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
+#include "libration/pendulum/numerical/numerical_solution.hpp"
 #include "libration/pendulum/proved/proved_motion.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"

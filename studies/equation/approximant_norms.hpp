@@ -12,7 +12,7 @@
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/ode/trajectory.hpp"
-#include "libration/problem/far/far_behaviour.hpp"
+#include "libration/problem/known_facts.hpp"
 #include "text/table.hpp"
 
 namespace libration::studies::approximant_norms {

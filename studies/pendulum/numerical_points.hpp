@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "libration/ode/numerical_solution.hpp"
+#include "libration/pendulum/numerical/numerical_solution.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"
 #include "text/input_error.hpp"
 #include "value_with_error.hpp"

@@ -8,6 +8,7 @@
 #include "../equation/approximant_norms.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/problem/known/sakiadis.hpp"
 #include "published_numbers.hpp"
 #include "sweep/study.hpp"
 #include "text/input_error.hpp"

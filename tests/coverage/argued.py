@@ -9,15 +9,16 @@ LIFTED = ODE + "lifted_system.cpp"
 DISC = ODE + "proved/complex_disc.cpp"
 CONDITIONS = ODE + "proved/condition_numbers.cpp"
 EVENTS = ODE + "proved/event_search.cpp"
-LAYERS = ODE + "proved/layers_at_infinity.cpp"
-ATOM = ODE + "proved/neutral_atom.cpp"
+KNOWN = "src/libration/problem/known/"
+SHOOTING = KNOWN + "shooting.cpp"
+ATOM = KNOWN + "thomas_fermi.cpp"
 MARCH = ODE + "proved/proved_march.cpp"
 ROOT = ODE + "proved/proved_root.cpp"
 BOUNDS = ODE + "proved/radius_bounds.cpp"
 PLACE = ODE + "proved/proved_singularity.cpp"
 STEP = ODE + "proved/singular_step.cpp"
 TAIL = ODE + "proved/tail_bound.cpp"
-TRITRONQUEE = ODE + "proved/tritronquee.cpp"
+TRITRONQUEE = KNOWN + "painleve_1.cpp"
 MORE_BITS = "ends the attempt, and the next one has more bits; no test is so short of them there and not before"
 
 ARGUED = {
@@ -51,9 +52,9 @@ ARGUED = {
     (LIFTED, "expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }"):
         "expressions fold what is made of constants alone; kept for expressions that C++ builds in another way",
     (LIFTED, "if (u.is_constant()) {"): "as above",
-    (ODE + "proved/blasius_infinity.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
+    (KNOWN + "blasius.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
         "f'' falls like exp(-t^2/4): before t = 1000 it is below any precision that memory holds",
-    (ODE + "proved/blasius_infinity.cpp", "if (!state) {"): MORE_BITS,
+    (KNOWN + "blasius.cpp", "if (!state) {"): MORE_BITS,
     (DISC, "if (!set_tail_) {"): "a set without values is seen before; kept, because no radius is no disc",
     (DISC, "if (!tail_) {"): "the centre lies in the set, whose radius holds; kept, because no bound is no proof",
     (CONDITIONS, "if (!is_finite(moved)) {"):
@@ -66,8 +67,8 @@ ARGUED = {
         "every unknown of a condition is a leaf of the system",
     (ODE + "proved/frame.cpp", "if (!(norm <= magnitude(1U) / 4U)) {"):
         "columns are orthogonal to the last of 64 bits; kept, because the bound of the inverse rests on it",
-    (LAYERS, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
-    (LAYERS, "if (mpfr_number_p(handle(value)) == 0) {"):
+    (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
+    (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):
         "steers the guess: solutions from bad guesses end before, by an error",
     (ATOM, "return less(v, T(0)) && less(T(y * y * sqrt(y) * 4), T(s * v * v)) ? std::optional(side::below) : std::nullopt;"):
         "of a slope that is neither above nor below 0 nothing is said; no march has met it",

@@ -107,7 +107,7 @@ FAULTS = [
         ("powers of the lower end", "rising(mpfr_exp, exponent)", "rising(mpfr_exp, {exponent.lower, exponent.lower})"),
     ),
     *in_file(
-        "src/libration/ode/proved/neutral_atom.cpp", ["ode/proved/layers_at_infinity_test.cpp"],
+        "src/libration/problem/known/thomas_fermi.cpp", ["problem/known/conditions_at_infinity_test.cpp"],
         ("an eighth of the bound below", "y * y * sqrt(y) * 4", "y * y * sqrt(y) / 2"),
         ("above from the wrong side", "if (less(T(0), v))", "if (less(T(-1) / 4, v))"),
     ),
@@ -369,7 +369,7 @@ FAULTS = [
         ("a slope near the edge bounded by its first term", "        throw precision_exhausted(\"a derivative near", "        precision_exhausted(\"a derivative near"),
     ),
     *in_file(
-        "src/libration/ode/proved/tritronquee.cpp", ["ode/proved/tritronquee_test.cpp"],
+        "src/libration/problem/known/painleve_1.cpp", ["problem/known/painleve_1_test.cpp"],
         ("what the expansion at infinity leaves out", "magnitude(away))", "magnitude())"),
         ("the slope of what it leaves out", "magnitude(away_of_slope))", "magnitude())"),
         ("a tenth of the defect", "return sum * x_;", "return sum * x_ / 10;"),

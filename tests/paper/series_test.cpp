@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "libration/ode/runge_kutta.hpp"
+#include "libration/pendulum/numerical/runge_kutta.hpp"
 #include "libration/pendulum/taylor/expansion.hpp"
 #include "libration/series/exponential.hpp"
 #include "paper/verdicts.hpp"

@@ -1,16 +1,13 @@
-// Differential equations as text and in C++, their Taylor series in any scalar, and numerical solutions.
+// Differential equations as text and in C++, and their Taylor series in any scalar.
 #pragma once
 
 #include "libration/ode/equation_system.hpp"
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/expression.hpp"
-#include "libration/ode/flow.hpp"
 #include "libration/ode/functor.hpp"
 #include "libration/ode/invariant.hpp"
-#include "libration/ode/numerical_solution.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/path.hpp"
-#include "libration/ode/runge_kutta.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/tape.hpp"
 #include "libration/ode/taylor_expansion.hpp"

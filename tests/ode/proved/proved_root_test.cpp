@@ -5,7 +5,7 @@
 #include <string>
 
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/blasius_infinity.hpp"
+#include "libration/problem/known/proved/blasius.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"

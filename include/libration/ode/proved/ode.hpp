@@ -3,13 +3,9 @@
 #pragma once
 
 #include "libration/ode/ball/taylor_expansion.hpp"
-#include "libration/ode/proved/blasius_infinity.hpp"
 #include "libration/ode/proved/condition_numbers.hpp"
-#include "libration/ode/proved/layers_at_infinity.hpp"
-#include "libration/ode/proved/neutral_atom.hpp"
 #include "libration/ode/proved/problem_coefficients.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/ode/proved/tritronquee.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "libration/ode/runge_kutta.hpp"
+#include "libration/pendulum/numerical/runge_kutta.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/scalar/error.hpp"
 

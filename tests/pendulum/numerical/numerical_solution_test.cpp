@@ -1,4 +1,4 @@
-#include "libration/ode/numerical_solution.hpp"
+#include "libration/pendulum/numerical/numerical_solution.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -6,7 +6,7 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
-namespace pendulum_numerical_solution_test {
+namespace pendulum_numerical_numerical_solution_test {
 
 using namespace libration;
 using namespace libration::series;
@@ -49,4 +49,4 @@ TEMPLATE_LIST_TEST_CASE("the numerical solution is the exact one to the fourth p
     CHECK_THAT(states[1].value, near<T>(expected("-1"), 0));
 }
 
-}  // namespace pendulum_numerical_solution_test
+}  // namespace pendulum_numerical_numerical_solution_test

@@ -1,4 +1,4 @@
-// How solutions of the catalogue behave far from their start, which no text says: what asymptotic approximants need.
+// How a solution behaves far from its start, which no text of equations says: what asymptotic approximants need.
 #pragma once
 
 #include <functional>
@@ -39,30 +39,9 @@ struct far_behaviour {
     int index() const;
 };
 
-/// The problems of the catalogue that have one, by name.
-const std::vector<std::string>& problems_with_far_behaviour();
-
-/// The far behaviour of one of these, with other parameters where these have been changed. A free start (s of
-/// falkner_skan, G of sakiadis, w0 of flierl_petviashvili; or `free` in its place, as b) is a first guess: the one that
-/// meets the condition at infinity is found from it by the secant method at growing distances, in mpfr of 2 digits +
-/// 20. Throws error for another problem and where that does not converge.
-far_behaviour far_behaviour_of(const std::string& problem, const ode::equation_system& given, long digits,
-                               const std::string& free = "");
-
 /// The approximant that has the series f, a_0 .. a_N, at the start: a function of the variable. std::nullopt where a
 /// Pade approximant does not exist.
 std::optional<std::function<mpfr(const mpfr&)>> asymptotic_approximant(const far_behaviour& far,
                                                                        const series::power_series<mpfr>& f);
-
-/// What the approximant of the layer of Sakiadis predicts from `known` coefficients, where f''(0) and f(inf) are both
-/// unknown: with n = known - 2 exponentials as many conditions are left [Barlow2017].
-struct sakiadis_prediction {
-    mpfr wall_shear;  ///< f''(0)
-    mpfr limit;       ///< f(inf)
-    mpfr amplitude;   ///< G of f ~ f(inf) + G e^(-f(inf) t/2)
-};
-
-/// By Newton's method from (-0.45, 1.6), in the working precision. Throws error for known < 4.
-sakiadis_prediction predicted_sakiadis(const ode::equation_system& given, int known);
 
 }  // namespace libration

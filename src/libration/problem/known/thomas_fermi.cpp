@@ -1,13 +1,15 @@
-#include "libration/ode/proved/neutral_atom.hpp"
+#include "libration/problem/known/proved/thomas_fermi.hpp"
 
 #include <optional>
 
+#include "known_problems.hpp"
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
-#include "two_sides.hpp"
+#include "shooting.hpp"
 
 namespace libration::ode {
 
@@ -69,3 +71,20 @@ ball thomas_fermi_slope() {
 }
 
 }  // namespace libration::ode
+
+namespace libration {
+
+known_facts facts_of_thomas_fermi() {
+    return {.problem = "thomas_fermi",
+            .condition = condition_at_infinity{
+                .unknowns = {"slope"},
+                .of = "y(inf)",
+                .limits = "0",
+                .holds = [](const std::string& limit) { return ode::parse_constant(limit).constant().sign() == 0; },
+                .values =
+                    [](const ode::equation_system&, const std::string&, long digits) {
+                        return proved_decimals(digits, [] { return std::vector{ode::thomas_fermi_slope()}; });
+                    }}};
+}
+
+}  // namespace libration

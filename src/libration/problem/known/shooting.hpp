@@ -1,4 +1,4 @@
-// Shooting to a condition at infinity from two sides, on each of which a march says that it is that side.
+// Shooting to a condition at infinity from two sides, each of which is proved by an integration.
 #pragma once
 
 #include <functional>
@@ -26,5 +26,11 @@ equation_system with_value(equation_system system, const std::string& name, cons
 /// not decided.
 ball between(const equation_system& given, const std::string& name, const mpfr& middle, const state_test& decided,
              const ball& least);
+
+/// The value of a parameter for which the first derivative of the first unknown tends to target: by the secant method
+/// for f'(T) = target in floating arithmetic, T growing to time(bits), then proved by between(). Throws
+/// precision_exhausted where a side is not decided, error of the kind undecided where the first guess leads nowhere.
+ball proved_shot(const equation_system& given, const std::string& name, int target, const state_test& decided,
+                 const ball& least, const std::function<int(long)>& time);
 
 }  // namespace libration::ode

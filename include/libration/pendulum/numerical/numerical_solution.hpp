@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "libration/ode/runge_kutta.hpp"
+#include "libration/pendulum/numerical/runge_kutta.hpp"
 
 namespace libration {
 

@@ -1,5 +1,5 @@
 // The tritronquee solution against digits in print, against itself along other ways, and against its own expansion.
-#include "libration/ode/proved/tritronquee.hpp"
+#include "libration/problem/known/proved/painleve_1.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -14,7 +14,7 @@
 #include "libration/scalar/ball/predicates.hpp"
 #include "proved.hpp"
 
-namespace ode_proved_tritronquee_test {
+namespace problem_known_painleve_1_test {
 
 using namespace libration;
 using namespace libration::ode;
@@ -89,4 +89,4 @@ TEST_CASE("the tritronquee solution has the pole in print", "[ode][proved][singu
     CHECK(abs(map.all.front().offset.re - mpfr("2.38416876956881664")) < mpfr("1e-17"));
 }
 
-}  // namespace ode_proved_tritronquee_test
+}  // namespace problem_known_painleve_1_test

@@ -1,4 +1,4 @@
-// The tritronquee solution of the first Painleve equation, whose condition stands at infinity.
+// The tritronquee solution of the first Painleve equation, whose condition is at infinity.
 #pragma once
 
 #include "libration/scalar/ball/ball.hpp"

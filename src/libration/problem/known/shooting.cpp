@@ -1,20 +1,39 @@
-#include "libration/ode/proved/layers_at_infinity.hpp"
+#include "shooting.hpp"
 
-#include <cmath>
-#include <functional>
 #include <string>
 
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/step.hpp"
-#include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"
-#include "two_sides.hpp"
 
 namespace libration::ode {
 
 namespace {
+
+constexpr int pieces_of_a_step = 8;
+// Bits by which the two sides are farther apart than the working precision.
+constexpr long bits_of_sides = 6;
+constexpr int latest_time_of_sides = 100'000;
+
+std::optional<side> side_of(const equation_system& system, long bits, const state_test& decided, const ball& least) {
+    proved_march march(explicit_system(system), bits);
+    while (march.prepare() && certainly_less(march.reached(), ball(latest_time_of_sides))) {
+        if (const auto found = decided(march.values_at(ball(0)))) {
+            return found;
+        }
+        const ball piece = march.length().exact() / pieces_of_a_step;
+        for (int k = 0; k < pieces_of_a_step; ++k) {
+            const auto values = march.values_at(hull(piece * k, piece * (k + 1)));
+            if (!certainly_less(least, values[1])) {
+                return std::nullopt;
+            }
+        }
+        march.step(1);
+    }
+    return std::nullopt;
+}
 
 constexpr int most_secants = 40;
 
@@ -62,52 +81,34 @@ mpfr shot(const equation_system& given, const std::string& name, int target, con
     return value;
 }
 
-template <class Time>
+}  // namespace
+
+equation_system with_value(equation_system system, const std::string& name, const mpfr& value) {
+    rational q;
+    mpfr_get_q(q.backend().data(), handle(value));
+    return system.set(name, expression(q));
+}
+
+ball between(const equation_system& given, const std::string& name, const mpfr& middle, const state_test& decided,
+             const ball& least) {
+    const long bits = static_cast<long>(ball::working_bits());
+    const mpfr away = ldexp(abs(middle), static_cast<int>(bits_of_sides - bits));
+    const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits + side_guard_bits, decided, least);
+    const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits + side_guard_bits, decided, least);
+    if (!low || !high || *low == *high) {
+        throw precision_exhausted("the sides of a value for infinity");
+    }
+    return hull(ball(mpfr(middle - away)), ball(mpfr(middle + away)));
+}
+
 ball proved_shot(const equation_system& given, const std::string& name, int target, const state_test& decided,
-                 const ball& least, const Time& time) {
+                 const ball& least, const std::function<int(long)>& time) {
     mpfr middle;
     {
         const precision_scope more(decimal_digits(static_cast<long>(ball::working_bits()) + side_guard_bits));
         middle = shot(given, name, target, time);
     }
     return between(given, name, middle, decided, least);
-}
-
-}  // namespace
-
-ball falkner_skan_shear(const equation_system& given) {
-    const state_test decided = [](const std::vector<ball>& y) -> std::optional<side> {
-        if (certainly_less(ball(1), y[1])) {
-            return side::above;
-        }
-        return certainly_less(y[2], ball(0)) ? std::optional(side::below) : std::nullopt;
-    };
-    // f'' falls like exp(-t^2/2).
-    const auto time = [](long bits) { return 4 + static_cast<int>(std::sqrt(1.4 * static_cast<double>(bits))); };
-    return proved_shot(given, "s", 1, decided, ball(-1), time);
-}
-
-ball sakiadis_shear(const equation_system& given) {
-    const state_test decided = [](const std::vector<ball>& y) -> std::optional<side> {
-        if (certainly_less(y[1], ball(0))) {
-            return side::below;
-        }
-        const bool rises = certainly_less(ball(0), y[0]) && certainly_less(abs(y[2]) * 2, y[0] * y[1]);
-        return rises ? std::optional(side::above) : std::nullopt;
-    };
-    // f'' falls like exp(-f(inf) t/2), f(inf) = 1.6.
-    const auto time = [](long bits) { return 8 + static_cast<int>(bits * 9 / 10); };
-    return proved_shot(given, "G", 0, decided, ball(-2), time);
-}
-
-ball epidemic_remainder(const ball& susceptible, const ball& infected, const ball& rho) {
-    const ball x = -(susceptible / rho) * exp(-(susceptible + infected) / rho);
-    ball w;
-    arb_lambertw(w.handle(), x.handle(), 0, ball::working_bits());
-    if (!is_finite(w)) {
-        throw precision_exhausted("what an epidemic leaves");
-    }
-    return -rho * w;
 }
 
 }  // namespace libration::ode

@@ -1,4 +1,4 @@
-#include "libration/problem/far/far_behaviour.hpp"
+#include "libration/problem/known_facts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -6,6 +6,7 @@
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/problem/known/sakiadis.hpp"
 #include "scalars.hpp"
 
 namespace problem_far_behaviour_test {

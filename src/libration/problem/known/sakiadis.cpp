@@ -1,17 +1,45 @@
+#include "libration/problem/known/sakiadis.hpp"
+
 #include <array>
 #include <cstddef>
 #include <string>
 
+#include "far_start.hpp"
+#include "known_problems.hpp"
 #include "libration/approximant/asymptotic/exponential_approximant.hpp"
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/taylor_expansion.hpp"
-#include "libration/problem/far/far_behaviour.hpp"
+#include "libration/problem/known/proved/sakiadis.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "shooting.hpp"
+
+namespace libration::ode {
+
+ball sakiadis_shear(const equation_system& given) {
+    const state_test decided = [](const std::vector<ball>& y) -> std::optional<side> {
+        if (certainly_less(y[1], ball(0))) {
+            return side::below;
+        }
+        const bool rises = certainly_less(ball(0), y[0]) && certainly_less(abs(y[2]) * 2, y[0] * y[1]);
+        return rises ? std::optional(side::above) : std::nullopt;
+    };
+    // f'' falls like exp(-f(inf) t/2), f(inf) = 1.6.
+    const auto time = [](long bits) { return 8 + static_cast<int>(bits * 9 / 10); };
+    return proved_shot(given, "G", 0, decided, ball(-2), time);
+}
+
+}  // namespace libration::ode
 
 namespace libration {
 
 namespace {
+
+using ode::equation_system;
+using ode::explicit_system;
 
 using pair_of_numbers = std::array<mpfr, 2>;
 
@@ -51,6 +79,21 @@ pair_of_numbers newton_step(const ode::equation_system& given, const pair_of_num
             mpfr((slope[0][0] * here[1] - slope[0][1] * here[0]) / determinant)};
 }
 
+far_behaviour far_from_sakiadis(const equation_system& given, long digits) {
+    const auto found = far::reach(
+        given, "G", [](const std::vector<mpfr>& f, const mpfr& /*t*/) { return f[1]; },
+        [](const std::vector<mpfr>& f, const mpfr& /*t*/) { return mpfr(abs(f[2])); }, mpfr(10), digits + 4);
+    const mpfr limit = found.state[0];
+    return {"sakiadis",
+            "f",
+            far_form::exponential,
+            explicit_system(found.system),
+            far::polynomial({limit}),
+            mpfr(limit / 2),
+            found.distance,
+            {{"f''(0)", found.value}, {"f(inf)", limit}}};
+}
+
 }  // namespace
 
 sakiadis_prediction predicted_sakiadis(const ode::equation_system& given, int known) {
@@ -73,6 +116,22 @@ sakiadis_prediction predicted_sakiadis(const ode::equation_system& given, int kn
         amplitude -= c[k] * k;
     }
     return {at[0], at[1], amplitude};
+}
+
+known_facts facts_of_sakiadis() {
+    return {.problem = "sakiadis",
+            .condition = condition_at_infinity{
+                .unknowns = {"G"},
+                .of = "f'(inf)",
+                .limits = "0",
+                .holds = [](const std::string& limit) { return ode::parse_constant(limit).constant().sign() == 0; },
+                .values =
+                    [](const equation_system& system, const std::string&, long digits) {
+                        return proved_decimals(digits, [&] { return std::vector{ode::sakiadis_shear(system)}; });
+                    }},
+            .far = [](const equation_system& given, long digits, const std::string&) {
+                return far_from_sakiadis(given, digits);
+            }};
 }
 
 }  // namespace libration

@@ -1,4 +1,4 @@
-// The Thomas-Fermi equation of the neutral atom, whose condition stands at infinity.
+// The Thomas-Fermi equation of the neutral atom, whose condition is at infinity.
 #pragma once
 
 #include "libration/scalar/ball/ball.hpp"

@@ -1,9 +1,11 @@
-#include "libration/ode/proved/tritronquee.hpp"
+#include "libration/problem/known/proved/painleve_1.hpp"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "known_problems.hpp"
+#include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_march.hpp"
@@ -150,3 +152,24 @@ value_and_slope tritronquee_start() {
 }
 
 }  // namespace libration::ode
+
+namespace libration {
+
+known_facts facts_of_painleve_1() {
+    static constexpr const char* without_oscillations = "-sqrt(-z/6)";
+    return {.problem = "painleve_1",
+            .condition =
+                condition_at_infinity{.unknowns = {"u(0)", "u'(0)"},
+                                      .of = "u(-inf)",
+                                      .limits = without_oscillations,
+                                      .holds = [](const std::string& limit) { return limit == without_oscillations; },
+                                      .values =
+                                          [](const ode::equation_system&, const std::string&, long digits) {
+                                              return proved_decimals(digits, [] {
+                                                  const auto start = ode::tritronquee_start();
+                                                  return std::vector{start.value, start.slope};
+                                              });
+                                          }}};
+}
+
+}  // namespace libration

@@ -1,4 +1,4 @@
-#include "libration/ode/runge_kutta.hpp"
+#include "libration/pendulum/numerical/runge_kutta.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -7,7 +7,7 @@
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
-namespace pendulum_runge_kutta_test {
+namespace pendulum_numerical_runge_kutta_test {
 
 using namespace libration;
 using namespace libration::series;
@@ -124,4 +124,4 @@ TEMPLATE_LIST_TEST_CASE("more steps than anyone waits for are refused", "[runge_
     CHECK_THROWS_AS(march.advance_to(T(-1)), libration::error);
 }
 
-}  // namespace pendulum_runge_kutta_test
+}  // namespace pendulum_numerical_runge_kutta_test

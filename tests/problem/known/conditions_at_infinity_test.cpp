@@ -1,17 +1,18 @@
 // Boundary layers with a condition at infinity against digits in print.
-#include "libration/ode/proved/layers_at_infinity.hpp"
+#include "libration/problem/known/proved/falkner_skan.hpp"
+#include "libration/problem/known/proved/sakiadis.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/neutral_atom.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/problem/known/proved/thomas_fermi.hpp"
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
 
-namespace ode_proved_layers_at_infinity_test {
+namespace problem_known_conditions_at_infinity_test {
 
 using namespace libration;
 using namespace libration::ode;
@@ -47,4 +48,4 @@ TEST_CASE("a guess that leads nowhere is refused", "[ode][proved]") {
     CHECK_THROWS_AS(shear("falkner_skan", {"s = -40"}, 5), error);
 }
 
-}  // namespace ode_proved_layers_at_infinity_test
+}  // namespace problem_known_conditions_at_infinity_test

@@ -1,11 +1,11 @@
-#include "libration/ode/flow.hpp"
+#include "libration/pendulum/numerical/flow.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
-namespace pendulum_flow_test {
+namespace pendulum_numerical_flow_test {
 
 using namespace libration;
 using namespace libration::tests;
@@ -47,4 +47,4 @@ TEST_CASE("in imaginary time the flow climbs as the dual motion does", "[pendulu
     CHECK(abs(state.theta.im) < mpfr("1e-38"));
 }
 
-}  // namespace pendulum_flow_test
+}  // namespace pendulum_numerical_flow_test
