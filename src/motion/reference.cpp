@@ -228,7 +228,15 @@ partial_table events_of_problem(const reference_options& options, long digits) {
 
 // The limits of the unknowns, by a lemma.
 table state_at_infinity(const problem_options& problem, long digits) {
-    const auto limits = proved_limits(problem.equations(), digits);
+    const auto system = problem.equations();
+    const auto limits = [&] {
+        try {
+            return proved_limits(system, digits);
+        } catch (const error& missing) {
+            throw missing.subject() == "time" ? error(missing.kind(), "--time", missing.value(), missing.reason())
+                                              : missing;
+        }
+    }();
     table data(columns_of_states(problem.choose()));
     table_row_cells row{cell::number("inf", digits)};
     for (const proved_decimal& each : limits) {
