@@ -26,10 +26,8 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: NAME.cpp in studies/problem, pendulum or proved defines libration::studies::NAME(), and nothing
-# else names a study.
-file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/problem/*.cpp
-    ${PROJECT_SOURCE_DIR}/studies/pendulum/*.cpp ${PROJECT_SOURCE_DIR}/studies/proved/*.cpp)
+# The registry: NAME.cpp in studies/ or a folder of it defines libration::studies::NAME(), and nothing else names a study.
+file(GLOB_RECURSE study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.cpp)
 set(study_declarations "")
 set(study_entries "")
 set(study_names ${study_sources})
@@ -40,18 +38,6 @@ foreach(name IN LISTS study_names)
     list(APPEND study_entries "&studies::${name}()")
 endforeach()
 list(JOIN study_entries ", " study_entries)
-# Those of any equation: studies/equation/NAME.cpp defines libration::studies::of_equation::NAME().
-file(GLOB equation_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/equation/*.cpp)
-set(equation_declarations "")
-set(equation_entries "")
-set(equation_names ${equation_sources})
-list(TRANSFORM equation_names REPLACE "^.*/|[.]cpp$" "")
-list(SORT equation_names)
-foreach(name IN LISTS equation_names)
-    string(APPEND equation_declarations "const equation_study& ${name}();\n")
-    list(APPEND equation_entries "&studies::of_equation::${name}()")
-endforeach()
-list(JOIN equation_entries ", " equation_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
 set(study_rooms text run option equation journal sweep)
@@ -66,7 +52,7 @@ file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${co
 # several sources as one, the preset `dev` each by itself: both build, so no name depends on what stands beside it.
 # Half of the time of -O2: what takes long in a run is in the library, which is compiled with it.
 add_library(libration-sweep STATIC ${sweep_sources})
-add_library(libration-studies OBJECT ${study_sources} ${equation_sources} ${generated_dir}/registry.cpp)
+add_library(libration-studies OBJECT ${study_sources} ${generated_dir}/registry.cpp)
 add_library(libration-claims OBJECT ${claim_sources})
 set(cold_code $<$<CONFIG:Release>:-Og>)
 set_target_properties(libration-sweep PROPERTIES UNITY_BUILD_BATCH_SIZE 12)

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "run/stream_content.hpp"
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
 
 namespace libration {
 
@@ -91,7 +91,7 @@ std::string text_of(const std::string& path) {
 
 published read_published(const std::string& folder) {
     published result{folder, {}, {}, {}};
-    std::vector<const study*> studies = all_studies();
+    std::vector<const study*> studies = studies_of_own_problems();
     for (const study_order& each : example_orders()) {
         studies.push_back(each.what);
     }

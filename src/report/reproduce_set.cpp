@@ -43,7 +43,7 @@ bool is_of_paper(const study& each) {
 
 template <class Belongs>
 std::vector<const study*> studies_where(const Belongs& belongs) {
-    auto studies = all_studies();
+    auto studies = studies_of_own_problems();
     std::erase_if(studies, [&](const study* each) { return !belongs(*each); });
     return studies;
 }
@@ -105,7 +105,7 @@ reproduce_set set_named(const std::string& name) {
         return {studies_where([](const study& each) { return each.offers == arithmetics::proved_too; }), false, true};
     }
     if (name == "all") {
-        return {all_studies(), true, true, all_examples()};
+        return {studies_of_own_problems(), true, true, all_examples()};
     }
     if (name != "problems") {
         throw input_error("set", name, "is no set", "write paper, problems, proved or all");

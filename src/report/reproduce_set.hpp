@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
 
 namespace libration {
 

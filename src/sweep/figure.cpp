@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "option/subcommand.hpp"
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
 #include "sweep/study_files.hpp"
 
 namespace libration {

@@ -13,8 +13,8 @@
 #include "option/subcommand.hpp"
 #include "run/parallel.hpp"
 #include "run/sha256.hpp"
-#include "sweep/equation_study.hpp"
 #include "sweep/journal_merge.hpp"
+#include "sweep/named_order.hpp"
 #include "sweep/study_journal.hpp"
 #include "text/input_error.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "option/options.hpp"
 #include "run/progress.hpp"
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_journal.hpp"
 #include "text/input_error.hpp"

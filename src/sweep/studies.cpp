@@ -9,7 +9,7 @@
 
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
 #include "sweep/study_files.hpp"
 #include "text/input_error.hpp"
 
@@ -17,30 +17,43 @@ namespace libration {
 
 namespace {
 
-std::string text_of(const study& each) {
-    std::string text = fmt::format("{}{}\n    {}\n", each.name,
-                                   each.label.empty() ? "" : "  [paper " + each.label + "]", each.question);
-    for (const study_parameter& parameter : each.parameters) {
+std::string text_of(const std::vector<study_parameter>& parameters) {
+    std::string text;
+    for (const study_parameter& parameter : parameters) {
         text += fmt::format("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
                             parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
     }
-    return text + fmt::format("    {:<12} {:.1f} s on two cores\n", "cost", each.seconds);
+    return text;
 }
 
-// A study as one of any equation, with the parameters that it has then.
-std::string text_of(const equation_study& each) {
-    std::string text = fmt::format("{} --problem P\n    {}\n", each.name, each.question);
-    for (const study_parameter& parameter : each.parameters) {
-        text += fmt::format("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
-                            parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
-    }
-    return text + fmt::format("    {:<12} libration {}\n    {:<12} {:.1f} s on two cores\n", "example",
-                              example_of(each, 1).command.substr(std::string("libration ").size()), "cost",
-                              each.seconds);
+std::string cost_text(double seconds) { return fmt::format("    {:<12} {:.1f} s on two cores\n", "cost", seconds); }
+
+// What a study is of its own problem.
+std::string own_text_of(const study& each) {
+    return each.needs_equation() ? "" : text_of(each.parameters) + cost_text(each.seconds);
+}
+
+// What it is with --problem.
+std::string equation_text_of(const study& each) {
+    const equation_form& form = *each.any_equation;
+    const std::string command = example_of(each, 1).command;
+    return fmt::format("  with --problem P\n{}{}    {:<12} {}\n",
+                       form.question.empty() ? "" : fmt::format("    {}\n", form.question), text_of(form.parameters),
+                       "example", command) +
+           cost_text(form.seconds);
+}
+
+std::string text_of(const study& each) {
+    return fmt::format("{}{}\n    {}\n", each.name, each.label.empty() ? "" : "  [paper " + each.label + "]",
+                       each.question) +
+           own_text_of(each) + (each.any_equation ? equation_text_of(each) : "");
 }
 
 // What else there is to say of one.
 std::string more_text_of(const study& each) {
+    if (each.needs_equation()) {
+        return "";
+    }
     std::string text;
     for (const without_answer& left : each.excluded) {
         text += fmt::format("    {:<12} {}: {}\n", "no answer", left.coordinate, left.reason);
@@ -78,26 +91,9 @@ struct studies_options {
     std::string format = "text";
 };
 
-// Those of any equation: all, or that of the name.
-std::vector<const equation_study*> chosen_for_equations(const std::optional<std::string>& name) {
-    auto all = all_equation_studies();
-    std::erase_if(all, [&](const equation_study* each) { return name && each->name != *name; });
-    return all;
-}
-
-// Those of the pendulum. Throws input_error for a name of neither.
-std::vector<const study*> chosen_for_pendulum(const std::optional<std::string>& name) {
-    if (!name) {
-        return all_studies();
-    }
-    auto all = all_studies();
-    std::erase_if(all, [&](const study* each) { return each->name != *name; });
-    return all.empty() && chosen_for_equations(name).empty() ? std::vector<const study*>{&study_named("studies", *name)}
-                                                             : all;
-}
-
 int list_studies(const studies_options& options) {
-    const auto chosen = chosen_for_pendulum(options.name);
+    const auto chosen =
+        options.name ? std::vector<const study*>{&study_named("studies", *options.name)} : all_studies();
     if (options.format == "json") {
         auto list = nlohmann::ordered_json::array();
         for (const study* each : chosen) {
@@ -112,9 +108,6 @@ int list_studies(const studies_options& options) {
     std::string text;
     for (const study* each : chosen) {
         text += text_of(*each) + (options.name ? more_text_of(*each) : "");
-    }
-    for (const equation_study* each : chosen_for_equations(options.name)) {
-        text += text_of(*each);
     }
     write_to_stdout(text);
     return 0;

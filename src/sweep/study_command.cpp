@@ -12,7 +12,7 @@
 #include "option/subcommand.hpp"
 #include "run/grid.hpp"
 #include "run/progress.hpp"
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_run.hpp"
 #include "text/input_error.hpp"

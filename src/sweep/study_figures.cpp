@@ -36,18 +36,15 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-// NAME.gp beside NAME.cpp; the studies of any equation name their own.
+// NAME.gp beside NAME.cpp.
 fs::path script_of(const study& what) {
-    if (!what.script.empty()) {
-        return fs::path(studies_folder()) / (what.script + ".gp");
-    }
-    for (const auto& folder : fs::directory_iterator(studies_folder())) {
-        fs::path script = folder.path() / (what.name + ".gp");
-        if (folder.path().filename() != "equation" && fs::exists(script)) {
-            return script;
+    const std::string file = (what.script.empty() ? what.name : what.script) + ".gp";
+    for (const auto& each : fs::recursive_directory_iterator(studies_folder())) {
+        if (each.path().filename() == file) {
+            return each.path();
         }
     }
-    throw std::runtime_error(fmt::format("{} holds no {}.gp", studies_folder(), what.name));
+    throw std::runtime_error(fmt::format("{} holds no {}", studies_folder(), file));
 }
 
 std::vector<fs::path> figures_in(const std::string& folder) {

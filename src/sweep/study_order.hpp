@@ -1,7 +1,6 @@
 // From the words of the command line to a study's parameters.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,9 +9,6 @@
 #include "sweep/study.hpp"
 
 namespace libration {
-
-/// What a user says to a study: words by option. What is missing is the study's usual value.
-using study_words = std::map<std::string, std::string>;
 
 /// The axes that studies of any problem may have: order, digits, step.
 const std::vector<axis>& study_axes();

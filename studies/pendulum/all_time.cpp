@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/error/folding_error.hpp"
 #include "libration/pendulum/solution/rounded_phase_map.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "libration/pendulum/proved/proved_theta.hpp"
 
 #include "libration/pendulum/solution/exact_solution.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "libration/pendulum/arc/periodic_extension.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"

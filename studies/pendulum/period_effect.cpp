@@ -1,5 +1,5 @@
 // What becomes of the extended resummation when T* is not exact? [paper fig:period]
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
 #include "numerical_points.hpp"
 #include "periodic_rows.hpp"
@@ -95,13 +95,10 @@ const study& period_effect() {
             "interval of the resummation, in the mirrors and in the modulo, so that the motion gets out of step by the "
             "error of the period in every period. With (Kold) a third of the period is missing and the curve is "
             "another motion. With (Knew) and 10 powers the curve looks right, but the period is short by 2 thousandths "
-            "of itself and the error after three periods is "
-            "{{the error of period_effect where energy=1.999800005 period_by=resummed:10 periods=3 to 2}} radians "
-            "below "
-            "and {{the error of period_effect where energy=2.000200005 period_by=resummed:10 periods=3 to 2}} above "
-            "the "
-            "separatrix, where the resummation with the exact T* is off by "
-            "{{max error of period_effect where period_by=agm to 2}} at most.",
+            "of itself and the error after three periods is {{the error of period_effect where energy=1.999800005 "
+            "period_by=resummed:10 periods=3 to 2}} radians below and {{the error of period_effect where "
+            "energy=2.000200005 period_by=resummed:10 periods=3 to 2}} above the separatrix, where the resummation "
+            "with the exact T* is off by {{max error of period_effect where period_by=agm to 2}} at most.",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "1.999800005,2.000200005",
                         "energies E, in m g l; the usual two are omega0 = 1.9999 and 2.0001 at the bottom"},

@@ -1,8 +1,8 @@
 // How large is the error of T* from the two partial sums of K? [paper fig:perioderror]
 #include <algorithm>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "libration/pendulum/energy/period_error.hpp"
 
 namespace libration::studies {

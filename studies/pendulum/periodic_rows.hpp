@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../problem/sweep_columns.hpp"
+#include "../shared/sweep_columns.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "value_with_error.hpp"
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "libration/digits/growing_precision.hpp"
 #include "libration/pendulum/error/arc_approximations.hpp"
 
@@ -198,9 +198,8 @@ const study& resummations() {
             "uniform one (U). Those with a fixed m have the rate (T*/R)^2 a coefficient of the series and gain a power "
             "of their number; all of them, and Pade, lose their rate towards E = 2, and the two-point expansion "
             "diverges where |2-E| < 7.7e-5. Pade approximants with a pole on [0, T*], as many have next to E = 2, have "
-            "no "
-            "norm and are not drawn. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the "
-            "best everywhere: for E < 0.23 and E > 17 the two-point expansion has the better rate.",
+            "no norm and are not drawn. The uniform one alone keeps a rate below 1/9 a coefficient. It is not the best "
+            "everywhere: for E < 0.23 and E > 17 the two-point expansion has the better rate.",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "libration/convergence/test/root_test.hpp"
 #include "libration/pendulum/arc/stable_pade_poles.hpp"
 

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <utility>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/exact_solution.hpp"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "../problem/sweep_columns.hpp"
-#include "../problem/sweep_plan.hpp"
+#include "../shared/sweep_columns.hpp"
+#include "../shared/sweep_plan.hpp"
 #include "libration/pendulum/arc/uniform_convergence_rate.hpp"
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 #include "libration/pendulum/error/error_norm.hpp"

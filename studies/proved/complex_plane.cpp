@@ -167,10 +167,9 @@ const study& complex_plane() {
         .reading =
             "The first unknown of each problem, continued from its start in double precision: its argument as a "
             "colour, its modulus as shades, a factor of 10 from dark to light; behind a branch point the plane is cut "
-            "along the "
-            "ray from the start. Crosses are singularities. The circle is the radius of convergence, proved by the "
-            "discs that are drawn (each point within lies in one whose centre is no farther from the start) and by a "
-            "loop round the nearest singularity, which is smaller than its cross.",
+            "along the ray from the start. Crosses are singularities. The circle is the radius of convergence, proved "
+            "by the discs that are drawn (each point within lies in one whose centre is no farther from the start) and "
+            "by a loop round the nearest singularity, which is smaller than its cross.",
         .of = &catalogue_as_problem(),
         .parameters = {{"--problems", "blasius,sir,rayleigh,painleve_1,weierstrass,lorenz,van_der_pol,pendulum",
                         "names of the catalogue"}},

@@ -265,8 +265,7 @@ const study& published() {
         .question = "Are the values in print right, to the last digit?",
         .reading =
             "How far each printed value is from the proved one, in units of its last printed digit: what stands left "
-            "of "
-            "the line at 1 holds. The table has both, and the source.",
+            "of the line at 1 holds. The table has both, and the source.",
         .of = &values_in_print(),
         .parameters = {{"--values",
                         "blasius,falkner_skan_layer,sakiadis_layer,thomas_fermi_slope,tritronquee,lane_emden_zero,"

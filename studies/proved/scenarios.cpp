@@ -167,13 +167,11 @@ const study& scenarios() {
         .question = "Is the radius of convergence larger than the physical domain, equal to it, or within it?",
         .reading =
             "The paper closes with three scenarios for the series of a nonlinear equation: its radius of convergence "
-            "is "
-            "larger than the physical domain, is the length of the domain, or lies within it. For every problem of the "
-            "catalogue, about its start: the nearest singularity in units of the proved radius, whether the solution "
-            "ends there (equal), or is proved to go on beyond the radius (within), or has no singularity at all "
-            "(larger). A pendulum that is expanded at its top falls into the first case by its symmetry, which "
-            "shortens "
-            "the domain to a quarter of the period; about any other point it does not.",
+            "is larger than the physical domain, is the length of the domain, or lies within it. For every problem of "
+            "the catalogue, about its start: the nearest singularity in units of the proved radius, whether the "
+            "solution ends there (equal), or is proved to go on beyond the radius (within), or has no singularity at "
+            "all (larger). A pendulum that is expanded at its top falls into the first case by its symmetry, which "
+            "shortens the domain to a quarter of the period; about any other point it does not.",
         .of = &catalogue_as_problem(),
         .parameters = {{"--problems", "all", "names of the catalogue"}},
         .quick = {{"--problems", "harmonic,riccati", ""}},

@@ -135,9 +135,9 @@ std::map<std::string, rooms> order_of_rooms() {
         {"src/report", command + rooms{"src/claims", "src/table"}},
         {"src", command + rooms{"src/claims", "src/table", "src/verify", "src/report"}},
         {"src/mpi", study + rooms{"src"}},
-        {"studies/equation", sweep},
-        {"studies/problem", study + rooms{"studies/equation"}},
-        {"studies/pendulum", study + rooms{"studies/problem"}},
+        {"studies/shared", study},
+        {"studies", study + rooms{"studies/shared"}},
+        {"studies/pendulum", study + rooms{"studies/shared"}},
         {"studies/proved", study},
     };
 }

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "studies/study_rows.hpp"
-#include "sweep/equation_study.hpp"
+#include "sweep/named_order.hpp"
+#include "sweep/study_files.hpp"
 #include "text/input_error.hpp"
 
 namespace studies_equation_studies_test {
@@ -19,8 +20,8 @@ using namespace libration::tests;
 
 namespace {
 
-study_order quick_order(const equation_study& what, int jobs) {
-    return order_asked("study", what.name, what.example, what.quick, jobs);
+study_order quick_order(const study& what, int jobs) {
+    return order_asked("study", what.name, what.any_equation->example, what.any_equation->quick, jobs);
 }
 
 std::vector<table_row> rows_about(const std::string& name, const equation_words& asked, const study_words& words,
@@ -32,33 +33,30 @@ std::string header_of(const study_table& part) { return to_csv(table(part.data.c
 
 }  // namespace
 
-TEST_CASE("each NAME.cpp in studies/equation is a study of any equation with a figure", "[studies][equation]") {
-    std::set<std::string> sources;
-    std::set<std::string> scripts;
-    for (const auto& entry : std::filesystem::directory_iterator(LIBRATION_SOURCE_DIR "/studies/equation")) {
-        if (entry.path().extension() == ".cpp") {
-            sources.insert(entry.path().stem().string());
-        } else if (entry.path().extension() == ".gp") {
-            scripts.insert(entry.path().stem().string());
-        }
-    }
-    std::set<std::string> names;
-    for (const equation_study* each : all_equation_studies()) {
+TEST_CASE("each study of any equation says what it is then, and has an example", "[studies][equation]") {
+    for (const study* each : studies_of_equations()) {
         INFO(each->name);
-        names.insert(each->name);
-        CHECK(scripts.contains(each->name));
-        CHECK(each->question.ends_with("?"));
-        CHECK(each->reading.ends_with("."));
-        CHECK_FALSE(each->title.empty());
-        CHECK(each->seconds > 0);
+        const auto about = order_asked("study", each->name, each->any_equation->example, {}, 1).made;
+        CHECK(about->question.ends_with("?"));
+        CHECK(about->reading.ends_with("."));
+        CHECK(about->seconds > 0);
+        CHECK(about->title.ends_with(": " + about->equation->name));
         CHECK_NOTHROW(example_of(*each, 1));
         CHECK(order_from(example_of(*each, 1).command, 1).command == example_of(*each, 1).command);
     }
-    CHECK(names == sources);
+}
+
+TEST_CASE("a study without --problem and with it is one of the registry", "[studies][equation]") {
+    const study_words words{{"--times", "0:2:41"}, {"--orders", "4"}};
+    const auto order = order_asked("study", "error_norm", equation_words{"x''=-sin(x); x(0)=2; x'(0)=0", {}}, words, 1);
+    CHECK(order.what->script == study_named("study", "error_norm").name);
+    CHECK_THROWS_WITH(order_asked("study", "coefficients", std::nullopt, {}, 1), Catch::Contains("add --problem P"));
+    CHECK_THROWS_WITH(order_asked("study", "surface", equation_words{"lorenz", {}}, {}, 1),
+                      Catch::Contains("is nothing for the study surface"));
 }
 
 TEST_CASE("each study of any equation makes tables that depend on its inputs alone", "[studies][equation]") {
-    for (const equation_study* each : all_equation_studies()) {
+    for (const study* each : studies_of_equations()) {
         INFO(each->name);
         const auto tables = tables_of(quick_order(*each, 1));
         const auto again = tables_of(quick_order(*each, 2));
@@ -83,7 +81,7 @@ TEST_CASE("each study of any equation makes tables that depend on its inputs alo
 }
 
 TEST_CASE("the rows of a cell of an equation do not depend on what is computed with it", "[studies][equation]") {
-    for (const equation_study* each : all_equation_studies()) {
+    for (const study* each : studies_of_equations()) {
         if (each->alone) {
             continue;  // its rows are times
         }

@@ -1,0 +1,351 @@
+// Do the ratios of successive coefficients run straight to the radius of convergence? [paper sec:conclusions]
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "libration/convergence/estimate/coefficient_ratios.hpp"
+#include "shared/list_answers.hpp"
+#include "shared/radius_cells.hpp"
+#include "shared/sweep_plan.hpp"
+
+namespace libration::studies {
+
+namespace domb_sykes_study {
+
+namespace of_pendulum {
+
+using namespace series;
+using namespace convergence;
+using namespace pendulum;
+
+namespace {
+
+constexpr long guard_digits = 15;
+constexpr int least_order = 4;
+
+// One list of coefficients, a_n R^n with what is 0 up to rounding set to 0.
+struct plotted {
+    const sweep_energy& at;
+    const exact& point;
+    motion m;
+    mpfr radius;
+    power_series<mpfr> list;
+    coefficient_pattern pattern;
+};
+
+plotted plotted_list(const sweep_energy& at, const exact& point, int order) {
+    motion m = motion::of_energy(at.value);
+    const mpfr radius = coverage_from<mpfr>(m, point.coefficient).radius;
+    auto list = series_on_arc<mpfr>(m, point.coefficient, order).scaled;
+    const auto zero = zeros_of(list, epsilon<mpfr>());
+    for (int n = 0; n <= order; ++n) {
+        list[n] = zero[static_cast<std::size_t>(n)] ? mpfr(0) : list[n];
+    }
+    auto pattern = pattern_of(list, epsilon<mpfr>());
+    return {at, point, std::move(m), radius, std::move(list), pattern};
+}
+
+// The powers p that divide the stride of the list: 1, and 2 and 4 where symmetry leaves them.
+std::vector<int> powers_of(const plotted& p) {
+    std::vector<int> powers;
+    for (int power = 1; power <= p.pattern.stride; power *= 2) {
+        powers.push_back(power);
+    }
+    return powers;
+}
+
+// The series of one list in t^power, and the ratios that are defined, times R^power, by n.
+struct plot {
+    const plotted& of;
+    int power;
+    strided_series<mpfr> series;
+    std::map<int, mpfr> defined;
+    std::optional<int> limit;
+};
+
+plot plot_in(const plotted& p, int power) {
+    plot result{p,
+                power,
+                strided_series<mpfr>(p.list, p.pattern.first % power, power),
+                {},
+                limit_of_ratios(p.m, p.point.coefficient, power)};
+    for (const auto& ratio : ratios_of(result.series)) {
+        result.defined[ratio.n] = ratio.value;
+    }
+    return result;
+}
+
+// One ratio of a plot, times R^p.
+struct ratio_row {
+    const sweep_energy& at;
+    const exact& point;
+    long digits;
+    int power;
+    int n;
+    std::optional<mpfr> scaled;
+    mpfr unit;  // R^p
+    std::optional<int> limit;
+};
+
+const column_list<ratio_row>& columns() {
+    using row = ratio_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        point_column<row>(),
+        {"power", "p: the series is taken in t^p", [](const row& r) { return r.power; }},
+        {"n", "power of t of the later coefficient", [](const row& r) { return r.n; }},
+        {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
+        {"ratio", "a_n/a_(n-p), in (dimensionless time)^-p; empty where a_(n-p) is 0, and the ratio not defined",
+         [](const row& r) { return r.scaled ? decimal_cell(mpfr(*r.scaled / r.unit), r.digits) : cell(); }},
+        {"scaled_ratio", "ratio times R^p with the exact radius R",
+         [](const row& r) { return decimal_cell(r.scaled, r.digits); }},
+        {"log10_scaled_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.scaled); }},
+        {"line", "the straight line of one logarithm, +-(1 - p/n); empty where the nearest singularities are a pair",
+         [](const row& r) {
+             const mpfr one_over_n = mpfr(1) / r.n;
+             return r.limit ? decimal_cell(mpfr(*r.limit * (1 - r.power * one_over_n)), r.digits) : cell();
+         }},
+        gap_column<row>(),
+    });
+    return all;
+}
+
+std::vector<ratio_row> ratio_rows(const plot& drawn, long digits) {
+    const plotted& p = drawn.of;
+    const mpfr unit = pow(p.radius, drawn.power);
+    std::vector<ratio_row> all;
+    all.reserve(static_cast<std::size_t>(drawn.series.last()));
+    for (int k = 1; k <= drawn.series.last(); ++k) {
+        const int n = drawn.series.power(k);
+        const auto found = drawn.defined.find(n);
+        const auto scaled = found != drawn.defined.end() ? std::optional(found->second) : std::nullopt;
+        all.push_back({p.at, p.point, digits, drawn.power, n, scaled, unit, drawn.limit});
+    }
+    return all;
+}
+
+// The ratios of the second half of n by size; nothing where one of them is not defined.
+std::vector<mpfr> late_ratios(const plot& drawn) {
+    const int last = drawn.series.last();
+    std::vector<mpfr> late;
+    late.reserve(drawn.defined.size());
+    for (int k = last / 2 + 1; k <= last; ++k) {
+        const auto found = drawn.defined.find(drawn.series.power(k));
+        if (found == drawn.defined.end()) {
+            return {};
+        }
+        late.push_back(found->second);
+    }
+    std::sort(late.begin(), late.end());
+    return late;
+}
+
+// What the plot of one list comes to.
+struct list_row {
+    const sweep_energy& at;
+    const exact& point;
+    long digits;
+    int power, first, ratios, undefined, zero;
+    std::vector<mpfr> late;  // by size
+    std::optional<int> limit;
+    mpfr radius;
+    std::string pattern;
+};
+
+const column_list<list_row>& list_columns() {
+    using row = list_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        point_column<row>(),
+        {"power", "p: the series is taken in t^p", [](const row& r) { return r.power; }},
+        {"first", "n = first mod p are the powers of t taken", [](const row& r) { return r.first; }},
+        {"ratios", "number of ratios up to the largest order", [](const row& r) { return r.ratios; }},
+        {"undefined", "of these not defined: divided by a coefficient 0", [](const row& r) { return r.undefined; }},
+        {"zero", "of these 0", [](const row& r) { return r.zero; }},
+        {"least", "smallest of a_n/a_(n-p) R^p over the last half of n; empty where one is not defined",
+         [](const row& r) { return r.late.empty() ? cell() : decimal_cell(r.late.front(), r.digits); }},
+        {"largest", "largest of them",
+         [](const row& r) { return r.late.empty() ? cell() : decimal_cell(r.late.back(), r.digits); }},
+        {"limit", "of a_n/a_(n-p) R^p by theory: 1 | -1; empty where the ratios scatter for ever",
+         [](const row& r) { return r.limit ? cell(*r.limit) : cell(); }},
+        {"radius", "exact R, dimensionless time", [](const row& r) { return decimal_cell(r.radius, r.digits); }},
+        {"pattern", "which coefficients are 0", [](const row& r) { return r.pattern; }},
+    });
+    return all;
+}
+
+list_row row_of(const plot& drawn, long digits) {
+    const plotted& p = drawn.of;
+    const auto zero =
+        std::count_if(drawn.defined.begin(), drawn.defined.end(), [](const auto& ratio) { return ratio.second == 0; });
+    const int last = drawn.series.last();
+    return {p.at,
+            p.point,
+            digits,
+            drawn.power,
+            drawn.series.first(),
+            last,
+            last - static_cast<int>(drawn.defined.size()),
+            static_cast<int>(zero),
+            late_ratios(drawn),
+            drawn.limit,
+            p.radius,
+            p.pattern.text()};
+}
+
+// The tables of one list: its ratios, what they come to, and what the tests answer.
+std::vector<table> plots_at(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
+                            const scalar_spec& scalar) {
+    table answers = answers_about(at, point, orders, scalar, [](const std::string&) { return true; });
+    const precision_scope scope(scalar.digits + guard_digits);
+    const plotted p = plotted_list(at, point, orders.back());
+    std::vector<table> points;
+    std::vector<list_row> lists;
+    for (const int power : powers_of(p)) {
+        const plot drawn = plot_in(p, power);
+        points.push_back(make_table(columns(), ratio_rows(drawn, scalar.digits)));
+        lists.push_back(row_of(drawn, scalar.digits));
+    }
+    return {stacked(points), make_table(list_columns(), lists), std::move(answers)};
+}
+
+study_plan plan(const study_request& request) {
+    const std::vector<int> orders = sorted_orders(request, least_order, "leaves no ratios to draw");
+    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
+    return plan_by_point({head_of("", scalar, columns()), head_of("lists", scalar, list_columns()),
+                          head_of("intercepts", scalar, judged_answer_columns())},
+                         sweep_of(request), [orders, scalar](const sweep_energy& at, const exact& point) {
+                             return plots_at(at, point, orders, scalar);
+                         });
+}
+
+}  // namespace
+}  // namespace of_pendulum
+
+namespace of_equation {
+
+namespace {
+
+struct ratio_row {
+    int power, root, n;
+    mpfr ratio;
+    long digits;
+    std::string unknown;
+};
+
+const column_list<ratio_row>& columns() {
+    using row = ratio_row;
+    static const column_list<row> all{
+        {"power",
+         "p: the series is taken in the p-th power of the distance, as its zeros allow; of a list in powers of the "
+         "q-th root p/q, a_n the coefficient of the power n/q",
+         [](const row& r) { return number_cell(decimal_of(rational(r.power, r.root), 12)); }},
+        {"n", "power of the later coefficient", [](const row& r) { return r.n; }},
+        {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
+        {"ratio", "a_n/a_(n-p), in the unit of the variable to the power -p",
+         [](const row& r) { return decimal_cell(r.ratio, r.digits); }},
+        {"log10_abs_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.ratio); }},
+        unknown_column<row>(),
+    };
+    return all;
+}
+
+// The ratios of one list in the power that its pattern leaves.
+std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, int root, long digits,
+                                 const std::string& unknown) {
+    const auto unit = convergence::unit_of(list);
+    const auto scaled = convergence::in_unit_of<mpfr>(list, unit);
+    const auto pattern = convergence::pattern_of(scaled, epsilon<mpfr>());
+    std::vector<ratio_row> rows;
+    if (pattern.last < 0 || pattern.polynomial) {
+        return rows;
+    }
+    const int power = std::max(1, pattern.stride);
+    const convergence::strided_series<mpfr> part(scaled, pattern.first % power, power);
+    const mpfr back = pow(mpfr(unit.length), -power);
+    for (const auto& each : convergence::ratios_of(part)) {
+        rows.push_back({power, root, each.n, mpfr(each.value * back), digits, unknown});
+    }
+    return rows;
+}
+
+std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
+                             const scalar_spec& scalar) {
+    const precision_scope scope(scalar.digits + guard_of_lists);
+    const auto lists = lists_about_start(sweep.system(i), orders.back(), scalar.digits + guard_of_lists);
+    std::vector<ratio_row> rows;
+    for (const int unknown : sweep.unknowns()) {
+        const auto own = ratios_in(lists.unknowns[static_cast<std::size_t>(unknown)].parts.front(), lists.root,
+                                   scalar.digits, sweep.name_of(unknown));
+        rows.insert(rows.end(), own.begin(), own.end());
+    }
+    const auto all = [](const std::string&) { return true; };
+    return {make_table(columns(), rows), make_table(answered_columns(), answers_to(lists, sweep, orders, scalar, all))};
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = equation_sweep_of(request);
+    const auto orders = orders_from(request, least_order_of_lists, "leaves no ratios to draw");
+    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
+    return plan_by_parameters(
+        {head_of(*sweep, "", scalar, columns()), head_of(*sweep, "intercepts", scalar, answered_columns())}, sweep,
+        [sweep, orders, scalar](std::size_t i) { return tables_at(*sweep, i, orders, scalar); });
+}
+
+}  // namespace
+}  // namespace of_equation
+
+namespace {
+
+study_plan plan(const study_request& request) {
+    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
+}
+
+}  // namespace
+}  // namespace domb_sykes_study
+
+const study& domb_sykes() {
+    using namespace domb_sykes_study;
+    static const study result{
+        .name = "domb_sykes",
+        .title = "The Domb-Sykes plot",
+        .label = "",
+        .question = "Do the ratios of successive coefficients run straight to the radius of convergence?",
+        .reading =
+            "Ratios of coefficients over 1/n, times the exact power of R, so that the answer at 1/n = 0 is 1 or -1 "
+            "for every energy; the broad grey lines are what one logarithmic singularity makes, +-(1 - p/n). In t, "
+            "as textbooks draw it (left), symmetry leaves nothing: every second ratio is 0 and the others divide by "
+            "0. In t^2 (right) the plot about the bottom runs straight to -1, for the two singularities +-i K~' are "
+            "one there. About the top it scatters for ever and has no intercept at all, because two pairs are "
+            "nearest and their squares are still a pair; only at E = 1, in t^4, do all four fall together (marks on "
+            "the edge lie beyond it). The second figure shows what radius tests make of the same lists: where the "
+            "plot is straight, the last ratio is right to two digits and the extrapolated intercept to as many as "
+            "the coefficients have; where it scatters, both refuse, a test for pairs gains digits slowly, and fitted "
+            "recurrences, which the verdict follows, have them all from N = 80.",
+        .of = &pendulum_problem(),
+        .parameters = {{"--energies", "0.5,1,1.71,2.02", "energies E, in m g l"},
+                       {"--gaps", "", "energies as 2 - E"},
+                       {"--points", "0,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
+                       {"--orders", "20,40,60,80,120,160,200",
+                        "N, last powers of the lists judged; the largest is drawn"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+        .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
+        .seconds = 2,
+        .excluded = no_answer_at_limits("theta is constant and has no ratios", "T* is infinite"),
+        .plan = plan,
+        .any_equation = equation_form{
+            .reading =
+                "Ratios of coefficients over 1/n, of the series in the power that its zeros leave. A single nearest "
+                "singularity makes a straight line whose intercept is its place to that power, and whose slope its "
+                "exponent; the grey lines are plus and minus the verdict of all tests. A pair of singularities "
+                "scatters the ratios for ever. The second table holds what each test answers.",
+            .parameters = {{"--orders", "20,50,100,200", "N, last powers of the lists judged; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .example = {"blasius", {}},
+            .quick = {{"--orders", "20"}},
+            .seconds = 1}};
+    return result;
+}
+
+}  // namespace libration::studies

@@ -1,0 +1,261 @@
+// What can each arithmetic reach before its rounding is larger than the error of the series? [paper fig:error]
+#include <algorithm>
+#include <utility>
+
+#include "libration/pendulum/error/error_norm.hpp"
+#include "shared/norms_on_interval.hpp"
+#include "shared/radius_on_interval.hpp"
+#include "shared/sweep_columns.hpp"
+#include "shared/sweep_plan.hpp"
+
+namespace libration::studies {
+
+namespace precision_floor_study {
+
+namespace of_pendulum {
+
+using namespace elliptic;
+using namespace pendulum;
+
+namespace {
+
+constexpr long printed_digits = 12;
+constexpr long guard_digits = 15;
+
+// One norm in one arithmetic.
+struct floor_row {
+    const sweep_energy& at;
+    int order;
+    arc_method method;
+    const scalar_spec& scalar;
+    mpfr norm;
+    mpfr exact_norm;
+    mpfr epsilon;
+};
+
+const column_list<floor_row>& columns() {
+    using row = floor_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of the series; last index of the resummed series",
+         [](const row& r) { return r.order; }},
+        {"method", "series | resummed", [](const row& r) { return name_of(r.method); }},
+        {"scalar", "arithmetic of coefficients and evaluation; mpfr without guard digits",
+         [](const row& r) { return r.scalar.name(); }},
+        {"norm", "max of |approximation - theta| over 1001 points of [0, T*] and the place of exact_norm, radians",
+         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
+        {"exact_norm", "the same in exact arithmetic, as a true maximum, radians",
+         [](const row& r) { return decimal_cell(r.exact_norm, printed_digits); }},
+        {"norm_in_epsilon", "norm over the unit in the last place of 1",
+         [](const row& r) { return decimal_cell(mpfr(r.norm / r.epsilon), 6); }},
+        {"epsilon", "unit in the last place of 1",
+         [](const row& r) { return decimal_cell(r.epsilon, printed_digits); }},
+        {"floor", "yes where rounding is more than half of norm",
+         [](const row& r) { return r.exact_norm * 2 < r.norm ? "yes" : "no"; }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_exact_norm", "log10 of exact_norm", [](const row& r) { return log10_cell(r.exact_norm); }},
+        {"log10_epsilon", "log10 of epsilon", [](const row& r) { return log10_cell(r.epsilon); }},
+        gap_column<row>(),
+    });
+    return all;
+}
+
+std::vector<scalar_spec> scalars_of(const study_request& request) {
+    if (request.scalar) {
+        return {*request.scalar};
+    }
+    return {read_scalar("double"), read_scalar("long-double"), read_scalar("quad"), read_scalar("mpfr:40")};
+}
+
+// The unit in the last place of 1, as a number that outlives the scope of the scalar.
+mpfr epsilon_of(const scalar_spec& scalar) {
+    return with_scalar(scalar, 0, []<class T>() { return widen(epsilon<T>()); });
+}
+
+mpfr norm_in(const scalar_spec& scalar, arc_errors& errors, arc_method method, int order, const motion& m,
+             const mpfr& place) {
+    switch (scalar.kind) {
+        case scalar_kind::binary64: return errors.norm_in<double>(method, order, m, place).norm;
+        case scalar_kind::extended: return errors.norm_in<long double>(method, order, m, place).norm;
+        case scalar_kind::binary128: return errors.norm_in<quad>(method, order, m, place).norm;
+        default: return errors.norm_in_digits(scalar.digits, method, order, m, place).norm;
+    }
+}
+
+table rows_at(const sweep_energy& at, const std::vector<int>& orders, const std::vector<scalar_spec>& scalars) {
+    const motion m = motion::of_energy(at.value);
+    long digits = 0;
+    for (const scalar_spec& scalar : scalars) {
+        digits = std::max(digits, scalar.digits);
+    }
+    const int highest = orders.empty() ? 0 : *std::max_element(orders.begin(), orders.end());
+    // Floors and exact norms are to have their printed digits, and the place of a norm, where theta is flat to the
+    // digits below it, all of the scalar's.
+    const precision_scope scope(digits + digits_below(m, highest) + guard_digits);
+    arc_errors errors(m);
+    std::vector<floor_row> rows;
+    rows.reserve(orders.size() * scalars.size() * 2);
+    for (const int order : orders) {
+        for (const auto method : {arc_method::series, arc_method::resummed}) {
+            const norm_at<mpfr> exact = errors.norm(method, order);
+            for (const scalar_spec& scalar : scalars) {
+                const mpfr norm = norm_in(scalar, errors, method, order, m, exact.place);
+                rows.push_back({at, order, method, scalar, norm, exact.norm, epsilon_of(scalar)});
+            }
+        }
+    }
+    return make_table(columns(), rows);
+}
+
+study_plan plan(const study_request& request) {
+    const auto scalars = scalars_of(request);
+    return plan_by_order({head_of("", scalars.back(), columns())}, sweep_of(request), request.orders(),
+                         [scalars](const sweep_energy& at, const std::vector<int>& orders) {
+                             return std::vector<table>{rows_at(at, orders, scalars)};
+                         });
+}
+
+}  // namespace
+}  // namespace of_pendulum
+
+namespace of_equation {
+
+namespace {
+
+constexpr long printed_digits = 12;
+
+struct floor_row {
+    int order;
+    approximation method;
+    const scalar_spec& scalar;
+    mpfr norm, exact_norm, epsilon, size;
+    std::string unknown;
+};
+
+const column_list<floor_row>& columns() {
+    using row = floor_row;
+    const auto number = [](mpfr row::*which) {
+        return [which](const row& r) { return decimal_cell(r.*which, printed_digits); };
+    };
+    static const column_list<row> all{
+        {"order", "N, last power of the series about the start", [](const row& r) { return r.order; }},
+        {"method", "series | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out",
+         [](const row& r) { return name_of(r.method); }},
+        {"scalar", "arithmetic of coefficients and evaluation", [](const row& r) { return r.scalar.name(); }},
+        {"norm", "max of |approximation - solution| over the times, in the unit of the unknown", number(&row::norm)},
+        {"exact_norm", "the same without rounding", number(&row::exact_norm)},
+        {"epsilon", "unit in the last place of 1 times the largest value of the unknown at the times",
+         number(&row::epsilon)},
+        {"norm_in_epsilon", "norm/epsilon", [](const row& r) { return decimal_cell(mpfr(r.norm / r.epsilon), 6); }},
+        {"floor", "yes where rounding is more than half of norm",
+         [](const row& r) { return r.exact_norm * 2 < r.norm ? "yes" : "no"; }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_exact_norm", "log10 of exact_norm", [](const row& r) { return log10_cell(r.exact_norm); }},
+        {"log10_epsilon", "log10 of epsilon", [](const row& r) { return log10_cell(r.epsilon); }},
+        unknown_column<row>(),
+    };
+    return all;
+}
+
+std::vector<scalar_spec> scalars_of(const study_request& request) {
+    if (!request.scalar) {
+        return {read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
+    }
+    if (request.scalar->kind == scalar_kind::arbitrary) {
+        throw input_error("--scalar", request.scalar->name(), "rounds as its digits are chosen: there is no floor",
+                          "use double, long-double or quad");
+    }
+    return {*request.scalar};
+}
+
+mpfr epsilon_of(const scalar_spec& scalar) {
+    return with_scalar(scalar, 0, []<class T>() { return widen(epsilon<T>()); });
+}
+
+// The rows of one order, in the order of the scalars.
+void add_rows(std::vector<floor_row>& rows, agreed_norms& exact, const asked_norms& asked, int order,
+              const std::vector<scalar_spec>& scalars, const equation_sweep& sweep) {
+    const auto truth = exact.of_order(order);
+    for (const scalar_spec& scalar : scalars) {
+        const auto rounded = norms_of(asked, {order}, scalar);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const mpfr size = exact.size_of(truth[i].unknown);
+            rows.push_back({order, truth[i].method, scalar, rounded[i].norm, truth[i].norm,
+                            mpfr(epsilon_of(scalar) * size), size, sweep.name_of(truth[i].unknown)});
+        }
+    }
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = equation_sweep_of(request);
+    const auto times = times_of(request, 2);
+    const auto scalars = scalars_of(request);
+    const auto orders = orders_from(request, 0, "");
+    return plan_by_numbers(
+        {head_of(*sweep, "", scalars.back(), columns())}, sweep, "order", orders,
+        [sweep, times, scalars](std::size_t i, const std::vector<int>& chosen) {
+            const precision_scope scope(digits_of_truth);
+            const auto system = sweep->system(i);
+            const asked_norms asked{system, times, sweep->unknowns(), {approximation::series, approximation::pade}};
+            agreed_norms exact(asked, *std::ranges::max_element(chosen), printed_digits + 3);
+            std::vector<floor_row> rows;
+            for (const int order : chosen) {
+                add_rows(rows, exact, asked, order, scalars, *sweep);
+            }
+            return std::vector<table>{make_table(columns(), rows)};
+        });
+}
+
+}  // namespace
+}  // namespace of_equation
+
+namespace {
+
+study_plan plan(const study_request& request) {
+    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
+}
+
+}  // namespace
+}  // namespace precision_floor_study
+
+const study& precision_floor() {
+    using namespace precision_floor_study;
+    static const study result{
+        .name = "precision_floor",
+        .title = "Where rounding takes over",
+        .label = "",
+        .question = "How small can the error of the series get in each arithmetic before rounding wins?",
+        .reading =
+            "The error norm against the order N, one panel an energy: dashed the series, solid its resummation, in "
+            "double, long double, quad and mpfr of 40 digits without guard digits; thin dotted the norm in exact "
+            "arithmetic. The short lines at the right mark the epsilon of each arithmetic. Each curve follows the "
+            "exact norm down to a few epsilon, stays there, and does not rise again: no order is too high. The farther "
+            "the energy is from 2, the earlier the floor is reached; the resummation reaches it with fewer terms.",
+        .of = &pendulum_problem(),
+        .parameters = {{"--energies", "0.5,1.71,1.9998,2.02,4", "energies E, in m g l"},
+                       {"--gaps", "", "energies as 2 - E"},
+                       {"--orders", "2,5,10,15,20,30,40,50,60,80,100,120,150,200,250,300",
+                        "N, last power of the series; last index of the resummed series"},
+                       {"--scalar", "double, long-double, quad and mpfr:40", "arithmetic"}},
+        .quick = {{"--energies", "1.71", ""}, {"--orders", "5,40", ""}},
+        .seconds = 2,
+        .excluded =
+            no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
+        .plan = plan,
+        .any_equation =
+            equation_form{.reading = "The largest error at the times over the order N in double, long double and quad, "
+                                     "of the series and of its Pade approximant; thin without rounding. The short "
+                                     "lines at the right are the epsilon of each arithmetic times the size of the "
+                                     "unknown. Each curve follows the norm without rounding down to its floor; how "
+                                     "many epsilon that is, is the column norm_in_epsilon.",
+                          .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+                                         {"--orders", "4:100:25", "N, last power of the list"},
+                                         {"--scalar", "double, long-double and quad", "arithmetic"}},
+                          .example = {"blasius", {}},
+                          .example_words = {{"--times", "0:2:21"}},
+                          .quick = {{"--times", "0:2:3"}, {"--orders", "6,40"}},
+                          .seconds = 2}};
+    return result;
+}
+
+}  // namespace libration::studies

@@ -1,0 +1,343 @@
+// Can an unknown radius, and with it the optimal expansion point, be deduced from coefficients? [paper sec:conclusions]
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "shared/list_answers.hpp"
+#include "shared/radius_cells.hpp"
+#include "shared/sweep_plan.hpp"
+
+namespace libration::studies {
+
+namespace radius_map_study {
+
+namespace of_pendulum {
+
+using namespace convergence;
+using namespace pendulum;
+
+namespace {
+
+constexpr int least_order = 4;
+
+// The verdict on one list against what is exact, all in a precision that holds more digits than the verdict.
+struct judged_point {
+    const exact& point;
+    expansion_coverage<mpfr> cover;
+    radius_estimate<mpfr> found;
+};
+
+// The verdicts about one point from each order.
+std::vector<judged_point> judged_about(const motion& m, const exact& point, const std::vector<int>& orders,
+                                       const scalar_spec& scalar) {
+    std::vector<judged_point> all;
+    all.reserve(orders.size());
+    with_scalar(scalar, 0, [&]<class T>() {
+        const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit());
+        for (const int order : orders) {
+            const auto verdict = in_unit(report_on_radius(cut(list.scaled, order), epsilon<T>()).verdict, list.unit);
+            const precision_scope judging(scalar.digits + digits_for_judging);
+            all.push_back({point, coverage_from<mpfr>(m, point.coefficient), widened(verdict)});
+        }
+    });
+    return all;
+}
+
+// A verdict with its place against the truth.
+struct map_row {
+    const sweep_energy& at;
+    const exact& point;
+    long digits;
+    int order;
+    judged_radius judged;
+    radius_estimate<mpfr> found;
+    expansion_coverage<mpfr> cover;
+    std::optional<mpfr> position_error;
+};
+
+map_row row_of(const sweep_energy& at, int order, const judged_point& p, long digits) {
+    std::optional<mpfr> error;
+    if (p.found.position) {
+        error = modulus_of(*p.found.position - nearest_on_arc(p.cover, p.point.coefficient)) / p.cover.radius;
+    }
+    return {at, p.point, digits, order, against_exact(p.found, p.cover.radius, digits), p.found, p.cover, error};
+}
+
+column_list<map_row> place_columns() {
+    using row = map_row;
+    return {
+        {"position_re", "Re of the estimated nearest singularity, from the point, dimensionless time",
+         [](const row& r) { return r.found.position ? decimal_cell(r.found.position->re, r.digits) : cell(); }},
+        {"position_im", "Im of it",
+         [](const row& r) { return r.found.position ? decimal_cell(r.found.position->im, r.digits) : cell(); }},
+        {"position_error", "its distance from (1-x) T* + i K~', over R",
+         [](const row& r) { return decimal_cell(r.position_error, digits_of_errors); }},
+        {"log10_position_error", "log10 of position_error", [](const row& r) { return log10_cell(r.position_error); }},
+        {"kind", "of the singularity by the verdict: logarithm is right",
+         [](const row& r) { return r.found.radius ? cell(name_of(r.found.kind)) : cell(); }},
+        {"count", "singularities on the circle by the verdict: 4 about the top and 2 elsewhere is right",
+         [](const row& r) { return r.found.radius ? cell(r.found.count) : cell(); }},
+        {"rate", "max(x, 1-x) T*/radius: factor of the error on [0, T*] a power",
+         [](const row& r) {
+             return r.found.radius ? decimal_cell(mpfr(r.cover.reach / *r.found.radius), r.digits) : cell();
+         }},
+        {"tstar", "T*, dimensionless", [](const row& r) { return decimal_cell(r.cover.effective_period, r.digits); }},
+        {"height", "K~', dimensionless", [](const row& r) { return decimal_cell(r.cover.height, r.digits); }},
+        gap_column<row>(),
+        log10_gap_column<row>(),
+        {"note", "which test decided, or why there is no radius", [](const row& r) { return r.found.note; }}};
+}
+
+const column_list<map_row>& columns() {
+    using row = map_row;
+    static const auto all = with_typed_energy<row>(
+        joined(joined<row>({energy_column<row>(),
+                            point_column<row>(),
+                            {"order", "N, last power of t of the list", [](const row& r) { return r.order; }}},
+                           columns_within(judged_columns(), &row::judged)),
+               place_columns()));
+    return all;
+}
+
+// A row of the first table as the second one needs it: the numbers as they are printed, which are all the digits that
+// the verdicts have.
+struct seen_point {
+    const table_row_cells* cells;
+    mpfr exact_radius, exact_rate;
+    std::optional<mpfr> radius, rate;
+};
+
+std::size_t place_of(const std::string& name) {
+    const auto& all = columns();
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; }) - all.begin());
+}
+
+std::optional<mpfr> number_in(const table_row_cells& cells, const std::string& name) {
+    const cell& found = cells[place_of(name)];
+    return found.is_empty() ? std::nullopt : std::optional(from_exact<mpfr>(read_exact(found.text())));
+}
+
+seen_point seen_in(const table_row_cells& cells) {
+    const mpfr x = *number_in(cells, "point");
+    const mpfr reach = (x > 1 - x ? x : mpfr(1 - x)) * *number_in(cells, "tstar");
+    const mpfr radius = *number_in(cells, "exact");
+    return {&cells, radius, mpfr(reach / radius), number_in(cells, "radius"), number_in(cells, "rate")};
+}
+
+// The best points by the estimates, where there are any, and by the exact radii.
+struct optimum_row {
+    const table_row_cells* any;
+    std::size_t seen;
+    const table_row_cells* widest;
+    const table_row_cells* fastest;
+    const table_row_cells* exactly_widest;
+    const table_row_cells* exactly_fastest;
+};
+
+// The cell of a column of the first table, in one of the rows that an optimum names.
+column_of<optimum_row> taken(std::string name, std::string meaning, const table_row_cells* optimum_row::*from,
+                             const std::string& column) {
+    return {std::move(name), std::move(meaning), [from, place = place_of(column)](const optimum_row& r) {
+                return r.*from != nullptr ? (*(r.*from))[place] : cell();
+            }};
+}
+
+const column_list<optimum_row>& optimum_columns() {
+    using row = optimum_row;
+    static const column_list<row> all{
+        taken("energy", "E, in units of m g l", &row::any, "energy"),
+        taken("order", "N, last power of t of the lists", &row::any, "order"),
+        {"points", "points whose list gave a radius", [](const row& r) { return r.seen; }},
+        taken("largest_radius_point", "fraction of T* about which the estimated radius is largest", &row::widest,
+              "point"),
+        taken("largest_radius", "estimated there, dimensionless time", &row::widest, "radius"),
+        taken("exact_largest_radius_point",
+              "the same by the exact radii of these points; of all points it is 0, the top", &row::exactly_widest,
+              "point"),
+        taken("least_rate_point", "fraction of T* about which the estimated max(x, 1-x) T*/R is least", &row::fastest,
+              "point"),
+        taken("least_rate", "estimated there", &row::fastest, "rate"),
+        taken("exact_least_rate_point", "the same by the exact radii of these points; of all points it is 1/2",
+              &row::exactly_fastest, "point"),
+        taken("gap", "2 - E", &row::any, "gap"),
+        taken("energy_typed", "E as typed", &row::any, "energy_typed"),
+        taken("gap_typed", "2 - E as typed", &row::any, "gap_typed"),
+    };
+    return all;
+}
+
+// The points of largest radius and of least rate, estimated and exact, of one energy and order.
+optimum_row optimum_of(const std::vector<seen_point>& points) {
+    const auto best = [&](const auto& usable, const auto& better) {
+        const seen_point* found = nullptr;
+        for (const seen_point& each : points) {
+            if (usable(each) && (found == nullptr || better(each, *found))) {
+                found = &each;
+            }
+        }
+        return found != nullptr ? found->cells : nullptr;
+    };
+    const auto any = [](const seen_point&) { return true; };
+    const auto answered = [](const seen_point& each) { return each.radius.has_value(); };
+    return {points.front().cells,
+            static_cast<std::size_t>(std::count_if(points.begin(), points.end(), answered)),
+            best(answered, [](const auto& a, const auto& b) { return *a.radius > *b.radius; }),
+            best(answered, [](const auto& a, const auto& b) { return *a.rate < *b.rate; }),
+            best(any, [](const auto& a, const auto& b) { return a.exact_radius > b.exact_radius; }),
+            best(any, [](const auto& a, const auto& b) { return a.exact_rate < b.exact_rate; })};
+}
+
+// The second table from the first.
+void derive_optimum(std::vector<study_table>& tables) {
+    const precision_scope scope(tables[0].scalar.digits + digits_for_judging);
+    const auto& rows = tables[0].data.rows();
+    const std::array<std::size_t, 4> of_energy{place_of("energy"), place_of("gap"), place_of("energy_typed"),
+                                               place_of("gap_typed")};
+    const std::size_t order = place_of("order");
+    std::vector<optimum_row> optimum;
+    for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
+        const auto same_energy = [&](const table_row_cells& row) {
+            return std::all_of(of_energy.begin(), of_energy.end(),
+                               [&](std::size_t place) { return row[place] == rows[first][place]; });
+        };
+        std::map<long, std::vector<seen_point>> by_order;
+        for (last = first; last < rows.size() && same_energy(rows[last]); ++last) {
+            by_order[std::stol(rows[last][order].text())].push_back(seen_in(rows[last]));
+        }
+        for (const auto& [number, points] : by_order) {
+            optimum.push_back(optimum_of(points));
+        }
+    }
+    tables[1].data = make_table(optimum_columns(), optimum);
+}
+
+// The rows of one point at one energy.
+table rows_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
+                 const scalar_spec& scalar) {
+    const precision_scope scope(scalar.digits + digits_for_judging);
+    std::vector<map_row> map;
+    const auto judged = judged_about(motion::of_energy(at.value), point, orders, scalar);
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        map.push_back(row_of(at, orders[i], judged[i], scalar.digits));
+    }
+    return make_table(columns(), map);
+}
+
+// A cell for each order, those about one point from one list.
+cell_group group_of(const shared_sweep& sweep, std::size_t i, const std::vector<int>& orders,
+                    const scalar_spec& scalar) {
+    const sweep_energy& at = sweep->energies[i / sweep->points.size()];
+    const exact& point = sweep->points[i % sweep->points.size()];
+    cell_group group;
+    for (const int order : orders) {
+        group.cells.push_back(
+            with_input(with_input(inputs_of(at), "point", point.text), "order", std::to_string(order)));
+    }
+    group.compute = [sweep, &at, &point, orders, scalar](const std::vector<std::size_t>& which) {
+        std::vector<int> chosen;
+        chosen.reserve(which.size());
+        for (const std::size_t each : which) {
+            chosen.push_back(orders[each]);
+        }
+        return equal_parts({rows_about(at, point, chosen, scalar)}, which.size());
+    };
+    return group;
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = sweep_of(request);
+    const std::vector<int> orders = sorted_orders(request, least_order, "is too short a list for a radius test");
+    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
+    study_plan plan;
+    plan.tables = {head_of("", scalar, columns()), head_of("optimum", scalar, optimum_columns())};
+    plan.axes = {"energy", "gap", "point", "order"};
+    plan.groups = sweep->energies.size() * sweep->points.size();
+    plan.group = [sweep, orders, scalar](std::size_t i) { return group_of(sweep, i, orders, scalar); };
+    plan.derive = derive_optimum;
+    return plan;
+}
+
+}  // namespace
+}  // namespace of_pendulum
+
+namespace of_equation {
+
+namespace {
+
+const column_list<answered_list>& columns() {
+    using row = answered_list;
+    static const column_list<row> all =
+        joined(joined<row>({{"order", "N, last power of the list", [](const row& r) { return r.order; }}},
+                           columns_within(answer_columns(), &row::found)),
+               {unknown_column<row>()});
+    return all;
+}
+
+study_plan plan(const study_request& request) {
+    const auto sweep = equation_sweep_of(request);
+    const auto orders = orders_from(request, least_order_of_lists, "is too short a list for a radius test");
+    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
+    return plan_by_numbers(
+        {head_of(*sweep, "", scalar, columns())}, sweep, "order", orders,
+        [sweep, scalar](std::size_t i, const std::vector<int>& chosen) {
+            const precision_scope scope(scalar.digits + guard_of_lists);
+            return std::vector<table>{make_table(columns(), verdicts_of(sweep->system(i), *sweep, chosen, scalar))};
+        });
+}
+
+}  // namespace
+}  // namespace of_equation
+
+namespace {
+
+study_plan plan(const study_request& request) {
+    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
+}
+
+}  // namespace
+}  // namespace radius_map_study
+
+const study& radius_map() {
+    using namespace radius_map_study;
+    static const study result{
+        .name = "radius_map",
+        .title = "The optimal expansion point from coefficients",
+        .label = "",
+        .question = "Can the radius of convergence, and the optimal expansion point, be deduced from N coefficients?",
+        .reading =
+            "Left: the radius of convergence over the expansion point, in units of T*; middle: the factor by which a "
+            "power reduces the error on the whole way [0, T*]; lines are exact, marks are the verdicts of the radius "
+            "tests, which see N coefficients and not the pendulum. Right: the relative error of these verdicts. From "
+            "N = 20 the marks lie on their lines to the eye, but next to the top some lists are too short for a "
+            "verdict, and for E near 2, where the second column of singularities is hardly further than the first, a "
+            "verdict is wrong by a tenth. From N = 60 all have 19 digits and most have all 30. So the optimal "
+            "expansion point can be deduced numerically: the largest estimated radius is at the top and the least "
+            "estimated rate half way at every energy from N = 60 (second table; from N = 20 the top is missed, where "
+            "every second coefficient is 0 and the ten that are left give no verdict).",
+        .of = &pendulum_problem(),
+        .parameters = {{"--energies", "0.5,1,1.71,1.9998,2.02,3", "energies E, in m g l"},
+                       {"--gaps", "", "energies as 2 - E"},
+                       {"--points", "0:1:21", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
+                       {"--orders", "20,60", "N, last powers of the lists judged"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+        .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
+        .seconds = 4,
+        .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
+        .plan = plan,
+        .any_equation = equation_form{
+            .title = "The radius of convergence over the parameters",
+            .question = "How does the radius of convergence depend on the parameters and the start of an equation?",
+            .reading = "The radius that radius tests read from N coefficients about the start, and how certain they "
+                       "are of it, over one parameter, or over the plane of two. Where the nearest singularities "
+                       "change places the radius has a corner, and near it the tests are least certain.",
+            .parameters = {{"--orders", "100", "N, last powers of the lists judged"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .example = {"sir", {"r=0.01:0.05:9"}},
+            .quick = {{"--orders", "20,30"}},
+            .seconds = 2}};
+    return result;
+}
+
+}  // namespace libration::studies

@@ -1,0 +1,157 @@
+# root_test: error of |a_n|^(-1/n) and of |n a_n|^(-1/n) over n, and what the tests by size answer.
+# Columns: energy,point,n,root,corrected,exact,root_error,corrected_error,log10_root_error,log10_corrected_error,
+# amplitude,gap. root_test_estimates: energy,point,order,method,radius,uncertainty,exact,relative_error,
+# log10_relative_error,log10_relative_uncertainty,note.
+load scripts.'/style.gp'
+
+file = data.'/root_test.csv'
+energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
+points = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | awk '!seen[$0]++'", file))
+shown = words(energies)
+across = smaller(words(points), 4)
+energy(j) = word(energies, j)
+place(i) = pick(points, 4, i)
+named(j) = energy_name(energy(j), cell_at(file, 12, '1', energy(j), '1'))
+about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
+last = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
+amplitude(p) = ask(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
+# "n,log10 error"; of n close together on the axis of log n the first is drawn.
+sparse = '(b = int(60 * log($3))) != last[$1, $2] && ((last[$1, $2] = b) || 1)'
+errors(e, p, k) = parts_at(file, '$3', sprintf('$%d', k), '1 2', e.','.p, sprintf('$%d !~ /inf/ && ', k).sparse)
+log10_of(x) = x == 0 ? NaN : log10(abs(x))
+highest = ask(sprintf("awk -F, 'BEGIN { l = 0.2 } NR > 1 { for (c = 9; c <= 10; ++c) if ($c !~ /inf/ && $c + 0 > l) l = $c + 0 } END { print l + 0.3 }' '%s'", file)) + 0
+high = 350
+head = 40
+foot = 46
+all = head + high * 2 + foot + 0.0
+
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/root_test', across < 2 ? 760 : 560 * across, all)
+    set multiplot
+    set label 1 (across < 2 ? 'The root test against n' : 'The root test, plain and corrected, against the exact radius') at screen 0.5, 1 - 20 / all center font ',16'
+    set logscale x
+    set xtics (2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000)
+    set xrange [2:last * 1.15]
+    set samples 600
+    set xlabel 'n'
+    set lmargin 9; set rmargin 2; set tmargin 2.2; set bmargin 3.4
+    do for [row=0:1] {
+        do for [i=1:across] {
+            p = place(i)
+            a = amplitude(p)
+            set origin (i - 1.0) / across, (foot + high * (1 - row)) / all
+            set size 1.0 / across, high / all
+            set title about(p).(row == 0 ? ': |a_n|^{-1/n}' : ': |n a_n|^{-1/n}')
+            set yrange [row == 0 ? -4 : -5 : highest]
+            if (i == 1) { set ylabel 'log_{10} |relative error|' } else { unset ylabel }
+            if (row == 0 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
+            set label 2 row == 0 ? 'grey: ln(n)/n' : sprintf('grey: ln(A)/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb soft
+            set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} - 1, A = %d', a) : 'dotted: 1 - A^{-1/n}' at graph 0.98, 0.865 right textcolor rgb soft
+            plot [2:last * 1.15] log10_of(row == 0 ? log(x) / x : log(a) / x) with lines lw 5 lc rgb '#dddddd' notitle, \
+                 log10_of(row == 0 ? (x / a)**(1 / x) - 1 : 1 - a**(-1 / x)) with lines lw 1.2 dt 3 lc rgb '#555555' notitle, \
+                 for [j=1:shown] errors(energy(j), p, 9 + row) using 1:2 with points pt mark_of(j) ps 0.7 lw 1.2 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
+            unset label 1; unset label 2; unset label 3
+        }
+    }
+    unset multiplot
+    unset output
+}
+
+# What the tests by size answer: a row for each point, a column for each method; lines are errors, thin ones
+# uncertainties.
+eval restart
+answers = data.'/root_test_estimates.csv'
+methods = ''
+do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
+brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
+newest = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
+# Column k over the order, 0 drawn at the floor.
+floor_of(which) = ask(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
+of_verdict = floor_of('$4 == "verdict"')
+of_sizes = floor_of('$4 != "verdict"')
+answer(m, p, e, k, low) = parts_at(answers, '$3', sprintf('($%d ~ /inf/ ? %g : $%d)', k, low, k), '1 2 4', e.','.p.','.m, sprintf('$%d != ""', k))
+given(m, p) = cell_at(answers, 9, '2 4', p.','.m, '1') ne ''
+columns = words(methods)
+# A step of 1, 2 or 5 times a power of ten for about four tics.
+tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))
+down = across
+high = 300
+all = head + high * down + foot + 0.0
+do for [kind in terminals] {
+    eval use_terminal(kind, target.'/root_test_estimates', columns < 3 ? 420 * columns + 340 : 330 * columns, all)
+    set multiplot
+    set label 1 'Relative error (marks) and uncertainty (thin lines) of R, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
+    set xrange [0:newest * 1.04]
+    set xtics tic_step(newest)
+    set xlabel 'order N'
+    set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
+    do for [q=1:down] {
+        p = place(q)
+        do for [i=1:columns] {
+            m = word(methods, i)
+            low = m eq 'verdict' ? of_verdict : of_sizes
+            set origin (i - 1.0) / columns, (foot + high * (down - q)) / all
+            set size 1.0 / columns, high / all
+            set yrange [low:m eq 'verdict' ? 2 : 1]
+            set title brief(p).': '.m noenhanced
+            if (i == 1) { set ylabel 'log_{10} relative to R' } else { unset ylabel }
+            if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
+            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
+            plot for [j=1:shown] answer(m, p, energy(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb colour(j, shown) notitle, \
+                 for [j=1:shown] answer(m, p, energy(j), 9, low) using 1:2 with linespoints lw 1.8 dt line_of(j) pt mark_of(j) ps 0.8 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
+            unset label 1
+            unset label 2
+        }
+    }
+    unset multiplot
+    unset output
+}
+# root_test of any equation: the roots of the coefficients over 1/n, a panel for each unknown, a colour for each
+# combination of the parameters; lines at the verdict of the longest list.
+# Columns: <axes>,n,inverse_n,root,corrected,unknown; in _estimates the answers of the tests.
+load scripts.'/shared/panels.gp'
+
+estimates = table_of('_estimates')
+k = place(main, 'n') - 1
+all = cases(main, k)
+n = words(all)
+place_x = place(main, 'inverse_n')
+tone(c) = n == 1 ? shade[5] : colour(c, n)
+late = sprintf('$%d >= 4', k + 1)
+curve(c, u) = both(late, both(in_case(word(all, c)), of_unknown(main, u)))
+verdict(c, u) = ask(sprintf("awk -F, 'NR > 1 && %s && $%d != \"\" { r = $%d } END { print r }' '%s'", both(with_word(estimates, 'method', 'verdict'), both(in_case(word(all, c)), of_unknown(estimates, u))), place(estimates, 'radius'), place(estimates, 'radius'), estimates))
+eval grid(drawn, 3)
+foot = foot_for(shown_in_key(n) + 3, 20)
+do for [kind in terminals] {
+    eval figure_of(kind, stem)
+    eval heading('Root test of '.called, 'roots of the coefficients about the start'.left_out)
+    do for [p=1:drawn] {
+        u = drawn_unknown(p)
+        eval panel(p)
+        eval single_panel
+        set title u offset 0, -0.5
+        set xlabel '1/n'
+        set ylabel 'radius / unit of the variable'
+        set xrange [0:1.05 * span(main, 'inverse_n', late, 0.3, 1)]
+        set yrange [*:*]
+        array level[n]
+        do for [c=1:n] { v = verdict(c, u); level[c] = strlen(v) > 0 ? number(v) : NaN }
+        plot for [c=1:n] level[c] with lines lw 1.5 lc rgb n == 1 ? '#888888' : tone(c), \
+             for [c=1:n] rows(main, place_x, place(main, 'root'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt 6 ps 0.6 lc rgb tone(c), \
+             for [c=1:n] rows(main, place_x, place(main, 'corrected'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt 2 ps 0.5 lc rgb tone(c)
+        eval no_heading
+    }
+    eval key_strip
+    plot NaN with points pt 6 ps 0.8 lc rgb soft title '|a_n|^{−1/n}', \
+         NaN with points pt 2 ps 0.8 lc rgb soft title '|n a_n|^{−1/n}', \
+         NaN with lines lw 1.5 lc rgb '#888888' title 'verdict of all tests', \
+         for [c=1:n] NaN with lines lw 2.4 lc rgb tone(c) title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
+    unset multiplot
+    unset output
+    eval restart
+}
+if (equation ne '') {
+
+    exit
+}
+

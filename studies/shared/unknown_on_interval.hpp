@@ -1,0 +1,63 @@
+// The approximants that the series of an unknown about the start makes, against the solution at times of an interval.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "equation/approximants_of_unknown.hpp"
+
+namespace libration::studies {
+
+using approximation = list_approximation;
+
+/// One unknown: its approximants against the solution.
+template <rounding_scalar T>
+class unknown_on_interval {
+public:
+    /// A largest difference and the place of its time; inf where the approximant is not finite.
+    struct largest_error {
+        mpfr norm;
+        std::size_t place = 0;
+    };
+
+    unknown_on_interval(const series_about_start<T>& of, const solution_on_interval& truth, int unknown)
+        : values_(truth.values[static_cast<std::size_t>(unknown)]), approximants_(of, truth, unknown) {
+        for (const mpfr& t : truth.times) {
+            x_.push_back(approximants_.coordinate(t));
+        }
+    }
+
+    /// Nothing where there is no such approximant of this order.
+    std::optional<largest_error> error_of(approximation method, int order) const {
+        const auto found = approximants_.of(method, order);
+        return found ? std::optional(largest(*found)) : std::nullopt;
+    }
+
+    /// The partial sum of an order at the time of that place.
+    T partial_sum(int order, std::size_t place) const {
+        return (*approximants_.of(approximation::series, order))(x_[place]);
+    }
+
+private:
+    template <class F>
+    largest_error largest(const F& f) const {
+        largest_error found{mpfr(0), 0};
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            const mpfr difference = abs(mpfr(widen(f(x_[i])) - values_[i]));
+            if (mpfr_number_p(handle(difference)) == 0) {
+                return {mpfr("inf"), i};
+            }
+            if (difference > found.norm) {
+                found = {difference, i};
+            }
+        }
+        return found;
+    }
+
+    const std::vector<mpfr>& values_;
+    approximants_of_unknown<T> approximants_;
+    std::vector<T> x_;
+};
+
+}  // namespace libration::studies
