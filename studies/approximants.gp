@@ -2,6 +2,72 @@
 # Vandermonde system loses. Columns: problem,order,method,norm,time_of_maximum,log10_norm,rigour,predicted,
 # log10_predicted,unknown; of _digits: problem,terms,log10_condition,log10_amplitudes,log10_vandermonde,log10_decay,
 # lost_digits.
+#
+# approximants of any equation with a known far behaviour: left the error over the order, a curve for each combination
+# of the parameters; right the least error of all orders over the parameter with the most values, a curve for each
+# method. Columns: <axes>,order,method,norm,time_of_maximum,log10_norm,rigour,predicted,log10_predicted,unknown.
+if (equation ne '') {
+    load scripts.'/shared/panels.gp'
+
+    k = place(main, 'order') - 1
+    all = cases(main, k)
+    n = words(all)
+    N = place(main, 'order')
+    y = place(main, 'log10_norm')
+    q = place(main, 'log10_predicted')
+    u = drawn_unknown(1)
+    values(i) = words(seen(main, i, '1'))
+    along = 1
+    do for [i=2:k] { if (values(i) > values(along)) { along = i } }
+    methods = 'series pade asymptotic'
+    name_of(m) = m eq 'pade' ? 'Padé' : m eq 'asymptotic' ? 'asymptotic approximant' : 'series'
+    number_of(m) = m eq 'series' ? 1 : m eq 'pade' ? 2 : 3
+    tone_of(m) = '#444444'
+    curve(c, m) = both(in_case(word(all, c)), with_word(main, 'method', m))
+    best(m) = points_by(sprintf("awk -F, 'BEGIN { print \"x,y\" } NR > 1 && %s && $%d != \"\" && $%d !~ /inf|nan/ { v = $%d + 0; if (!($%d in s) || v < s[$%d]) s[$%d] = v; if (!n[$%d]++) o[++c] = $%d } END { for (i = 1; i <= c; ++i) print o[i] \",\" s[o[i]] }' '%s' | sort -t, -g", with_word(main, 'method', m), y, y, y, along, along, along, along, along, main))
+
+    eval grid(2, 2)
+    panel_w = 520
+    panel_h = 400
+    foot = foot_for(shown_in_key(n) + 4, 44)
+    of_approximants = with_word(main, 'method', 'asymptotic')
+    bottom = least(main, sprintf('%d', y), of_approximants, -10)
+    top = greatest(main, sprintf('%d', y), of_approximants, 0)
+    do for [kind in terminals] {
+        eval figure_of(kind, stem)
+        eval heading('Asymptotic approximants of '.called, 'largest error of '.u.' up to where the solution is its far behaviour')
+        set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
+        unset key
+        eval panel(1)
+        set title 'against the order' offset 0, -0.5
+        eval rising('x', least(main, sprintf('%d', N), '1', 0), greatest(main, sprintf('%d', N), '1', 1))
+        set yrange [bottom - 1:top + 1]
+        set xlabel 'order N'
+        set ylabel 'log_{10} (max |error| / '.unit_name(u).')'
+        plot for [c=1:n] rows(main, N, q, curve(c, 'asymptotic')) using 1:2 with lines lw 1 dt 3 lc rgb colour(c, n), \
+             for [c=1:n] rows(main, N, y, curve(c, 'asymptotic')) using 1:2 with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n)
+        eval no_heading
+        if (k > 0 && values(along) > 1) {
+            eval panel(2)
+            set title 'the least of all orders' offset 0, -0.5
+            a = span(main, header(main, along), '1', 0, -1); b = span(main, header(main, along), '1', 1, 1)
+            set xrange [a - 0.03 * (b - a):b + 0.03 * (b - a)]
+            set yrange [bottom - 1:*]
+            set xlabel header(main, along)
+            unset ylabel
+            plot for [m in methods] best(m) using 1:2 with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m)
+        }
+        eval key_strip
+        plot for [m in methods] NaN with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m) title 'right: '.name_of(m), \
+             NaN with lines lw 1 dt 3 lc rgb soft title 'left: what its form predicts, but for a factor', \
+             for [c=1:n] NaN with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n) title n > 1 && in_key(c, n) ? 'left: '.case_name(main, k, word(all, c)) : ''
+        unset multiplot
+        unset output
+        eval restart
+    }
+    exit
+}
+
 load scripts.'/style.gp'
 
 main = data.'/approximants.csv'
@@ -61,69 +127,3 @@ do for [kind in terminals] {
     unset output
     eval restart
 }
-# approximants of any equation with a known far behaviour: left the error over the order, a curve for each combination
-# of the parameters; right the least error of all orders over the parameter with the most values, a curve for each
-# method. Columns: <axes>,order,method,norm,time_of_maximum,log10_norm,rigour,predicted,log10_predicted,unknown.
-load scripts.'/shared/panels.gp'
-
-k = place(main, 'order') - 1
-all = cases(main, k)
-n = words(all)
-N = place(main, 'order')
-y = place(main, 'log10_norm')
-q = place(main, 'log10_predicted')
-u = drawn_unknown(1)
-values(i) = words(seen(main, i, '1'))
-along = 1
-do for [i=2:k] { if (values(i) > values(along)) { along = i } }
-methods = 'series pade asymptotic'
-name_of(m) = m eq 'pade' ? 'Padé' : m eq 'asymptotic' ? 'asymptotic approximant' : 'series'
-number_of(m) = m eq 'series' ? 1 : m eq 'pade' ? 2 : 3
-tone_of(m) = '#444444'
-curve(c, m) = both(in_case(word(all, c)), with_word(main, 'method', m))
-best(m) = points_by(sprintf("awk -F, 'BEGIN { print \"x,y\" } NR > 1 && %s && $%d != \"\" && $%d !~ /inf|nan/ { v = $%d + 0; if (!($%d in s) || v < s[$%d]) s[$%d] = v; if (!n[$%d]++) o[++c] = $%d } END { for (i = 1; i <= c; ++i) print o[i] \",\" s[o[i]] }' '%s' | sort -t, -g", with_word(main, 'method', m), y, y, y, along, along, along, along, along, main))
-
-eval grid(2, 2)
-panel_w = 520
-panel_h = 400
-foot = foot_for(shown_in_key(n) + 4, 44)
-of_approximants = with_word(main, 'method', 'asymptotic')
-bottom = least(main, sprintf('%d', y), of_approximants, -10)
-top = greatest(main, sprintf('%d', y), of_approximants, 0)
-do for [kind in terminals] {
-    eval figure_of(kind, stem)
-    eval heading('Asymptotic approximants of '.called, 'largest error of '.u.' up to where the solution is its far behaviour')
-    set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
-    unset key
-    eval panel(1)
-    set title 'against the order' offset 0, -0.5
-    eval rising('x', least(main, sprintf('%d', N), '1', 0), greatest(main, sprintf('%d', N), '1', 1))
-    set yrange [bottom - 1:top + 1]
-    set xlabel 'order N'
-    set ylabel 'log_{10} (max |error| / '.unit_name(u).')'
-    plot for [c=1:n] rows(main, N, q, curve(c, 'asymptotic')) using 1:2 with lines lw 1 dt 3 lc rgb colour(c, n), \
-         for [c=1:n] rows(main, N, y, curve(c, 'asymptotic')) using 1:2 with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n)
-    eval no_heading
-    if (k > 0 && values(along) > 1) {
-        eval panel(2)
-        set title 'the least of all orders' offset 0, -0.5
-        a = span(main, header(main, along), '1', 0, -1); b = span(main, header(main, along), '1', 1, 1)
-        set xrange [a - 0.03 * (b - a):b + 0.03 * (b - a)]
-        set yrange [bottom - 1:*]
-        set xlabel header(main, along)
-        unset ylabel
-        plot for [m in methods] best(m) using 1:2 with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m)
-    }
-    eval key_strip
-    plot for [m in methods] NaN with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m) title 'right: '.name_of(m), \
-         NaN with lines lw 1 dt 3 lc rgb soft title 'left: what its form predicts, but for a factor', \
-         for [c=1:n] NaN with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n) title n > 1 && in_key(c, n) ? 'left: '.case_name(main, k, word(all, c)) : ''
-    unset multiplot
-    unset output
-    eval restart
-}
-if (equation ne '') {
-
-    exit
-}
-

@@ -68,22 +68,39 @@ std::string more_text_of(const study& each) {
                "title", each.title, "run it", each.name, "quickly", quick);
 }
 
-nlohmann::ordered_json json_of(const study& each) {
-    const auto or_null = [](const std::string& text) {
-        return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-    };
-    nlohmann::ordered_json object{{"name", each.name},
-                                  {"title", each.title},
-                                  {"figure", or_null(each.label)},
-                                  {"question", each.question},
-                                  {"seconds", each.seconds},
-                                  {"proved", each.offers == arithmetics::proved_too},
-                                  {"parameters", nlohmann::ordered_json::array()}};
-    for (const study_parameter& parameter : each.parameters) {
-        object["parameters"].push_back(
-            {{"option", parameter.option}, {"usual", or_null(parameter.usual)}, {"meaning", parameter.meaning}});
+nlohmann::ordered_json or_null(const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
+nlohmann::ordered_json json_of(const std::vector<study_parameter>& parameters) {
+    auto list = nlohmann::ordered_json::array();
+    for (const study_parameter& each : parameters) {
+        list.push_back({{"option", each.option}, {"usual", or_null(each.usual)}, {"meaning", each.meaning}});
     }
-    return object;
+    return list;
+}
+
+// What a study is with --problem; null for one that is of its own problem alone.
+nlohmann::ordered_json equation_json_of(const study& each) {
+    if (!each.any_equation) {
+        return nullptr;
+    }
+    const equation_form& form = *each.any_equation;
+    return {{"question", form.question.empty() ? each.question : form.question},
+            {"seconds", form.seconds},
+            {"example", example_of(each, 1).command},
+            {"parameters", json_of(form.parameters)}};
+}
+
+nlohmann::ordered_json json_of(const study& each) {
+    return {{"name", each.name},
+            {"title", each.title},
+            {"figure", or_null(each.label)},
+            {"question", each.question},
+            {"seconds", each.needs_equation() ? each.any_equation->seconds : each.seconds},
+            {"proved", each.offers == arithmetics::proved_too},
+            {"parameters", json_of(each.parameters)},
+            {"with problem", equation_json_of(each)}};
 }
 
 struct studies_options {

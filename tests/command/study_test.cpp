@@ -108,6 +108,7 @@ TEST_CASE("one study is listed at length, and all of them as JSON", "[command][s
     const auto json = nlohmann::json::parse(output_of({"studies", "--format", "json"}));
     std::string names;
     for (const auto& each : json) {
+        CHECK(names.find("\n" + each.at("name").get<std::string>() + "\n") == std::string::npos);  // once
         names += each.at("name").get<std::string>() + "\n";
         CHECK(each.at("seconds").get<double>() > 0);
         CHECK((each.at("figure").is_null() || each.at("figure").get<std::string>().starts_with("fig:")));
@@ -117,6 +118,10 @@ TEST_CASE("one study is listed at length, and all of them as JSON", "[command][s
         }
     }
     CHECK(names.find("error_norm\n") != std::string::npos);
+    CHECK(one.find("  with --problem P\n") != std::string::npos);
+    const auto coefficients = nlohmann::json::parse(output_of({"studies", "coefficients", "--format", "json"})).at(0);
+    CHECK(coefficients.at("parameters").empty());
+    CHECK(coefficients.at("with problem").at("example").get<std::string>().find(" --problem ") != std::string::npos);
     CHECK(nlohmann::json::parse(output_of({"studies", "cost", "--format", "json"})).size() == 1);
     CHECK(run_libration({"studies", "--format", "csv"}).exit_code == 2);
 }
