@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,9 +32,30 @@ inline operand_pair operands_of(const expression& e) {
     return {&e.left(), &e.right()};
 }
 
-/// Values of the nodes of expressions, each computed once for copies of one object; the nodes are kept alive, so that
+/// Nodes are the same where they are copies of one object.
+struct same_object {
+    struct hash {
+        std::size_t operator()(const expression& e) const { return std::hash<const void*>()(e.identity()); }
+    };
+    struct equal {
+        bool operator()(const expression& a, const expression& b) const { return a.identity() == b.identity(); }
+    };
+};
+/// Nodes are the same where same_form() says so.
+struct same_expression {
+    struct hash {
+        std::size_t operator()(const expression& e) const { return e.hash(); }
+    };
+    struct equal {
+        bool operator()(const expression& a, const expression& b) const {
+            return a.identity() == b.identity() || same_form(a, b);
+        }
+    };
+};
+
+/// Values of the nodes of expressions, each computed once for those that are the same; the nodes are kept alive, so that
 /// identities stay theirs. Memory: one entry for each node.
-template <class Value>
+template <class Value, class Same = same_object>
 class node_values {
 public:
     /// The value of e. `compute(node)` is called for each node below e that has no value yet, the operands of a node
@@ -51,7 +73,7 @@ public:
             if (has_operands || find(*node) != nullptr) {
                 open.pop_back();
                 if (has_operands) {
-                    done_.emplace(node->identity(), std::pair<expression, Value>(*node, compute(*node)));
+                    done_.emplace(*node, compute(*node));
                 }
                 continue;
             }
@@ -71,15 +93,15 @@ public:
     }
 
     /// The value of an expression that has one.
-    const Value& at(const expression& e) const { return done_.at(e.identity()).second; }
+    const Value& at(const expression& e) const { return done_.at(e); }
 
 private:
     const Value* find(const expression& e) const {
-        const auto found = done_.find(e.identity());
-        return found == done_.end() ? nullptr : &found->second.second;
+        const auto found = done_.find(e);
+        return found == done_.end() ? nullptr : &found->second;
     }
 
-    std::unordered_map<const void*, std::pair<expression, Value>> done_;
+    std::unordered_map<expression, Value, typename Same::hash, typename Same::equal> done_;
 };
 
 }  // namespace libration::ode

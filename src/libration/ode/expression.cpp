@@ -137,6 +137,8 @@ bool same_form(const expression& a, const expression& b) {
     if (a.node_ == b.node_ || a.hash() != b.hash()) {
         return a.node_ == b.node_;
     }
+    constexpr int few = 32;  // pairs are compared before any is remembered, since most expressions are small
+    int compared = 0;
     std::set<node_pair> seen;
     std::vector<node_pair> open{{a.node_.get(), b.node_.get()}};
     while (!open.empty()) {
@@ -149,7 +151,7 @@ bool same_form(const expression& a, const expression& b) {
             x->derivative != y->derivative || x->name != y->name || !same_form(x->value, y->value)) {
             return false;
         }
-        if (x->left.node_ != nullptr && seen.emplace(x, y).second) {
+        if (x->left.node_ != nullptr && (++compared <= few || seen.emplace(x, y).second)) {
             open.emplace_back(x->left.node_.get(), y->left.node_.get());
             open.emplace_back(x->right.node_.get(), y->right.node_.get());
         }

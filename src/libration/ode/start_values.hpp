@@ -32,7 +32,7 @@ private:
     static void require_analytic(const expression& e, const number& argument);
 
     leaf_value of_leaf_;
-    node_values<number> done_;
+    node_values<number, same_expression> done_;
 };
 
 /// The values that the starts of a system give to t, s = 0 and the unknowns; the system has to outlive them.

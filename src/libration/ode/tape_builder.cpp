@@ -20,8 +20,25 @@ bool is_constant_node(const expression& e) { return e.kind() == node_kind::const
 
 bool is_minus(const expression& e) { return e.kind() == node_kind::product && e.left().is(-1); }
 
-// Whether a sum is -a + b, read as b - a.
-bool is_less(const expression& e) { return is_minus(e.left()) && !is_minus(e.right()) && !is_constant_node(e.right()); }
+// A sum as the step that adds a constant, a + b, a - b, or -a + b as b - a with the operands a, b.
+struct sum_step {
+    operation kind;
+    operand_pair operands;
+    bool reversed = false;
+};
+
+sum_step step_of_sum(const expression& e) {
+    if (is_constant_node(e.right())) {
+        return {operation::raised, {&e.left()}};
+    }
+    if (is_minus(e.right())) {
+        return {operation::difference, {&e.left(), &e.right().right()}};
+    }
+    if (is_minus(e.left())) {
+        return {operation::difference, {&e.left().right(), &e.right()}, true};
+    }
+    return {operation::sum, {&e.left(), &e.right()}};
+}
 
 }  // namespace
 
@@ -69,13 +86,7 @@ int tape_builder::step_of(const expression& e) {
 // Those that become steps: a constant is part of the step that reads it, a - b needs no step for -b.
 operand_pair tape_builder::operands(const expression& e) const {
     switch (e.kind()) {
-        case node_kind::sum:
-            if (is_less(e)) {
-                return {&e.left().right(), &e.right()};
-            }
-            return {&e.left(), is_constant_node(e.right()) ? nullptr
-                               : is_minus(e.right())       ? &e.right().right()
-                                                           : &e.right()};
+        case node_kind::sum: return step_of_sum(e).operands;
         case node_kind::product:
             return is_constant_node(e.left()) || is_delay(e.left()) ? operand_pair{&e.right()} : operands_of(e);
         case node_kind::power: return is_delay(e) ? operand_pair{} : operand_pair{&e.left()};
@@ -177,16 +188,16 @@ int tape_builder::constant(const number& value) {
 }
 
 int tape_builder::sum_of(const expression& e) {
-    const auto [first, second] = operands(e);
-    const int a = done_.at(*first);
-    if (second == nullptr) {
-        return shared({.kind = operation::raised, .left = a, .constant = constant_index(e.right().constant())});
+    const sum_step sum = step_of_sum(e);
+    int a = done_.at(*sum.operands[0]);
+    if (sum.kind == operation::raised) {
+        return shared({.kind = sum.kind, .left = a, .constant = constant_index(e.right().constant())});
     }
-    const int b = done_.at(*second);
-    if (is_less(e)) {
-        return shared({.kind = operation::difference, .left = b, .right = a});
+    int b = done_.at(*sum.operands[1]);
+    if (sum.reversed) {
+        std::swap(a, b);
     }
-    return shared({.kind = is_minus(e.right()) ? operation::difference : operation::sum, .left = a, .right = b});
+    return shared({.kind = sum.kind, .left = a, .right = b});
 }
 
 int tape_builder::scaled_by(int of, const number& factor) {

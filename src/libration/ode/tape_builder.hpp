@@ -54,7 +54,7 @@ private:
     std::map<std::string, std::size_t> places_;
     start_values* at_start_;
     tape result_;
-    node_values<int> done_;
+    node_values<int, same_expression> done_;
     std::map<std::tuple<int, int, int, int, int, int, int, int>, int> known_;
 };
 
