@@ -259,6 +259,17 @@ module libration
             type(c_ptr), value :: context
             type(c_ptr), intent(out) :: states
         end function
+        function libration_problem_known_states(problem, times, digits, rigour, watch, context, states) bind(c)
+            import :: c_ptr, c_char, c_long, c_int, c_funptr
+            integer(c_int) :: libration_problem_known_states
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: times(*)
+            integer(c_long), value :: digits
+            integer(c_int), value :: rigour
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: states
+        end function
         function libration_problem_coefficients(problem, point, corners, first, &
             last, digits, rigour, coefficients) bind(c)
             import :: c_ptr, c_char, c_long, c_int

@@ -8,9 +8,9 @@
  * Numbers come out as handles: a decimal, a bound of what it misses, and what stands behind that. D digits are D
  * significant ones, each right to one unit in the last. Nothing is computed in double but by the sampler.
  *
- * Errors. A function that can fail returns a code, LIBRATION_OK = 0, and writes to its last arguments only then. What
- * was wrong is kept for each thread until its next call that fails: libration_error_message(). No exception leaves a
- * function. Memory that C++, GMP or FLINT do not get, and FLINT's own aborts (flint_throw, flint_abort), become codes;
+ * Errors. A function that can fail returns a code, LIBRATION_OK = 0, and writes to its last arguments only then
+ * (libration_problem_known_states excepted). What was wrong is kept for each thread until its next call that fails:
+ * libration_error_message(). No exception leaves a function. Memory that C++, GMP or FLINT do not get, and FLINT's own aborts (flint_throw, flint_abort), become codes;
  * nothing is computed again in the thread in which that happened, and nothing is unwound through FLINT, so what the call
  * held is not freed. A question whose memory is known before is refused at its beginning. Not promised: what the system
  * does beyond malloc (the OOM killer, a full stack), and pthread_cancel during a call.
@@ -148,6 +148,12 @@ const char *libration_problem_name(const libration_problem *problem, size_t i);
  * proved to exist. The watch is heard in proofs. */
 int libration_problem_states(const libration_problem *problem, const char *times, long digits, int rigour,
                              libration_watch watch, void *context, libration_table **states);
+/* The same, and on UNDECIDED too a table, which must be freed: with PROVED a row for each time, in it what is proved, a
+ * value that is not distinguished from 0 as 0 with the bound of its size as uncertainty (only "0" is exactly 0), and an
+ * empty cell, whose number is NULL, where the equations of the unknown are not proved to reach the time. The message is
+ * the first reason why something is missing. NULL on every other error. */
+int libration_problem_known_states(const libration_problem *problem, const char *times, long digits, int rigour,
+                                   libration_watch watch, void *context, libration_table **states);
 /* Coefficients first .. last of every unknown about a point, NULL for the start, else a time, also complex, 1+2i, by
  * way of corners in the complex plane, "1+i,2+i", or NULL: n and a column each; about a complex point x_re and x_im,
  * ROUNDED alone; in powers of t^(1/q) a column power behind. */

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .tables import Row, Table
+
 
 class LibrationError(Exception):
     """An error of the library: `subject` is the quantity, `value` what was given, `reason` what is wrong with it."""
@@ -22,7 +27,14 @@ class RangeError(LibrationError, OverflowError):
 
 
 class UndecidedError(LibrationError, ArithmeticError):
-    """No precision within the limits decides; nothing is wrong with the value."""
+    """No precision within the limits decides; nothing is wrong with the value.
+
+    partial: what is proved all the same, of the type that the call would have returned, or None where the call has no
+    parts. In it a value that is not distinguished from 0 is the Ball 0 with the bound of its size as uncertainty, and
+    one at a time that is not reached is ''.
+    """
+
+    partial: Row | Table | None = None
 
 
 class Fault(LibrationError, RuntimeError):

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from . import _libration
 from .ball import Ball
+from .errors import UndecidedError
 from .tables import Cell, Row, Table
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
 
@@ -71,10 +72,17 @@ class Problem:
 
     def reference(self, times: Any, digits: int = 50, rigour: str = "proved") -> Row | Table:
         """The unknowns and their lower derivatives at one time, or at a list of times as a Table. Raises UndecidedError
-        for a time that is not reached, which says up to where the solution is proved to exist; ArgumentError for proofs
-        from a singular start whose right sides are no polynomials. Ctrl-C ends a proof."""
+        for a time that is not reached, which says up to where the solution is proved to exist, and for a value that is
+        not distinguished from 0; its `partial` has what is proved of the others. ArgumentError for proofs from a
+        singular start whose right sides are no polynomials. Ctrl-C ends a proof."""
         texts, alone = times_text(times)
-        states = Table._of(self._problem.states(texts, digits, rigour_of(rigour)))
+        try:
+            states = Table._of(self._problem.states(texts, digits, rigour_of(rigour)))
+        except UndecidedError as problem:
+            if problem.partial is not None:
+                known = Table._of(problem.partial)  # type: ignore[arg-type]  # of names and cells, as it was raised
+                problem.partial = known[0] if alone else known
+            raise
         return states[0] if alone else states
 
     def coefficients(

@@ -69,8 +69,25 @@ private:
     mpfr whole_ = mpfr(0);
 };
 
-libration_table states_of(const libration_problem& p, const std::string& list, long digits, bool proved,
-                          const watcher& watch) {
+// A row for each time, with what is known of it, and why something is missing where it is.
+struct known_states {
+    libration_table table;
+    std::optional<error> missing;
+};
+
+// A value without proved digits is 0 to within its bound; there is none at a time that its equations do not reach.
+void add_known(libration_table& table, const ode::trajectory_value& value) {
+    if (value.decimal) {
+        table.add(proved_number(*value.decimal));
+    } else if (!value.bound.empty()) {
+        table.add(libration_number{"0", value.bound, LIBRATION_PROVED});
+    } else {
+        table.add(std::string());
+    }
+}
+
+known_states states_of(const libration_problem& p, const std::string& list, long digits, bool proved,
+                       const watcher& watch) {
     const auto items = items_of(list, "times");
     std::vector<ode::number> times;
     std::transform(items.begin(), items.end(), std::back_inserter(times), time_of);
@@ -78,15 +95,16 @@ libration_table states_of(const libration_problem& p, const std::string& list, l
     table.names.insert(table.names.end(), p.names.begin(), p.names.end());
     if (proved) {
         const way_to_go way(p.system, times, watch);
-        const auto states = ode::proved_trajectory(p.system, times, given_digits(digits),
+        auto part = ode::proved_part_of_trajectory(p.system, times, given_digits(digits),
                                                    [&](const ball& reached, long) { way(reached); });
         for (std::size_t i = 0; i < items.size(); ++i) {
             table.add(items[i]);
-            for (const proved_decimal& value : states[i]) {
-                table.add(proved_number(value));
+            part.states[i].resize(p.names.size());
+            for (const ode::trajectory_value& value : part.states[i]) {
+                add_known(table, value);
             }
         }
-        return table;
+        return {std::move(table), part.missing};
     }
     const auto states = ode::trajectory(p.system, times, given_digits(digits), ode::fast_product<mpfr>());
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -97,7 +115,7 @@ libration_table states_of(const libration_problem& p, const std::string& list, l
             }
         }
     }
-    return table;
+    return {std::move(table), {}};
 }
 
 std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool parts) {
@@ -191,8 +209,26 @@ const char* libration_problem_name(const libration_problem* problem, size_t i) {
 int libration_problem_states(const libration_problem* problem, const char* times, long digits, int rigour,
                              libration_watch watch, void* context, libration_table** states) {
     return made(states, [&] {
-        return states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
-                         watcher(watch, context));
+        auto found = states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
+                               watcher(watch, context));
+        if (found.missing) {
+            throw error(*found.missing);
+        }
+        return std::move(found.table);
+    });
+}
+
+int libration_problem_known_states(const libration_problem* problem, const char* times, long digits, int rigour,
+                                   libration_watch watch, void* context, libration_table** states) {
+    return guarded([&] {
+        given(states, "the place for the result");
+        *states = nullptr;
+        auto found = states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
+                               watcher(watch, context));
+        *states = std::make_unique<libration_table>(std::move(found.table)).release();
+        if (found.missing) {
+            throw error(*found.missing);
+        }
     });
 }
 

@@ -76,7 +76,9 @@ void add_state(partial_table& result, const std::vector<column>& columns,
     std::string bounds;
     for (std::size_t i = 0; i < state.size(); ++i) {
         const std::string& name = columns[i + 1].name;
-        const std::string bound = state[i].decimal ? "" : fmt::format("|{}| < {}", name, state[i].bound);
+        const std::string bound = state[i].decimal         ? ""
+                                  : state[i].bound.empty() ? name + " is not reached"
+                                                           : fmt::format("|{}| < {}", name, state[i].bound);
         row.push_back(state[i].decimal ? cell::number(state[i].decimal->text, digits) : cell());
         bounds += bound.empty() || bounds.empty() ? bound : "; " + bound;
         result.text += fmt::format("{:<10}{}\n", name, state[i].decimal ? row.back().text() : bound);

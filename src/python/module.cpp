@@ -44,8 +44,9 @@ using number_parts = std::tuple<std::string, std::string, int>;
 // Names, and cells row by row: a text, or the parts of a number.
 using table_parts = std::pair<std::vector<std::string>, py::list>;
 
-// The error of a call that failed as an exception of libration.errors; a signal that cancelled it as its own.
-[[noreturn]] void raise(int code) {
+// The error of a call that failed as an exception of libration.errors, with what is known all the same; a signal that
+// cancelled it as its own.
+[[noreturn]] void raise(int code, const py::object& partial = py::none()) {
     if (code == LIBRATION_CANCELLED && PyErr_Occurred() != nullptr) {
         throw py::error_already_set();
     }
@@ -56,6 +57,9 @@ using table_parts = std::pair<std::vector<std::string>, py::list>;
     const py::object raised = py::module_::import("libration.errors")
                                   .attr("error_of")(code, libration_error_message(), libration_error_subject(),
                                                     libration_error_value(), libration_error_reason());
+    if (!partial.is_none()) {
+        raised.attr("partial") = partial;
+    }
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
     throw py::error_already_set();
 }
@@ -98,25 +102,44 @@ number_parts number(const Call& call) {
     return parts_of(made<number_handle>(call).get());
 }
 
-template <class Call>
-table_parts table(const Call& call) {
-    const auto found = made<table_handle>(call);
+table_parts parts_of(const libration_table* found) {
     table_parts parts;
-    const std::size_t columns = libration_table_columns(found.get());
+    const std::size_t columns = libration_table_columns(found);
     for (std::size_t i = 0; i < columns; ++i) {
-        parts.first.emplace_back(libration_table_name(found.get(), i));
+        parts.first.emplace_back(libration_table_name(found, i));
     }
-    for (std::size_t row = 0; row < libration_table_rows(found.get()); ++row) {
+    for (std::size_t row = 0; row < libration_table_rows(found); ++row) {
         for (std::size_t column = 0; column < columns; ++column) {
-            const libration_number* const cell = libration_table_number(found.get(), row, column);
+            const libration_number* const cell = libration_table_number(found, row, column);
             if (cell != nullptr) {
                 parts.second.append(parts_of(cell));
             } else {
-                parts.second.append(libration_table_text(found.get(), row, column));
+                parts.second.append(libration_table_text(found, row, column));
             }
         }
     }
     return parts;
+}
+
+template <class Call>
+table_parts table(const Call& call) {
+    return parts_of(made<table_handle>(call).get());
+}
+
+// Of a call that makes a table of what is known where it fails too; the exception has it as `partial`.
+template <class Call>
+table_parts known_table(const Call& call) {
+    libration_table* handle = nullptr;
+    int code = LIBRATION_OK;
+    {
+        const py::gil_scoped_release released;
+        code = call(&handle);
+    }
+    const table_handle found(handle);
+    if (code != LIBRATION_OK) {
+        raise(code, found ? py::cast(parts_of(found.get())) : py::none());
+    }
+    return parts_of(found.get());
 }
 
 using doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -208,8 +231,9 @@ void define_problems(py::module_& m) {
         return names;
     });
     problem.def("states", [](const problem_object& of, const std::string& times, long digits, int rigour) {
-        return table([&](auto** to) {
-            return libration_problem_states(of.handle.get(), times.c_str(), digits, rigour, watch_signals, nullptr, to);
+        return known_table([&](auto** to) {
+            return libration_problem_known_states(of.handle.get(), times.c_str(), digits, rigour, watch_signals,
+                                                  nullptr, to);
         });
     });
     problem.def("coefficients",

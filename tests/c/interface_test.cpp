@@ -154,6 +154,44 @@ TEST_CASE("the tangent is known by its equation", "[c]") {
     CHECK(agrees(cell(complex, 0, 2), "0.761594155955764888119458", 20));
 }
 
+TEST_CASE("what is proved of a solution is kept where something is not", "[c]") {
+    // x has a pole at 1, y = tan t goes on to pi/2, and w = -cos t is 0 there.
+    const auto mixed = problem_of(
+        "x' = x^2; y' = 1 + y^2; x(0) = 1; y(0) = 0; z'' = -z + z^3; z(0) = 0; z'(0) = 1; "
+        "w'' = -w; w(0) = -1; w'(0) = 0");
+    libration_table* found = nullptr;
+    CHECK(libration_problem_states(mixed.get(), "1/2,1", 20, LIBRATION_PROVED, nullptr, nullptr, &found) ==
+          LIBRATION_UNDECIDED);
+    CHECK(found == nullptr);
+    CHECK(libration_problem_known_states(mixed.get(), "1/2,1,pi/2", 20, LIBRATION_PROVED, nullptr, nullptr, &found) ==
+          LIBRATION_UNDECIDED);
+    CHECK(std::string(libration_error_reason()).find("is not reached") != std::string::npos);
+    REQUIRE(found != nullptr);
+    const table known(found);
+    REQUIRE(libration_table_rows(found) == 3);
+    CHECK(cell(known, 0, 0) == "1/2");
+    CHECK(cell(known, 0, 1) == "2.0000000000000000000");
+    CHECK(libration_table_number(found, 1, 1) == nullptr);
+    CHECK(cell(known, 1, 1).empty());
+    CHECK(agrees(cell(known, 1, 2), tangent_of_1, 20));
+    // w = -cos t at pi/2: 0, which no precision decides; its bound is a proved number around 0, and not the exact one.
+    const libration_number* const zero = libration_table_number(found, 2, 5);
+    REQUIRE(zero != nullptr);
+    CHECK(libration_number_decimal(zero) == std::string("0"));
+    CHECK(libration_number_rigour(zero) == LIBRATION_PROVED);
+    CHECK(std::stod(libration_number_uncertainty(zero)) > 0);
+    CHECK(std::stod(libration_number_uncertainty(zero)) < 1e-20);
+    CHECK(cell(known, 2, 6) == "1.0000000000000000000");
+    found = nullptr;
+    CHECK(libration_problem_known_states(mixed.get(), "1/2", 20, LIBRATION_PROVED, nullptr, nullptr, &found) ==
+          LIBRATION_OK);
+    CHECK(cell(table(found), 0, 1) == "2.0000000000000000000");
+    found = nullptr;
+    CHECK(libration_problem_known_states(mixed.get(), "1/2,", 20, LIBRATION_PROVED, nullptr, nullptr, &found) ==
+          LIBRATION_ARGUMENT);
+    CHECK(found == nullptr);
+}
+
 TEST_CASE("the radius of the tangent is pi/2", "[c]") {
     const auto tangent = problem_of("x' = 1 + x^2; x(0) = 0");
     const auto tests = made<table>([&](auto** to) { return libration_problem_radius(tangent.get(), 80, 20, to); });

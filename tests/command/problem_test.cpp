@@ -167,6 +167,21 @@ TEST_CASE("one value or time that is not proved leaves the others", "[command][p
     CHECK(lines_of(csv.err).size() == 1);
 }
 
+// y = 1/(1 - t) does not influence z = tan t.
+TEST_CASE("an unknown that ends leaves those that it does not influence", "[command][problem]") {
+    const words asked{"reference", "--problem", "y' = y^2; z' = 1 + z^2; y(0)=1; z(0)=0", "--time", "0.5,1",
+                      "--digits",  "10"};
+    const auto text = run_libration(asked);
+    CHECK(text.exit_code == 1);
+    CHECK(text.out.find("y         y is not reached\nz         1.557407725\n") != std::string::npos);
+    CHECK(text.err.find("is not reached: the solution is proved to exist up to 0.99999") != std::string::npos);
+    const auto csv = run_libration(asked + words{"--format", "csv"});
+    CHECK(csv.out ==
+          "time,y,z,digits,rigour,time_typed,undecided\n"
+          "0.5,2.000000000,0.5463024898,10,proved,0.5,\n"
+          "1,,1.557407725,10,proved,1,y is not reached\n");
+}
+
 TEST_CASE("a reference that cannot be proved ends with 1, says why, and prints nothing", "[command][problem]") {
     const auto blown = run_libration({"reference", "--problem", "y' = y^2; y(0)=1", "--time", "2", "--digits", "20"});
     CHECK(blown.exit_code == 1);

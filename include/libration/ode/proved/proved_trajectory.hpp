@@ -13,15 +13,16 @@
 
 namespace libration::ode {
 
-/// A value at a time: its digits or, where no run within the limits proved them, a bound alone.
+/// A value at a time: its digits or, where no run within the limits proved them, a bound alone; neither where the
+/// equations that it depends on are not proved to reach the time.
 struct trajectory_value {
     std::optional<proved_decimal> decimal;  ///< every digit proved
-    std::string bound;                      ///< without one: |value| < bound, three digits, proved
+    std::string bound;                      ///< without one: |value| < bound, three digits, proved, or empty
 };
 
 /// What was proved of a solution at a list of times.
 struct partial_trajectory {
-    /// At each time in order the unknowns and their lower derivatives; nothing at a time that was not reached.
+    /// At each time in order the unknowns and their lower derivatives; nothing at a time that none of them reached.
     std::vector<std::vector<trajectory_value>> states;
     /// Why a state or a decimal is missing, an error of the kind undecided, where one is: the solution is not proved to
     /// exist up to a time (the message has the time up to which it is), or a value is not distinguished from 0.

@@ -9,47 +9,32 @@ namespace libration::ode {
 
 namespace {
 
-// What was proved of independent systems, as that of the whole: a time that one of them does not reach is not reached.
-class joined_parts {
-public:
-    explicit joined_parts(std::size_t times) : reached_(times, true) { whole_.states.resize(times); }
-
-    void add(const partial_trajectory& part, const closed_subsystem& of) {
-        for (std::size_t i = 0; i < reached_.size(); ++i) {
-            reached_[i] = reached_[i] && !part.states[i].empty();
-            whole_.states[i].resize(of.leaves_of_whole);
-            for (std::size_t k = 0; k < part.states[i].size(); ++k) {
-                whole_.states[i][of.leaves[k]] = part.states[i][k];
-            }
+// What was proved of an independent system, at its places in the whole.
+void add_part(partial_trajectory& whole, const partial_trajectory& part, const closed_subsystem& of) {
+    for (std::size_t i = 0; i < part.states.size(); ++i) {
+        if (part.states[i].empty()) {
+            continue;
         }
-        if (!whole_.missing) {
-            whole_.missing = part.missing;
+        whole.states[i].resize(of.leaves_of_whole);
+        for (std::size_t k = 0; k < part.states[i].size(); ++k) {
+            whole.states[i][of.leaves[k]] = part.states[i][k];
         }
     }
-
-    partial_trajectory result() {
-        for (std::size_t i = 0; i < reached_.size(); ++i) {
-            if (!reached_[i]) {
-                whole_.states[i].clear();
-            }
-        }
-        return std::move(whole_);
+    if (!whole.missing) {
+        whole.missing = part.missing;
     }
-
-private:
-    std::vector<bool> reached_;
-    partial_trajectory whole_;
-};
+}
 
 }  // namespace
 
 partial_trajectory proved_part_of_trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const march_watch& watch, const proof_route& route) {
-    joined_parts parts(times.size());
+    partial_trajectory whole;
+    whole.states.resize(times.size());
     for (const closed_subsystem& each : independent_subsystems(system)) {
-        parts.add(proving_runs(each.system, times, digits, watch, {}, route).part(), each);
+        add_part(whole, proving_runs(each.system, times, digits, watch, {}, route).part(), each);
     }
-    return parts.result();
+    return whole;
 }
 
 std::vector<std::vector<proved_decimal>> proved_trajectory(const explicit_system& system,
