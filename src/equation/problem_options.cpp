@@ -75,8 +75,14 @@ void problem_options::require_problem() const {
     }
 }
 
-// Once, a line to stderr for each parameter that neither the problem nor the condition of --until uses: right for what is
-// written, but perhaps not what was meant. So it is a warning, and stdout stays the same.
+void warn_of_unused_parameters(const std::string& written) {
+    for (const std::string& name : ode::unused_parameters(written)) {
+        fmt::print(stderr, "libration: warning: --problem defines {}, which nothing uses: leave it out\n",
+                   quotation(name));
+    }
+}
+
+// Once, also of what the condition of --until does not use.
 void problem_options::warn_of_unused(const std::string& written) const {
     if (std::exchange(warned_, true)) {
         return;
@@ -87,10 +93,7 @@ void problem_options::warn_of_unused(const std::string& written) const {
         used += "\n" + condition;
     }
     try {
-        for (const std::string& name : ode::unused_parameters(used)) {
-            fmt::print(stderr, "libration: warning: --problem defines {}, which nothing uses: leave it out\n",
-                       quotation(name));
-        }
+        warn_of_unused_parameters(used);
     } catch (const error&) {
         // The condition cannot be read, which its own option reports.
     }

@@ -36,6 +36,10 @@ struct problem_source {
 /// Text if it has =, a file if it has / or ends in .ode, else a name of the catalogue. Throws input_error.
 problem_source problem_named(const std::string& words);
 
+/// A line to stderr for each parameter that a problem defines and nothing in it uses: right for what is written, but
+/// perhaps not what was meant. So it is a warning, and stdout stays the same. Throws error where it cannot be read.
+void warn_of_unused_parameters(const std::string& written);
+
 /// --problem NAME | FILE.ode | 'TEXT; WITH; SEMICOLONS' and --set k=1/3, --set "f'(0)=1", any number of them.
 class problem_options {
 public:

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <utility>
 
+#include "equation/problem_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/grid.hpp"
@@ -161,7 +163,11 @@ int run_order(study_order order, const study_options& options) {
 int run_study(const study_options& options) {
     const int jobs = jobs_of(options.jobs);
     try {
-        return run_order(order_asked("study", options.name, options.equation(), options.said(), jobs), options);
+        study_order order = order_asked("study", options.name, options.equation(), options.said(), jobs);
+        if (options.problem) {
+            warn_of_unused_parameters(problem_named(*options.problem).text);
+        }
+        return run_order(std::move(order), options);
     } catch (const error& problem) {
         refuse(problem, options);
     }
