@@ -93,8 +93,10 @@ ball between(const equation_system& given, const std::string& name, const mpfr& 
              const ball& least) {
     const long bits = static_cast<long>(ball::working_bits());
     const mpfr away = ldexp(abs(middle), static_cast<int>(bits_of_sides - bits));
-    const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits + side_guard_bits, decided, least);
-    const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits + side_guard_bits, decided, least);
+    // Where the sides part, f'' is about as small as they are close, and the integrator keeps digits of it too.
+    const long bits_of_both = 2 * bits + side_guard_bits;
+    const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits_of_both, decided, least);
+    const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits_of_both, decided, least);
     if (!low || !high || *low == *high) {
         throw precision_exhausted("the sides of a value for infinity");
     }
