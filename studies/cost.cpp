@@ -309,7 +309,7 @@ std::vector<table> tables_at(const sweep_energy& at, int order, const scalar_spe
 study_plan plan(const study_request& request) {
     const auto sweep = sweep_of(request);
     const auto orders = request.orders();
-    sorted_orders(request, least_order, "leaves no recurrence to count");
+    orders_from(request, least_order, "leaves no recurrence to count");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:50"));
     study_table times = head_of("time", scalar, time_columns());
     times.timed = true;
@@ -451,11 +451,7 @@ study_plan plan(const study_request& request) {
         },
         [sweep, orders, scalars](std::size_t i) {
             const std::size_t at = i / orders.size();
-            std::vector<table> all;
-            for (const table& own : tables_at(sweep->system(at), orders[i % orders.size()], scalars)) {
-                all.push_back(sweep->framed(at, own));
-            }
-            return all;
+            return sweep->framed(at, tables_at(sweep->system(at), orders[i % orders.size()], scalars));
         });
 }
 

@@ -211,7 +211,7 @@ std::vector<table> plots_at(const sweep_energy& at, const exact& point, const st
 }
 
 study_plan plan(const study_request& request) {
-    const std::vector<int> orders = sorted_orders(request, least_order, "leaves no ratios to draw");
+    const std::vector<int> orders = orders_from(request, least_order, "leaves no ratios to draw");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
     return plan_by_point({head_of("", scalar, columns()), head_of("lists", scalar, list_columns()),
                           head_of("intercepts", scalar, judged_answer_columns())},

@@ -34,12 +34,6 @@ struct cover_row {
     std::optional<mpfr> measured_rate;
 };
 
-template <class Row>
-column_of<Row> point_column() {
-    return {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom",
-            [](const Row& r) { return read_cell(r.point.text); }};
-}
-
 const column_list<cover_row>& columns() {
     using row = cover_row;
     const auto length = [](mpfr row::*which) {
@@ -132,7 +126,7 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<exact>& poi
 }
 
 study_plan plan(const study_request& request) {
-    const std::vector<int> orders = sorted_orders(request, 0, "");
+    const std::vector<int> orders = orders_from(request, 0, "");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:40"));
     const auto sweep = sweep_of(request);
     return plan_by_values({head_of("", scalar, columns()), head_of("norms", scalar, norm_columns())}, sweep, "point",

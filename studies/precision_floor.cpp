@@ -12,6 +12,59 @@ namespace libration::studies {
 
 namespace precision_floor_study {
 
+namespace {
+
+constexpr long printed_digits = 12;
+
+// One norm in one arithmetic.
+struct floor_row {
+    int order;
+    std::string method;
+    const scalar_spec& scalar;
+    mpfr norm, exact_norm, epsilon;
+    const sweep_energy* at;    // of the pendulum
+    std::string unknown = {};  // of another equation
+};
+
+const column_list<floor_row>& columns() {
+    using row = floor_row;
+    const auto number = [](mpfr row::*which) {
+        return [which](const row& r) { return decimal_cell(r.*which, printed_digits); };
+    };
+    static const column_list<row> all{
+        energy_column<row>(),
+        {"order", "N, last power of the series; last index of the resummed series",
+         [](const row& r) { return r.order; }},
+        {"method", "series | resummed | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out",
+         [](const row& r) { return r.method; }},
+        {"scalar", "arithmetic of coefficients and evaluation; mpfr without guard digits",
+         [](const row& r) { return r.scalar.name(); }},
+        {"norm",
+         "max of |approximation - solution| over the times, of the pendulum over 1001 points of [0, T*] and the place "
+         "of exact_norm, in the unit of the unknown",
+         number(&row::norm)},
+        {"exact_norm", "the same without rounding, of the pendulum as a true maximum", number(&row::exact_norm)},
+        {"norm_in_epsilon", "norm/epsilon", [](const row& r) { return decimal_cell(mpfr(r.norm / r.epsilon), 6); }},
+        {"epsilon", "unit in the last place of 1; with --problem times the largest value of the unknown at the times",
+         number(&row::epsilon)},
+        {"floor", "yes where rounding is more than half of norm",
+         [](const row& r) { return r.exact_norm * 2 < r.norm ? "yes" : "no"; }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        {"log10_exact_norm", "log10 of exact_norm", [](const row& r) { return log10_cell(r.exact_norm); }},
+        {"log10_epsilon", "log10 of epsilon", [](const row& r) { return log10_cell(r.epsilon); }},
+        gap_column<row>(),
+        unknown_column<row>(),
+    };
+    return all;
+}
+
+// The unit in the last place of 1, as a number that outlives the scope of the scalar.
+mpfr epsilon_of(const scalar_spec& scalar) {
+    return with_scalar(scalar, 0, []<class T>() { return widen(epsilon<T>()); });
+}
+
+}  // namespace
+
 namespace of_pendulum {
 
 using namespace elliptic;
@@ -19,44 +72,13 @@ using namespace pendulum;
 
 namespace {
 
-constexpr long printed_digits = 12;
 constexpr long guard_digits = 15;
 
-// One norm in one arithmetic.
-struct floor_row {
-    const sweep_energy& at;
-    int order;
-    arc_method method;
-    const scalar_spec& scalar;
-    mpfr norm;
-    mpfr exact_norm;
-    mpfr epsilon;
-};
-
-const column_list<floor_row>& columns() {
-    using row = floor_row;
-    static const auto all = with_typed_energy<row>({
-        energy_column<row>(),
-        {"order", "N, last power of the series; last index of the resummed series",
-         [](const row& r) { return r.order; }},
-        {"method", "series | resummed", [](const row& r) { return name_of(r.method); }},
-        {"scalar", "arithmetic of coefficients and evaluation; mpfr without guard digits",
-         [](const row& r) { return r.scalar.name(); }},
-        {"norm", "max of |approximation - theta| over 1001 points of [0, T*] and the place of exact_norm, radians",
-         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
-        {"exact_norm", "the same in exact arithmetic, as a true maximum, radians",
-         [](const row& r) { return decimal_cell(r.exact_norm, printed_digits); }},
-        {"norm_in_epsilon", "norm over the unit in the last place of 1",
-         [](const row& r) { return decimal_cell(mpfr(r.norm / r.epsilon), 6); }},
-        {"epsilon", "unit in the last place of 1",
-         [](const row& r) { return decimal_cell(r.epsilon, printed_digits); }},
-        {"floor", "yes where rounding is more than half of norm",
-         [](const row& r) { return r.exact_norm * 2 < r.norm ? "yes" : "no"; }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
-        {"log10_exact_norm", "log10 of exact_norm", [](const row& r) { return log10_cell(r.exact_norm); }},
-        {"log10_epsilon", "log10 of epsilon", [](const row& r) { return log10_cell(r.epsilon); }},
-        gap_column<row>(),
-    });
+const column_list<floor_row>& own_columns() {
+    static const auto all = with_typed_energy(columns_named(
+        "energy,order,method,scalar,norm,exact_norm,norm_in_epsilon,epsilon,floor,log10_norm,log10_exact_norm,"
+        "log10_epsilon,gap",
+        columns()));
     return all;
 }
 
@@ -65,11 +87,6 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
         return {*request.scalar};
     }
     return {read_scalar("double"), read_scalar("long-double"), read_scalar("quad"), read_scalar("mpfr:40")};
-}
-
-// The unit in the last place of 1, as a number that outlives the scope of the scalar.
-mpfr epsilon_of(const scalar_spec& scalar) {
-    return with_scalar(scalar, 0, []<class T>() { return widen(epsilon<T>()); });
 }
 
 mpfr norm_in(const scalar_spec& scalar, arc_errors& errors, arc_method method, int order, const motion& m,
@@ -100,16 +117,17 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const std:
             const norm_at<mpfr> exact = errors.norm(method, order);
             for (const scalar_spec& scalar : scalars) {
                 const mpfr norm = norm_in(scalar, errors, method, order, m, exact.place);
-                rows.push_back({at, order, method, scalar, norm, exact.norm, epsilon_of(scalar)});
+                rows.push_back(
+                    {order, std::string(name_of(method)), scalar, norm, exact.norm, epsilon_of(scalar), &at});
             }
         }
     }
-    return make_table(columns(), rows);
+    return make_table(own_columns(), rows);
 }
 
 study_plan plan(const study_request& request) {
     const auto scalars = scalars_of(request);
-    return plan_by_order({head_of("", scalars.back(), columns())}, sweep_of(request), request.orders(),
+    return plan_by_order({head_of("", scalars.back(), own_columns())}, sweep_of(request), request.orders(),
                          [scalars](const sweep_energy& at, const std::vector<int>& orders) {
                              return std::vector<table>{rows_at(at, orders, scalars)};
                          });
@@ -122,38 +140,11 @@ namespace of_equation {
 
 namespace {
 
-constexpr long printed_digits = 12;
-
-struct floor_row {
-    int order;
-    approximation method;
-    const scalar_spec& scalar;
-    mpfr norm, exact_norm, epsilon, size;
-    std::string unknown;
-};
-
-const column_list<floor_row>& columns() {
-    using row = floor_row;
-    const auto number = [](mpfr row::*which) {
-        return [which](const row& r) { return decimal_cell(r.*which, printed_digits); };
-    };
-    static const column_list<row> all{
-        {"order", "N, last power of the series about the start", [](const row& r) { return r.order; }},
-        {"method", "series | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out",
-         [](const row& r) { return name_of(r.method); }},
-        {"scalar", "arithmetic of coefficients and evaluation", [](const row& r) { return r.scalar.name(); }},
-        {"norm", "max of |approximation - solution| over the times, in the unit of the unknown", number(&row::norm)},
-        {"exact_norm", "the same without rounding", number(&row::exact_norm)},
-        {"epsilon", "unit in the last place of 1 times the largest value of the unknown at the times",
-         number(&row::epsilon)},
-        {"norm_in_epsilon", "norm/epsilon", [](const row& r) { return decimal_cell(mpfr(r.norm / r.epsilon), 6); }},
-        {"floor", "yes where rounding is more than half of norm",
-         [](const row& r) { return r.exact_norm * 2 < r.norm ? "yes" : "no"; }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
-        {"log10_exact_norm", "log10 of exact_norm", [](const row& r) { return log10_cell(r.exact_norm); }},
-        {"log10_epsilon", "log10 of epsilon", [](const row& r) { return log10_cell(r.epsilon); }},
-        unknown_column<row>(),
-    };
+const column_list<floor_row>& own_columns() {
+    static const auto all = columns_named(
+        "order,method,scalar,norm,exact_norm,epsilon,norm_in_epsilon,floor,log10_norm,log10_exact_norm,log10_epsilon,"
+        "unknown",
+        columns());
     return all;
 }
 
@@ -168,10 +159,6 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
     return {*request.scalar};
 }
 
-mpfr epsilon_of(const scalar_spec& scalar) {
-    return with_scalar(scalar, 0, []<class T>() { return widen(epsilon<T>()); });
-}
-
 // The rows of one order, in the order of the scalars.
 void add_rows(std::vector<floor_row>& rows, agreed_norms& exact, const asked_norms& asked, int order,
               const std::vector<scalar_spec>& scalars, const equation_sweep& sweep) {
@@ -180,8 +167,8 @@ void add_rows(std::vector<floor_row>& rows, agreed_norms& exact, const asked_nor
         const auto rounded = norms_of(asked, {order}, scalar);
         for (std::size_t i = 0; i < truth.size(); ++i) {
             const mpfr size = exact.size_of(truth[i].unknown);
-            rows.push_back({order, truth[i].method, scalar, rounded[i].norm, truth[i].norm,
-                            mpfr(epsilon_of(scalar) * size), size, sweep.name_of(truth[i].unknown)});
+            rows.push_back({order, name_of(truth[i].method), scalar, rounded[i].norm, truth[i].norm,
+                            mpfr(epsilon_of(scalar) * size), nullptr, sweep.name_of(truth[i].unknown)});
         }
     }
 }
@@ -192,7 +179,7 @@ study_plan plan(const study_request& request) {
     const auto scalars = scalars_of(request);
     const auto orders = orders_from(request, 0, "");
     return plan_by_numbers(
-        {head_of(*sweep, "", scalars.back(), columns())}, sweep, "order", orders,
+        {head_of(*sweep, "", scalars.back(), own_columns())}, sweep, "order", orders,
         [sweep, times, scalars](std::size_t i, const std::vector<int>& chosen) {
             const precision_scope scope(digits_of_truth);
             const auto system = sweep->system(i);
@@ -202,7 +189,7 @@ study_plan plan(const study_request& request) {
             for (const int order : chosen) {
                 add_rows(rows, exact, asked, order, scalars, *sweep);
             }
-            return std::vector<table>{make_table(columns(), rows)};
+            return std::vector<table>{make_table(own_columns(), rows)};
         });
 }
 

@@ -225,36 +225,23 @@ table rows_about(const sweep_energy& at, const exact& point, const std::vector<i
     return make_table(columns(), map);
 }
 
-// A cell for each order, those about one point from one list.
-cell_group group_of(const shared_sweep& sweep, std::size_t i, const std::vector<int>& orders,
-                    const scalar_spec& scalar) {
-    const sweep_energy& at = sweep->energies[i / sweep->points.size()];
-    const exact& point = sweep->points[i % sweep->points.size()];
-    cell_group group;
-    for (const int order : orders) {
-        group.cells.push_back(
-            with_input(with_input(inputs_of(at), "point", point.text), "order", std::to_string(order)));
-    }
-    group.compute = [sweep, &at, &point, orders, scalar](const std::vector<std::size_t>& which) {
-        std::vector<int> chosen;
-        chosen.reserve(which.size());
-        for (const std::size_t each : which) {
-            chosen.push_back(orders[each]);
-        }
-        return equal_parts({rows_about(at, point, chosen, scalar)}, which.size());
-    };
-    return group;
-}
-
 study_plan plan(const study_request& request) {
     const auto sweep = sweep_of(request);
-    const std::vector<int> orders = sorted_orders(request, least_order, "is too short a list for a radius test");
+    const std::vector<int> orders = orders_from(request, least_order, "is too short a list for a radius test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    study_plan plan;
-    plan.tables = {head_of("", scalar, columns()), head_of("optimum", scalar, optimum_columns())};
-    plan.axes = {"energy", "gap", "point", "order"};
-    plan.groups = sweep->energies.size() * sweep->points.size();
-    plan.group = [sweep, orders, scalar](std::size_t i) { return group_of(sweep, i, orders, scalar); };
+    const std::size_t points = sweep->points.size();
+    // A cell for each order, those about one point from one list.
+    study_plan plan = plan_of_values(
+        {head_of("", scalar, columns()), head_of("optimum", scalar, optimum_columns())},
+        {"energy", "gap", "point", "order"}, sweep->energies.size() * points,
+        [sweep, points](std::size_t i) {
+            return with_input(inputs_of(sweep->energies[i / points]), "point", sweep->points[i % points].text);
+        },
+        orders,
+        [sweep, points, scalar](std::size_t i, const std::vector<int>& chosen) {
+            return std::vector<table>{
+                rows_about(sweep->energies[i / points], sweep->points[i % points], chosen, scalar)};
+        });
     plan.derive = derive_optimum;
     return plan;
 }

@@ -406,7 +406,7 @@ struct tournament {
 study_plan plan(const study_request& request) {
     const pendulum_sweep sweep(request.values);
     const auto all = std::make_shared<tournament>();
-    all->orders = sorted_orders(request, 0, "");
+    all->orders = orders_from(request, 0, "");
     all->scalars =
         request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
     all->problems = problems_in(all->scalars, sweep);

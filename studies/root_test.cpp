@@ -82,7 +82,7 @@ table roots_of_list(const sweep_energy& at, const exact& point, int order, long 
 }
 
 study_plan plan(const study_request& request) {
-    const std::vector<int> orders = sorted_orders(request, least_order, "is too short a list for a root test");
+    const std::vector<int> orders = orders_from(request, least_order, "is too short a list for a root test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
     return plan_by_point({head_of("", scalar, columns()), head_of("estimates", scalar, judged_answer_columns())},
                          sweep_of(request), [orders, scalar](const sweep_energy& at, const exact& point) {

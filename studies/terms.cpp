@@ -13,6 +13,55 @@ namespace libration::studies {
 
 namespace terms_study {
 
+namespace {
+
+constexpr long printed_digits = 12;
+
+// The least order of one method for a number of digits; nothing where no order up to the highest does.
+struct terms_row {
+    int digits;
+    std::string method;
+    std::optional<int> order;
+    std::optional<mpfr> norm, before, predicted;
+    int terms, proved;  // of the pendulum, as `at`
+    const sweep_energy* at;
+    std::string unknown = {};  // of another equation
+};
+
+const column_list<terms_row>& columns() {
+    using row = terms_row;
+    static const column_list<row> all{
+        energy_column<row>(),
+        gap_column<row>(),
+        {"digits", "D: the error norm is to be at most 10^-D, in the unit of the unknown (radians)",
+         [](const row& r) { return r.digits; }},
+        {"method", "series | resummed | endpoint: with value and slope of the far end of the times",
+         [](const row& r) { return r.method; }},
+        {"order",
+         "least N whose norm, and that of every larger order looked at, is at most 10^-D; empty where there is none "
+         "(heuristic: errors at sampled times; true norms of the pendulum where they are near 10^-D)",
+         [](const row& r) { return r.order ? cell(*r.order) : cell(); }},
+        {"terms", "numbers that are not 0 in the polynomial: a_n up to N, and alpha and beta of the resummation",
+         [](const row& r) { return r.terms; }},
+        {"predicted",
+         "D ln 10/ln(R/reach) of the rate of the series, reach the length of the interval (T*); empty where that "
+         "diverges",
+         [](const row& r) { return decimal_cell(r.predicted, printed_digits); }},
+        {"proved_order", "least N for which theorem A (series) or A2 (resummed) proves the same",
+         [](const row& r) { return r.proved; }},
+        {"norm", "max of |approximation - solution| over the times, or [0, T*], at N",
+         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
+        {"norm_before", "the same at N - 1, above 10^-D; empty for N = 0",
+         [](const row& r) { return decimal_cell(r.before, printed_digits); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
+        log10_gap_column<row>(),
+        unknown_column<row>(),
+    };
+    return all;
+}
+
+}  // namespace
+
 namespace of_pendulum {
 
 using namespace series;
@@ -20,42 +69,10 @@ using namespace pendulum;
 
 namespace {
 
-constexpr long printed_digits = 12;
-
-// The least order of one method for a number of digits.
-struct terms_row {
-    const sweep_energy& at;
-    int digits;
-    arc_method method;
-    least_order least;
-    int terms;
-    mpfr predicted;
-    int proved;
-};
-
-const column_list<terms_row>& columns() {
-    using row = terms_row;
-    static const auto all = with_typed_energy<row>({
-        energy_column<row>(),
-        gap_column<row>(),
-        {"digits", "D: the error norm is to be at most 10^-D radians", [](const row& r) { return r.digits; }},
-        {"method", "series | resummed", [](const row& r) { return name_of(r.method); }},
-        {"order",
-         "least N whose norm, and that of every larger order, is at most 10^-D (heuristic: errors at sampled times, "
-         "true norms where they are near 10^-D)",
-         [](const row& r) { return r.least.order; }},
-        {"terms", "numbers that are not 0 in the polynomial: a_n up to N, and alpha and beta of the resummation",
-         [](const row& r) { return r.terms; }},
-        {"predicted", "D ln 10/ln(R/T*)", [](const row& r) { return decimal_cell(r.predicted, printed_digits); }},
-        {"proved_order", "least N for which theorem A (series) or A2 (resummed) proves the same",
-         [](const row& r) { return r.proved; }},
-        {"norm", "max of |approximation - theta| over [0, T*] at N, radians",
-         [](const row& r) { return decimal_cell(r.least.norm, printed_digits); }},
-        {"norm_before", "the same at N - 1, above 10^-D; empty for N = 0",
-         [](const row& r) { return decimal_cell(r.least.before, printed_digits); }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.least.norm); }},
-        log10_gap_column<row>(),
-    });
+const column_list<terms_row>& own_columns() {
+    static const auto all = with_typed_energy(columns_named(
+        "energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap",
+        columns()));
     return all;
 }
 
@@ -75,11 +92,12 @@ table rows_at(const sweep_energy& at, const std::vector<int>& falling) {
     for (const auto method : {arc_method::series, arc_method::resummed}) {
         const auto found = search.least(method, falling);
         for (std::size_t i = 0; i < falling.size(); ++i) {
-            rows.push_back({at, falling[i], method, found[i], terms_of(bounds, method, found[i].order),
-                            predicted_order(bounds, falling[i]), proved_order(bounds, method, falling[i])});
+            rows.push_back({falling[i], std::string(name_of(method)), found[i].order, found[i].norm, found[i].before,
+                            predicted_order(bounds, falling[i]), terms_of(bounds, method, found[i].order),
+                            proved_order(bounds, method, falling[i]), &at});
         }
     }
-    return make_table(columns(), rows);
+    return make_table(own_columns(), rows);
 }
 
 std::vector<int> falling_digits(std::vector<int> digits) {
@@ -94,7 +112,7 @@ std::vector<int> falling_digits(std::vector<int> digits) {
 
 study_plan plan(const study_request& request) {
     const std::vector<int> falling = falling_digits(request.digits());
-    return plan_by_energy({head_of("", read_scalar("mpfr:" + std::to_string(falling.front())), columns())},
+    return plan_by_energy({head_of("", read_scalar("mpfr:" + std::to_string(falling.front())), own_columns())},
                           sweep_of(request),
                           [falling](const sweep_energy& at) { return std::vector<table>{rows_at(at, falling)}; });
 }
@@ -107,38 +125,11 @@ namespace of_equation {
 namespace {
 
 constexpr int highest_order = 600;
-constexpr long printed_digits = 12;
 constexpr long guard_digits = 20;
 
-// The least order of one method for a number of digits; nothing where no order up to the highest does.
-struct terms_row {
-    int digits;
-    approximation method;
-    std::optional<int> order;
-    std::optional<mpfr> norm, before, predicted;
-    std::string unknown;
-};
-
-const column_list<terms_row>& columns() {
-    using row = terms_row;
-    static const column_list<row> all{
-        {"digits", "D: the error is to be at most 10^-D, in the unit of the unknown",
-         [](const row& r) { return r.digits; }},
-        {"method", "series | endpoint: with value and slope of the far end of the times",
-         [](const row& r) { return name_of(r.method); }},
-        {"order",
-         "least N whose largest error at the times, and that of every larger order up to 600, is at most 10^-D; empty "
-         "where there is none (heuristic: the orders beyond are not looked at)",
-         [](const row& r) { return r.order ? cell(*r.order) : cell(); }},
-        {"predicted", "D ln 10/ln(R/reach) of the rate of the series; empty where that diverges",
-         [](const row& r) { return decimal_cell(r.predicted, printed_digits); }},
-        {"norm", "max of |approximation - solution| over the times at N",
-         [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
-        {"norm_before", "the same at N - 1, above 10^-D; empty for N = 0",
-         [](const row& r) { return decimal_cell(r.before, printed_digits); }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.norm); }},
-        unknown_column<row>(),
-    };
+const column_list<terms_row>& own_columns() {
+    static const auto all =
+        columns_named("digits,method,order,predicted,norm,norm_before,log10_norm,unknown", columns());
     return all;
 }
 
@@ -158,7 +149,7 @@ std::vector<mpfr> norms_until(const unknown_on_interval<mpfr>& of, approximation
 }
 
 terms_row least_of(const std::vector<mpfr>& norms, int digits, approximation method) {
-    terms_row row{digits, method, std::nullopt, std::nullopt, std::nullopt, std::nullopt, ""};
+    terms_row row{digits, name_of(method), {}, {}, {}, {}, 0, 0, nullptr};
     const mpfr bound = pow(mpfr(10), -digits);
     std::size_t least = norms.size();
     while (least > 0 && norms[least - 1] <= bound) {
@@ -200,7 +191,7 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
             }
         }
     }
-    return {make_table(columns(), rows), make_table(radius_columns(), radii)};
+    return {make_table(own_columns(), rows), make_table(radius_columns(), radii)};
 }
 
 study_plan plan(const study_request& request) {
@@ -214,7 +205,7 @@ study_plan plan(const study_request& request) {
     }
     const scalar_spec scalar{scalar_kind::arbitrary, digits.back()};
     return plan_by_parameters(
-        {head_of(*sweep, "", scalar, columns()), head_of(*sweep, "radius", scalar, radius_columns())}, sweep,
+        {head_of(*sweep, "", scalar, own_columns()), head_of(*sweep, "radius", scalar, radius_columns())}, sweep,
         [sweep, times, digits](std::size_t i) { return tables_at(*sweep, i, times, digits); });
 }
 

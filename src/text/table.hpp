@@ -1,9 +1,12 @@
 // Tables: columns with a meaning, and rows of typed cells that fit them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <functional>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +69,21 @@ template <class Row>
 column_list<Row> joined(column_list<Row> first, const column_list<Row>& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
+}
+
+/// The columns of these names, "a,b,c", in this order. Throws std::logic_error for a name that none has.
+template <class Row>
+column_list<Row> columns_named(const std::string& names, const column_list<Row>& all) {
+    column_list<Row> chosen;
+    std::istringstream list(names);
+    for (std::string name; std::getline(list, name, ',');) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
+        if (found == all.end()) {
+            throw std::logic_error("no column is called " + name);
+        }
+        chosen.push_back(*found);
+    }
+    return chosen;
 }
 
 /// The columns of Part, which a Row holds as the member `part`.

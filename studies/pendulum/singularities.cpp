@@ -179,7 +179,7 @@ std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& ord
 
 study_plan plan(const study_request& request) {
     const auto orders = request.orders();
-    sorted_orders(request, first_order, "leaves no Pade approximant with a pole");
+    orders_from(request, first_order, "leaves no Pade approximant with a pole");
     const auto asked = request.digits();
     const long digits = *std::max_element(asked.begin(), asked.end());
     const scalar_spec scalar{scalar_kind::arbitrary, digits};

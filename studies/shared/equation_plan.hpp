@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equation_sweep.hpp"
+#include "plan_of_values.hpp"
 #include "text/input_error.hpp"
 
 namespace libration::studies {
@@ -35,51 +36,18 @@ template <class Rows>
 study_plan plan_by_parameters(std::vector<study_table> tables, const shared_equation_sweep& sweep, const Rows& rows) {
     return plan_of_cells(
         std::move(tables), sweep->axes(), sweep->size(), [sweep](std::size_t i) { return sweep->inputs(i); },
-        [sweep, rows](std::size_t i) {
-            std::vector<table> all;
-            for (const table& own : rows(i)) {
-                all.push_back(sweep->framed(i, own));
-            }
-            return all;
-        });
+        [sweep, rows](std::size_t i) { return sweep->framed(i, rows(i)); });
 }
 
 /// A cell for each of these whole numbers of an axis at each combination, those of a combination together: rows(i,
-/// values) gives one table for each of the plan's, with as many rows for each value, one value after the other.
+/// values).
 template <class Rows>
 study_plan plan_by_numbers(std::vector<study_table> tables, const shared_equation_sweep& sweep, const std::string& axis,
                            const std::vector<int>& values, const Rows& rows) {
-    const auto group = [sweep, axis, values, rows](std::size_t i) {
-        cell_group cells;
-        for (const int value : values) {
-            cells.cells.push_back(with_input(sweep->inputs(i), axis, std::to_string(value)));
-        }
-        cells.compute = [sweep, values, rows, i](const std::vector<std::size_t>& which) {
-            std::vector<int> chosen;
-            chosen.reserve(which.size());
-            for (const std::size_t each : which) {
-                chosen.push_back(values[each]);
-            }
-            std::vector<table> all;
-            for (const table& own : rows(i, chosen)) {
-                all.push_back(sweep->framed(i, own));
-            }
-            return equal_parts(all, which.size());
-        };
-        return cells;
-    };
-    return {std::move(tables), sweep->axes({axis}), sweep->size(), group, {}, {}};
-}
-
-/// The orders by size. Throws input_error where one is below `least`, which `is` why.
-inline std::vector<int> orders_from(const study_request& request, int least, const std::string& is) {
-    std::vector<int> orders = request.orders();
-    std::ranges::sort(orders);
-    if (orders.front() < least) {
-        throw input_error("--orders", std::to_string(orders.front()), is,
-                          "write orders from " + std::to_string(least) + " on");
-    }
-    return orders;
+    return plan_of_values(
+        std::move(tables), sweep->axes({axis}), sweep->size(), [sweep](std::size_t i) { return sweep->inputs(i); },
+        values,
+        [sweep, rows](std::size_t i, const std::vector<int>& chosen) { return sweep->framed(i, rows(i, chosen)); });
 }
 
 /// The times of the request as the constants of equations. Throws input_error where there are fewer than `least`.

@@ -32,6 +32,7 @@ public:
     /// <axes>,<the study's own>,<what was typed of the axes>: a table of a study under all columns. An axis that is
     /// called as one of the study's own columns is set_NAME.
     table framed(std::size_t i, const table& own) const;
+    std::vector<table> framed(std::size_t i, const std::vector<table>& own) const;
 
 private:
     std::vector<exact> values(std::size_t i) const;
@@ -109,6 +110,15 @@ inline table equation_sweep::framed(std::size_t i, const table& own) const {
         result.add_row(std::move(cells));
     }
     return result;
+}
+
+inline std::vector<table> equation_sweep::framed(std::size_t i, const std::vector<table>& own) const {
+    std::vector<table> all;
+    all.reserve(own.size());
+    for (const table& each : own) {
+        all.push_back(framed(i, each));
+    }
+    return all;
 }
 
 using shared_equation_sweep = std::shared_ptr<const equation_sweep>;

@@ -63,13 +63,6 @@ inline const column_list<judged_radius>& judged_columns() {
     return all;
 }
 
-/// The expansion point of rows with a member `point`.
-template <class Row>
-column_of<Row> point_column() {
-    return {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom",
-            [](const Row& r) { return read_cell(r.point.text); }};
-}
-
 /// The list a_0 .. a_N of a longer one.
 template <rounding_scalar T>
 series::power_series<T> cut(const series::power_series<T>& list, int order) {

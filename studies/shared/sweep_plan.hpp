@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libration/problem/known/pendulum.hpp"
-#include "sweep/study.hpp"
+#include "plan_of_values.hpp"
 
 namespace libration::studies {
 
@@ -51,32 +51,14 @@ study_plan plan_by_point(std::vector<study_table> tables, const shared_sweep& sw
         [sweep, points, rows](std::size_t i) { return rows(sweep->energies[i / points], sweep->points[i % points]); });
 }
 
-inline std::string input_words(int order) { return std::to_string(order); }
-inline std::string input_words(const exact& value) { return value.text; }
-
-/// A cell for each of these values of an axis at each energy, those of an energy together: rows(at, values) gives one
-/// table for each of the plan's, with as many rows for each value, one value after the other.
+/// A cell for each of these values of an axis at each energy, those of an energy together: rows(at, values).
 template <class Value, class Rows>
 study_plan plan_by_values(std::vector<study_table> tables, const shared_sweep& sweep, const std::string& axis,
                           const std::vector<Value>& values, const Rows& rows) {
-    const auto group = [sweep, axis, values, rows](std::size_t i) {
-        const sweep_energy& at = sweep->energies[i];
-        cell_group cells;
-        cells.cells.reserve(values.size());
-        for (const Value& value : values) {
-            cells.cells.push_back(with_input(inputs_of(at), axis, input_words(value)));
-        }
-        cells.compute = [sweep, &at, values, rows](const std::vector<std::size_t>& which) {
-            std::vector<Value> chosen;
-            chosen.reserve(which.size());
-            for (const std::size_t each : which) {
-                chosen.push_back(values[each]);
-            }
-            return equal_parts(rows(at, chosen), which.size());
-        };
-        return cells;
-    };
-    return {std::move(tables), {"energy", "gap", axis}, sweep->energies.size(), group, {}, {}};
+    return plan_of_values(
+        std::move(tables), {"energy", "gap", axis}, sweep->energies.size(),
+        [sweep](std::size_t i) { return inputs_of(sweep->energies[i]); }, values,
+        [sweep, rows](std::size_t i, const std::vector<Value>& chosen) { return rows(sweep->energies[i], chosen); });
 }
 
 /// The same for the orders.
