@@ -35,10 +35,10 @@ std::string unknown_of(const ode::explicit_system& system, const ode::loop_resul
 std::string words_of_loop(const ode::explicit_system& system, const ode::loop_result& loop) {
     const std::string name = ode::first_order_form(system).names[loop.unknown];
     if (loop.evidence == ode::loop_evidence::change) {
-        return name + " is another after a turn round it";
+        return name + " does not return to its value around it";
     }
-    return loop.power == 0 ? fmt::format("the round integral of {} is not 0", name)
-                           : fmt::format("the round integral of (t - t*)^{} {} is not 0", loop.power, name);
+    return loop.power == 0 ? fmt::format("the contour integral of {} is nonzero", name)
+                           : fmt::format("the contour integral of (t - t*)^{} {} is nonzero", loop.power, name);
 }
 
 // A covering of the same digits costs as much as the first; one of more digits, many times that.
@@ -79,11 +79,11 @@ proved_radius_answer proved_radius_of(const ode::explicit_system& system, long d
     answer.data.add_row({number_cell(lower), number_cell(upper), digits, "proved"});
     const std::string systems = radius.systems > 1
                                     ? fmt::format(", once for each of {} independent systems", radius.systems)
-                                : radius.rotation > 1 ? fmt::format(" but for turns by 1/{}", radius.rotation)
+                                : radius.rotation > 1 ? fmt::format(" up to rotation by 1/{} turn", radius.rotation)
                                                       : "";
     answer.text =
         fmt::format("lower  {}  proved: {} discs cover |t - t0| <= R{}\n", lower, radius.cover.discs.size(), systems) +
-        fmt::format("upper  {}  proved: a singularity of {} within {} of {}, for {}\n", upper,
+        fmt::format("upper  {}  proved: a singularity of {} within {} of {}, because {}\n", upper,
                     unknown_of(system, radius.evidence->evidence), upper_bound_text(radius.evidence->reach.exact()),
                     at_words(radius.evidence->centre), words_of_evidence(system, *radius.evidence));
     return answer;

@@ -159,7 +159,7 @@ std::string radius_text(const radius_answers& answers, const known_radius& known
     const table shown = data.with_columns({0, 1, 2, 4, 9});
     const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
     return verdict_in_words(answers, known, data) + "\n" + to_text(tests) +
-           "\nheuristic: coefficients prove no radius\n";
+           "\nheuristic estimate: finitely many coefficients cannot prove a radius\n";
 }
 
 table radius_table_of_unknowns(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
@@ -186,7 +186,7 @@ std::string radius_text_of_unknowns(const std::vector<radius_answers>& all, cons
     const table shown = data.with_columns({radius_columns.size(), 0, 1, 2, 9});
     const table rows(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
     return verdict_in_words(all[nearest], known, data, whose_verdict(all, names, nearest)) + "\n" + to_text(rows) +
-           "\nheuristic: coefficients prove no radius\n";
+           "\nheuristic estimate: finitely many coefficients cannot prove a radius\n";
 }
 
 }  // namespace libration

@@ -117,7 +117,7 @@ TEST_CASE("radius prints the columns of the contract, the verdict first", "[comm
     const std::string text = output_of(line);
     CHECK(text.find("only n = 0 mod 2 is other than 0") != std::string::npos);
     CHECK(text.find(rows.front().at("radius")) != std::string::npos);
-    CHECK(text.ends_with("heuristic: coefficients prove no radius\n"));
+    CHECK(text.ends_with("heuristic estimate: finitely many coefficients cannot prove a radius\n"));
     CHECK(output_of(line + words{"--format", "latex"}).find("\\begin") != std::string::npos);
 }
 

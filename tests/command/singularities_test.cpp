@@ -44,7 +44,7 @@ TEST_CASE("a pole as a row, and proved", "[command][singularity]") {
     const precision_scope scope(40);
     CHECK(abs(number_of(proved.front().at("position_re")) - mpfr(7) / 3) <=
           number_of(proved.front().at("uncertainty")));
-    CHECK(proved.front().at("evidence") == "the round integral of y is not 0; 1/y has a simple zero");
+    CHECK(proved.front().at("evidence") == "the contour integral of y is nonzero; 1/y has a simple zero");
 }
 
 // y = 1/(1 - t), z = tan t: nothing of z at 1, and what is printed is as near as the uncertainty says.

@@ -86,7 +86,7 @@ ARGUED = {
     (BOUNDS, "for (int k = 0; k < most_way_discs; ++k) {"): "ways are as long as the cell that leads to them",
     (BOUNDS, "if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {"):
         "a corner on a straight way is nearer to 0 than its farther end; rounding alone could make it not so",
-    (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its round integral has been told from 0 before",
+    (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its contour integral has been told from 0 before",
     (PLACE, "for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {"):
         "a pole in a loop is a zero within its reach, which the bits of the loop have shown every time",
     (PLACE, "if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits)) {"): "as above",

@@ -42,6 +42,13 @@ TEST_CASE("conditions and limits at infinity have the digits in print", "[proble
     CHECK(left[1].text == "0");
 }
 
+// tests/reference/hiemenz.py. f'' falls to 1e-67 before the two sides part, while f' tends to 1.
+TEST_CASE("the shear of stagnation point flow has the digits of mpmath", "[problem][proved]") {
+    const auto flow = ode::changed(of_catalogue("falkner_skan"), "b = 1; s = 1.23");
+    CHECK(proved_for_infinity(flow, {"s"}, "f'(inf) = 1", 50).front().text ==
+          "1.2325876568202810201739472989284030394576534278655");
+}
+
 TEST_CASE("what no lemma is about is refused", "[problem][proved]") {
     CHECK(is_at_infinity("u( -inf ) = 1"));
     CHECK_FALSE(is_at_infinity("f'(5) = 1"));

@@ -1,6 +1,6 @@
 // What a radius test answers: a radius with its uncertainty, or the reason why it has none.
 //
-// Finitely many coefficients prove no radius: any series agrees to x^N with a polynomial. Every estimate here is a
+// Finitely many coefficients cannot prove a radius: any series agrees to x^N with a polynomial. Every estimate here is a
 // heuristic and carries its own uncertainty, an estimate too: made for covering the error, not a bound of it.
 #pragma once
 

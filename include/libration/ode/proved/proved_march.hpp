@@ -60,6 +60,9 @@ public:
     /// The same at every time of a ball.
     std::optional<std::vector<ball>> at(const ball& target);
 
+    /// Before the first step: errors weigh absolutely, as for a solution that tends to a constant while its derivative
+    /// vanishes much faster (unknown_scales::weigh_by_errors).
+    void weigh_by_errors() { scales_.weigh_by_errors(); }
     /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set; from a singular
     /// start for that itself (singular_step.hpp, derivative_beyond_start, whose errors it throws), before the first
     /// step alone.

@@ -56,7 +56,7 @@ enum class loop_evidence {
     none,
     /// End and start of an unknown differ.
     change,
-    /// The round integral of ((z - c)/d)^power times an unknown is not 0.
+    /// The contour integral of ((z - c)/d)^power times an unknown is nonzero.
     integral
 };
 

@@ -92,17 +92,20 @@ public:
         return best == nothing ? most : static_cast<long>(std::min(best, static_cast<double>(most)));
     }
 
-    /// Exponents of the scales, for error_frame::settled.
+    /// Exponents of the scales in which errors are comparable, for error_frame::settled.
     std::vector<long> exponents() const {
         std::vector<long> result;
         for (const unknown_scale& each : all_) {
-            result.push_back(static_cast<long>(each.scale));
+            result.push_back(static_cast<long>(by_errors_ && each.reach != nothing ? each.reach : each.scale));
         }
         return result;
     }
 
     /// From here on errors weigh by the scales alone, as the derivative of the flow asks.
     void weigh_by_scales() { by_scales_ = true; }
+    /// From here on errors weigh by the error sets alone: an unknown that is much smaller than another, and has fewer
+    /// digits relative to itself, does not pass its relative error on.
+    void weigh_by_errors() { by_errors_ = true; }
     /// log2 of the weight of an error of unknown j in unknown i: relative to the scales of both or, where that is less,
     /// to their error sets.
     double weight(std::size_t i, std::size_t j) const {
@@ -113,7 +116,11 @@ public:
         if (all_[j].reach == nothing) {
             return nothing;
         }
-        return all_[i].reach == nothing ? of_scales : std::min(of_scales, all_[j].reach - all_[i].reach);
+        if (all_[i].reach == nothing) {
+            return of_scales;
+        }
+        const double of_errors = all_[j].reach - all_[i].reach;
+        return by_errors_ ? of_errors : std::min(of_scales, of_errors);
     }
 
     /// log2 of the longest step whose tail is below the last of so many bits of each unknown, or far enough below its
@@ -135,6 +142,7 @@ public:
 private:
     std::vector<unknown_scale> all_;
     bool by_scales_ = false;
+    bool by_errors_ = false;
 };
 
 /// The places of the derivatives of the unknowns by each other among those of the system with its variations.

@@ -28,7 +28,7 @@ constexpr long least_digits_of_smaller_loop = 16;
 constexpr int most_coverings = 4;
 constexpr long most_discs_a_digit = 300;
 constexpr long shown_digits = 12;
-// Weights of the round integrals beyond the order of a pole that was seen.
+// Weights of the contour integrals beyond the order of a pole that was seen.
 constexpr int largest_power = 8;
 
 ball exact_ball(const mpfr& x) {

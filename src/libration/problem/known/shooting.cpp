@@ -19,6 +19,7 @@ constexpr int latest_time_of_sides = 100'000;
 
 std::optional<side> side_of(const equation_system& system, long bits, const state_test& decided, const ball& least) {
     proved_march march(explicit_system(system), bits);
+    march.weigh_by_errors();
     while (march.prepare() && certainly_less(march.reached(), ball(latest_time_of_sides))) {
         if (const auto found = decided(march.values_at(ball(0)))) {
             return found;
