@@ -2,14 +2,13 @@
 // differential equation.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <stdexcept>
-#include <system_error>
 
 #include "equation/problem_options.hpp"
 #include "equation/problem_series.hpp"
 #include "libration/scalar/exponent_range.hpp"
+#include "libration/scalar/text/whole_number.hpp"
 #include "motion/motion_options.hpp"
 #include "motion/motion_series.hpp"
 #include "option/options.hpp"
@@ -37,23 +36,12 @@ struct coefficients_options {
 
 constexpr long most_rows = 1'000'001;
 
-long read_power(const std::string& text) {
-    long power = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), power);
-    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
-        throw error(error_kind::argument, "power", "", "is not a whole number");
-    }
-    if (problem != std::errc() || power < 0 || power > largest_power) {
-        throw error(error_kind::argument, "power", "", fmt::format("is not between 0 and {}", largest_power));
-    }
-    return power;
-}
-
 // --from and --order: which powers are printed.
 template <class Request>
 void read_powers(const coefficients_options& options, Request& request) {
     const auto power = [](const char* option, const std::string& value) {
-        return reading(option, value, "write a power of the series, 0 or more", [&] { return read_power(value); });
+        return reading(option, value, "write a power of the series, 0 or more",
+                       [&] { return read_whole_number(value, largest_power, "power"); });
     };
     request.order = power("--order", options.order);
     request.first = options.from ? power("--from", *options.from) : 0;

@@ -7,6 +7,7 @@
 #include "libration/scalar/enclose.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/whole_number.hpp"
 
 namespace libration {
 
@@ -155,15 +156,7 @@ std::vector<exact> read_grid(std::string_view text) {
 }
 
 int read_count(std::string_view text, int largest) {
-    long value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
-        throw error(error_kind::argument, "list", "", "is not a whole number");
-    }
-    if (problem != std::errc() || value < 0 || value > largest) {
-        throw error(error_kind::argument, "list", "", "is not between 0 and " + std::to_string(largest));
-    }
-    return static_cast<int>(value);
+    return static_cast<int>(read_whole_number(text, largest, "list"));
 }
 
 std::vector<int> read_counts(std::string_view text, int largest) {

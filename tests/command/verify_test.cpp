@@ -486,6 +486,13 @@ TEST_CASE("verify shows what it quotes short and without control characters", "[
     CHECK(verify(std::string(1'000'000, 'a') + "\n1\n").err.size() < 1000);
 }
 
+// z = sin t is 0 at pi, which no precision decides.
+TEST_CASE("verify names the value that is not decided", "[command][verify]") {
+    const auto done = verify("time,w,z\npi,1,0\n", {"--problem", "w' = 0; z'' = -z; w(0) = 1; z(0) = 0; z'(0) = 1"});
+    CHECK(done.exit_code == 1);
+    CHECK(says(done, "z is not decided by"));
+}
+
 TEST_CASE("verify writes the same bytes with any number of threads", "[command][verify]") {
     std::string csv = "time,theta,energy\n";
     for (int i = 0; i < 1000; ++i) {

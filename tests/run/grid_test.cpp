@@ -185,12 +185,15 @@ TEST_CASE("a count is a whole number from 0 to the largest allowed", "[sweep][gr
     CHECK(read_count("7", 10) == 7);
     CHECK(read_count("10", 10) == 10);
     CHECK(read_count("0010", 10) == 10);
+    CHECK(read_count("1e1", 10) == 10);
+    CHECK(read_count("0e99", 10) == 0);
     const auto about = [](const std::string& text) { return complaint([&] { return read_count(text, 10); }); };
-    for (const std::string text : {"", "abc", "2.5", "1e1", "+3", " 3", "3 ", "3,4", "-"}) {
+    for (const std::string text : {"", "abc", "2.5", "1e-1", "1e", "+3", " 3", "3 ", "3,4", "-"}) {
         INFO("'" << text << "'");
         CHECK(about(text) == "is not a whole number");
     }
-    for (const std::string text : {"11", "-1", "-99999999999999999999", "99999999999999999999", "4294967297"}) {
+    for (const std::string text : {"11", "-1", "-99999999999999999999", "99999999999999999999", "4294967297", "2e1",
+                                   "1e30", "1e99999999999999999999"}) {
         INFO("'" << text << "'");
         CHECK(about(text) == "is not between 0 and 10");
     }

@@ -1,8 +1,8 @@
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/text/whole_number.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace libration {
 
@@ -30,15 +30,7 @@ bool comes_before(const exact& a, const exact& b) { return a.text != b.text && s
 
 int order_from(std::string_view text) {
     constexpr int largest_order = 100'000;
-    long value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem == std::errc::invalid_argument || end != text.data() + text.size()) {
-        throw error(error_kind::argument, "value", "", "is not a whole number");
-    }
-    if (problem != std::errc() || value < 0 || value > largest_order) {
-        throw error(error_kind::argument, "value", "", "is not between 0 and " + std::to_string(largest_order));
-    }
-    return static_cast<int>(value);
+    return static_cast<int>(read_whole_number(text, largest_order, "value"));
 }
 
 void require_time(const exact& time) {

@@ -59,6 +59,7 @@ compared_values compare_row(const std::vector<written_value>& values, const row_
                             const compare_rules& rules) {
     const long start = question.first_digits(places_of_row(values, rules));
     constexpr int attempts = 5;
+    std::string undecided = values.front().name;
     const auto attempt = [&](const precision_run& run) -> std::optional<compared_values> {
         compared_values here;
         here.proved = question.proved;
@@ -69,6 +70,7 @@ compared_values compare_row(const std::vector<written_value>& values, const row_
             }
             auto value = compare_value(values[i].text, truths[i], rules, run.last);
             if (!value) {
+                undecided = values[i].name;
                 return std::nullopt;
             }
             here.values.push_back(*std::move(value));
@@ -76,7 +78,7 @@ compared_values compare_row(const std::vector<written_value>& values, const row_
         here.condition = question.condition(run.more);
         return here;
     };
-    return with_growing_precision({0, start, attempts * start, digit_growth::by_first}, values.front().name, attempt);
+    return with_growing_precision({0, start, attempts * start, digit_growth::by_first}, undecided, attempt);
 }
 
 std::string correct_digits_text(const std::optional<long>& tenths) {
