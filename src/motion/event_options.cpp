@@ -35,16 +35,16 @@ ode::crossing way_of(const std::string& word) {
 }  // namespace
 
 void event_options::add_to(CLI::App& command) {
-    command.add_option("--until", until_, "of a problem: the times of an event, \"x' = 0\"")->type_name("G=H");
-    command.add_option("--count", count_, "so many of them (1)")->type_name("K");
-    command.add_option("--crossing", way_, "those where G - H passes 0 this way as time increases: up or down")
+    command.add_option("--until", until_, "with --problem: the times at which a condition holds, e.g. \"x' = 0\"")
+        ->type_name("G=H");
+    command.add_option("--count", count_, "number of events to find (default 1)")->type_name("K");
+    command.add_option("--crossing", way_, "only events where G - H increases (up) or decreases (down) with time")
         ->type_name("WAY");
-    command.add_option("--before", before_, "those alone that are certainly before this time or at it")
-        ->type_name("TIME");
-    command.add_flag("--from-start", from_start_, "the start too, where the condition holds there");
+    command.add_option("--before", before_, "only events before or at this time")->type_name("TIME");
+    command.add_flag("--from-start", from_start_, "include the initial time if the condition holds there");
     command
         .add_option("--horizon", horizon_,
-                    fmt::format("give up after so many steps without an event ({}; with --before only where given)",
+                    fmt::format("maximum number of steps without an event (default {}; none with --before)",
                                 ode::event_search::usual_horizon))
         ->type_name("STEPS");
 }
@@ -59,6 +59,14 @@ void event_options::require_none() const {
     if (from_start_) {
         throw input_error("--from-start is of an event and there is none: add --until \"x = 0\"");
     }
+}
+
+void event_options::require_absent() const {
+    if (until_) {
+        throw input_error("--until", *until_, "requires --problem",
+                          "leave it out, or write --problem pendulum");
+    }
+    require_none();
 }
 
 ode::event_request event_options::request(const problem_options& problem, const ode::explicit_system& system) const {

@@ -19,6 +19,8 @@ public:
     bool given() const { return until_.has_value(); }
     /// Throws input_error for an option that has no meaning without --until.
     void require_none() const;
+    /// Throws input_error for any of them: events are those of a problem.
+    void require_absent() const;
     /// Throws input_error.
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
 

@@ -292,6 +292,7 @@ int run_reference(const reference_options& options) {
         return 0;
     }
     options.problem.require_problem();
+    options.events.require_absent();
     if (options.check && digits > most_checked_digits) {
         throw input_error("--digits", std::to_string(digits), "with --check would take hours",
                           fmt::format("ask for {} digits or fewer", most_checked_digits));

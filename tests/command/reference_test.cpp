@@ -208,6 +208,9 @@ TEST_CASE("a row that is no motion is refused with its line and column", "[comma
     refused("E,t\n", {}, "f.csv has no row");
     refused("E,t\n1,0\n", {"--columns", "x=time"}, "--columns 'x=time' has 'x'");
     check_refused({"reference", "--energy", "1"}, {"add --times LIST"});
+    check_refused({"reference", "--energy", "1", "--time", "1", "--until", "theta = 0"},
+                  {"--until 'theta = 0'", "--problem"});
+    check_refused({"reference", "--energy", "1", "--time", "1", "--count", "2"}, {"--count '2'"});
     check_refused({"reference", "--energy", "1", "--time", "1", "--columns", "t=time"}, {"--columns 't=time'"});
     check_refused({"reference", "--motions", "none.csv"}, {"--motions 'none.csv'"});
 }

@@ -118,18 +118,23 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
          "place"},
         {"x' = y'; x(0) = 0; y(0) = 0", "problem has 1 equations for 2 unknowns (x, y): give as many of both"},
         {"y' = log(y); y(0) = 0",
-         "problem 'y'' has no value at the start, for its right side takes the logarithm of a number that is not "
+         "problem 'y'' cannot be expanded at the start, because its right-hand side takes the logarithm of a number "
+         "that is not "
          "positive: choose another start"},
         {"y' = sqrt(y); y(0) = 0",
-         "problem 'y'' has no value at the start, for its right side takes the root of 0: choose another start"},
+         "problem 'y'' cannot be expanded at the start, because its right-hand side takes the root of 0: choose "
+         "another start"},
         {"y' = y^(1/3); y(0) = 0",
-         "problem 'y'' has no value at the start, for its right side takes a power of 0 that is not whole: choose "
+         "problem 'y'' cannot be expanded at the start, because its right-hand side takes a power of 0 that is not "
+         "whole: choose "
          "another start"},
         {"y' = asin(y); y(0) = 1",
-         "problem 'y'' has no value at the start, for its right side takes acos or asin of 1 or -1, where they have no "
+         "problem 'y'' cannot be expanded at the start, because its right-hand side takes acos or asin of 1 or -1, "
+         "where they have no "
          "series: choose another start"},
         {"R*R'' + 1 = 0; R(0) = 0; R'(0) = 1",
-         "problem 'R''' has no value at the start, for its right side divides by zero: choose another start"},
+         "problem 'R''' cannot be expanded at the start, because its right-hand side divides by zero: choose another "
+         "start"},
         {"t^2*y' = y - t; y(0) = 0",
          "problem 'y'' is irregular singular at the start, where a factor of the highest derivative vanishes too fast "
          "for a power series: choose another start"},

@@ -85,8 +85,9 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
         }
         singular_ = singular_form(unknowns_, right_, point_, values);
         if (!singular_) {
-            refuse(primed(unknowns_[i].name, unknowns_[i].order), {},
-                   "has no value at the start, for its right side " + *reason + ": choose another start");
+            refuse(
+                primed(unknowns_[i].name, unknowns_[i].order), {},
+                "cannot be expanded at the start, because its right-hand side " + *reason + ": choose another start");
         }
         break;
     }

@@ -195,7 +195,9 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
                    "a power series: choose another start");
         }
         if (const auto reason = values.refusal_of(scaled)) {
-            refuse(highest, {}, "has no value at the start, for its right side " + *reason + ": choose another start");
+            refuse(
+                highest, {},
+                "cannot be expanded at the start, because its right-hand side " + *reason + ": choose another start");
         }
         result.right.push_back({scaled, weights_of(in_distance[i], unknowns[i].order, unknowns, factors, values)});
     }
