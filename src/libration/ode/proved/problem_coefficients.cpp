@@ -1,5 +1,7 @@
 #include "libration/ode/proved/problem_coefficients.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "libration/digits/proved/printed_values.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/dependency.hpp"
 #include "libration/ode/path.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/step.hpp"
@@ -17,6 +20,8 @@ namespace libration::ode {
 namespace {
 
 constexpr long longest_exact_series = 400;
+constexpr long first_exact_order = 16;
+constexpr double most_products_of_words = 3e8;  // about a second
 
 bool is_plain_zero(const number& x) {
     const auto plain = x.plain();
@@ -135,26 +140,79 @@ std::vector<complex_number<mpfr>> about_point(const coefficient_request& request
     return flat_values(request, expansion);
 }
 
-// Which coefficients about the start are exactly 0: by fractions where they serve, else by the symmetry alone.
-std::vector<bool> zeros_about_start(const coefficient_request& request, const tape& made) {
-    std::vector<bool> zeros;
+double bits_of(const rational& q) {
+    return static_cast<double>(mpz_sizeinbase(mpq_numref(q.backend().data()), 2) +
+                               mpz_sizeinbase(mpq_denref(q.backend().data()), 2));
+}
+
+// About how many products of words a series of twice the order takes, whose fractions are twice as long as the last ones.
+double cost_of_doubling(const tape& made, const taylor_expansion<rational>& of) {
+    double most = 0;
+    for (int i = 0; i < static_cast<int>(made.orders().size()); ++i) {
+        for (int n = 0; n <= of.order(); ++n) {
+            most = std::max(most, bits_of(of.coefficients(i)[n]));
+        }
+    }
+    const double terms = 2.0 * of.order();
+    const double words = 2 * most / 64 + 1;
+    return static_cast<double>(made.steps().size()) * terms * terms / 2 * words * words;
+}
+
+// The series in fractions, up to the order or as far as that takes little time: fractions can grow with every power.
+std::optional<taylor_expansion<rational>> exact_series(const tape& made, long order) {
+    if (order > longest_exact_series) {
+        return std::nullopt;
+    }
     try {
-        if (request.order <= longest_exact_series) {
-            taylor_expansion<rational> exact(made, static_cast<int>(request.order));
+        for (long n = std::min(order, first_exact_order);; n = std::min(order, 2 * n)) {
+            taylor_expansion<rational> exact(made, static_cast<int>(n));
             exact.about_start();
-            each_coefficient(request, exact, [&](const rational& c, int, long) { zeros.push_back(c == 0); });
-            return zeros;
+            if (n == order || cost_of_doubling(made, exact) > most_products_of_words) {
+                return exact;
+            }
         }
     } catch (const error&) {
-        zeros.clear();  // it has other numbers than fractions
+        return std::nullopt;  // it has other numbers than fractions
     }
-    for (long n = request.first; n <= request.order; ++n) {
-        for (int i = 0; i < static_cast<int>(request.system.unknowns().size()); ++i) {
-            const int residue = made.residue_of(i);
-            zeros.push_back(residue < 0 || n % made.stride() != residue);
+}
+
+// By unknowns, which coefficients 0 .. order about the start are exactly 0: by fractions as far as they are known, then
+// by the symmetry alone.
+std::vector<std::vector<bool>> zeros_of(const explicit_system& system, long order) {
+    const tape made = tape::about_start(system);
+    const auto exact = exact_series(made, order);
+    std::vector<std::vector<bool>> zeros(system.unknowns().size());
+    for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
+        const int residue = made.residue_of(i);
+        for (long n = 0; n <= order; ++n) {
+            zeros[static_cast<std::size_t>(i)].push_back(exact && n <= exact->order()
+                                                             ? exact->coefficients(i)[n] == 0
+                                                             : residue < 0 || n % made.stride() != residue);
         }
     }
     return zeros;
+}
+
+// In the order of a coefficient_list. Each independent system alone, since the fractions of one may be short.
+std::vector<bool> zeros_about_start(const coefficient_request& request) {
+    std::vector<std::vector<bool>> zeros(request.system.unknowns().size());
+    if (request.system.singular()) {
+        zeros = zeros_of(request.system, request.order);  // a part may be in other powers than the whole
+    } else {
+        for (const closed_subsystem& part : independent_subsystems(request.system)) {
+            auto of_part = zeros_of(part.system, request.order);
+            for (std::size_t k = 0; k < of_part.size(); ++k) {
+                zeros[part.unknowns[k]] = std::move(of_part[k]);
+            }
+        }
+    }
+    std::vector<bool> flat;
+    for (long n = request.first; n <= request.order; ++n) {
+        for (const auto& of_unknown : zeros) {
+            flat.push_back(of_unknown[static_cast<std::size_t>(n)]);
+        }
+    }
+    return flat;
 }
 
 }  // namespace
@@ -170,7 +228,7 @@ coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coe
         const tape made = tape::about_start(request.system);
         auto values = rounded_values(
             scalar, [&]<class T>() { return about_start<T>(request, made); },
-            [&] { return zeros_about_start(request, made); });
+            [&] { return zeros_about_start(request); });
         return {std::move(values), false, made.root()};
     }
     if (!request.complex()) {
@@ -197,7 +255,7 @@ coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& 
     const tape made = tape::about_start(request.system);
     auto values = proved_decimals(
         digits, [&] { return about_start<ball>(request, made, route.product, route.more_terms); },
-        [&] { return zeros_about_start(request, made); });
+        [&] { return zeros_about_start(request); });
     return {std::move(values), false, made.root()};
 }
 
