@@ -228,4 +228,17 @@ TEST_CASE("a time beyond the end leaves those before it", "[ode][proved]") {
     CHECK(part.states[2][0].decimal->text == "0.500000000000000");
 }
 
+// At an equilibrium only the derivative of the flow has a time scale.
+TEST_CASE("a solution that stays at an equilibrium is followed over times of any size", "[ode][proved]") {
+    for (const char* scale : {"1e-1000", "1", "1e300", "1e320", "1e1000"}) {
+        for (const char* start : {"1", "-1", "1 + 2^(-3000)"}) {
+            CAPTURE(scale, start);
+            const std::string problem = "y' = (1 - y^2)/" + std::string(scale) + "; y(0) = " + std::string(start);
+            const number time = parse_constant("-5/4*" + std::string(scale)).constant();
+            const auto states = proved_trajectory(explicit_system(parse(problem)), {time}, 20);
+            CHECK(states[0][0].text == (start[0] == '-' ? "-1.0000000000000000000" : "1.0000000000000000000"));
+        }
+    }
+}
+
 }  // namespace ode_proved_scale_test

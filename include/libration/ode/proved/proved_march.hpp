@@ -100,6 +100,8 @@ private:
     void make_expansions();
     bool expand_centre();
     bool expand_set();
+    bool expand_variations();
+    double radius_of_variations() const;
     bool choose_length();
     bool stopped(march_end why);
     bool stopped_by_bounds();

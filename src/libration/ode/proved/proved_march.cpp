@@ -160,6 +160,9 @@ bool proved_march::expand_centre() {
     }
     now_->of_centre.about(time_, as_state(all));
     now_->log_of_radius = estimated_radius(now_->of_centre, all.size());
+    if (now_->log_of_radius == no_radius && expand_variations()) {
+        now_->log_of_radius = radius_of_variations();
+    }
     now_->tail = tail_near(tape_, now_->of_centre, time_, now_->log_of_radius);
     return now_->tail.has_value();
 }
@@ -168,15 +171,27 @@ bool proved_march::expand_centre() {
 bool proved_march::expand_set() {
     const precision_scope few(decimal_digits(set_bits_));
     errors_ = errors_.settled(scales_.exponents());
-    const auto varied = varied_values(lifted_, time_, whole_set());
-    if (!all_finite(varied)) {
+    if (!expand_variations()) {
         return false;
     }
-    now_->of_set.about(time_, as_state(varied));
-    // At an equilibrium the variations alone have a radius.
-    const double radius = std::min(now_->log_of_radius, estimated_radius(now_->of_set, varied.size()));
+    const double radius = std::min(now_->log_of_radius, radius_of_variations());
     now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, radius);
     return now_->set_tail.has_value();
+}
+
+bool proved_march::expand_variations() {
+    const precision_scope few(decimal_digits(set_bits_));
+    const auto varied = varied_values(lifted_, time_, whole_set());
+    const bool finite = all_finite(varied);
+    if (finite) {
+        now_->of_set.about(time_, as_state(varied));
+    }
+    return finite;
+}
+
+// At an equilibrium the variations alone have a radius.
+double proved_march::radius_of_variations() const {
+    return estimated_radius(now_->of_set, varied_tape_.orders().size());
 }
 
 // The longest step with a tail below the last bits of each unknown and small in the map of errors; any would do. Whether
