@@ -246,4 +246,48 @@ TEST_CASE("the events of harmonic oscillators are inverse cosines, in many cases
     check_oscillators(1000);
 }
 
+// A turn at the start itself, which Newton's method encloses ever more narrowly: the zero is at sqrt(2 h/g).
+TEST_CASE("a body is dropped from any height with an acceleration that is no fraction", "[ode][proved]") {
+    const precision_scope scope(60);
+    for (const char* acceleration : {"(1 - exp(-155))", "pi", "exp(-155)"}) {
+        for (const char* height : {"2^(-35)", "1e-1000", "1", "1e1000"}) {
+            CAPTURE(acceleration, height);
+            const equation_system problem =
+                parse("y'' = -" + std::string(acceleration) + "; y(0) = " + height + "; y'(0) = 0");
+            event_request request;
+            request.g = ode::unknown("y");
+            const auto events = proved_events(explicit_system(problem), request, digits);
+            const auto ball_of = [](const std::string& text) {
+                return constant_value<ball>::of(parse_constant(text).constant());
+            };
+            const ball truth = sqrt(ball(2) * ball_of(height) / ball_of(acceleration));
+            CHECK(certainly_less(abs(ball_of(events[0].time.text) - truth), abs(truth) * pow(ball(10), 1 - digits)));
+        }
+    }
+}
+
+// w = y - x^2 obeys w' = c w^2, so that 1/w = 1/w(0) - c t, beside an x that is larger than w by many orders: on a set of
+// times x^2 varies far more than w does.
+TEST_CASE("events of what is left where large terms cancel", "[ode][proved]") {
+    const rational c = 1 + ten_to(-13);
+    const auto events_at = [&](const rational& from, const rational& level, const rational& before) {
+        const equation_system problem =
+            parse("x' = -x; y' = " + text_of(c) + "*(y - x^2)^2 - 2*x^2; x(0) = 1; y(0) = 1 + " + text_of(from));
+        event_request request;
+        request.g = ode::unknown("y") - ode::unknown("x") * ode::unknown("x") - ode::expression(number(level));
+        request.before = number(before);
+        return searched_events(explicit_system(problem), request, digits).events;
+    };
+    for (const int exponent : {8, 26, 60}) {
+        CAPTURE(exponent);
+        const rational w(1, pow(integer(2), static_cast<unsigned>(exponent)));
+        CHECK(events_at(w, w, rational(7, 4)).empty());
+        const rational level = w + w * w / 3;
+        const auto events = events_at(w, level, rational(7, 4));
+        REQUIRE(events.size() == 1);
+        CHECK(printed_well(events[0].time, rational((1 / w - 1 / level) / c)));
+        CHECK(events_at(w, level, rational(1, 4)).empty());
+    }
+}
+
 }  // namespace ode_proved_event_laws_test

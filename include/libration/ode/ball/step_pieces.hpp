@@ -56,11 +56,15 @@ inline ball midpoint_alone(const ball& x) {
     return result;
 }
 
+/// The method narrows an enclosure of 0 itself without end.
+inline constexpr int most_newton_steps = 100;
+
 /// Newton's method on balls: where a function is 0 within a ball, if it is, value and slope enclosed on balls of it; the
 /// ball itself where its slope contains 0. std::nullopt where it is not 0 in the ball.
 template <class Value, class Slope>
 std::optional<ball> zero_within(ball place, const Value& value, const Slope& slope) {
-    for (bool narrows = true; narrows;) {
+    bool narrows = true;
+    for (int step = 0; narrows && step < most_newton_steps; ++step) {
         const ball middle = midpoint_alone(place);
         const ball next = middle - value(middle) / slope(place);
         if (!is_finite(next)) {

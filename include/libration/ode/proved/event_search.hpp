@@ -35,6 +35,8 @@ enum class search_end {
 struct undecided_place {
     ball from, to;
     magnitude value, slope;
+    /// Whether it was left because the step has been cut into most_pieces_of_a_step pieces: more bits are of no use then.
+    bool too_many_pieces = false;
 };
 
 /// The zeros of gamma(t) = g(t, y(t)) in the open interval behind the start, in their order, none left out: theorem E.
@@ -61,6 +63,8 @@ public:
     event_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
                  const proof_route& route = {}, march_watch watch = {});
 
+    /// Pieces of one step after which a search gives up.
+    static constexpr long most_pieces_of_a_step = 4'000;
     /// Steps without an event after which a search without an end gives up.
     static constexpr long usual_horizon = 5'000;
 

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int first_pieces = 4;
 constexpr long few_digits = 20;  // in which pieces are judged first
-constexpr long most_pieces_of_a_step = 100'000;
 
 }  // namespace
 
@@ -143,8 +142,13 @@ event_search::verdict event_search::judged(step_piece& p) {
         p.digits = std::min(2 * p.digits, digits_);
         return judged(p);
     }
-    const bool give_up = no_use || p.is_narrow(march_.bits()) || ++examined_ > most_pieces_of_a_step;
-    return give_up ? undecided_on(span, all) : verdict{finding::open, 0};
+    const bool narrow = no_use || p.is_narrow(march_.bits());
+    if (!narrow && ++examined_ <= most_pieces_of_a_step) {
+        return {finding::open, 0};
+    }
+    const verdict undecided = undecided_on(span, all);
+    undecided_->too_many_pieces = !narrow;
+    return undecided;
 }
 
 // The later part first, so that the earlier one is the next.

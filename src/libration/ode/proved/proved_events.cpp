@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "condition_system.hpp"
 #include "libration/scalar/error.hpp"
 #include "needed_bits.hpp"
 
@@ -79,7 +80,8 @@ private:
     bool complete() {
         events_.clear();
         const precision_scope scope(decimal_digits(bits_.now()) + 10);
-        event_search search(system_, request_.g, bits_.now(), request_.direction, route_,
+        event_search search(as_unknown_ ? as_unknown_->system : system_,
+                            as_unknown_ ? as_unknown_->condition : request_.g, bits_.now(), request_.direction, route_,
                             [&](const ball& reached, long bits) { tell(reached, bits); });
         if (const auto start = request_.from_start ? search.at_start() : std::nullopt;
             start && (request_.way == crossing::any || request_.way == start->way) && !taken(*start)) {
@@ -128,10 +130,21 @@ private:
         bits_.raise_to(2 * bits_.now(), "event", name_of_next());
     }
 
+    std::vector<ball> state_of(const proved_event& event) const {
+        if (!as_unknown_) {
+            return event.state;
+        }
+        std::vector<ball> state;
+        for (const std::size_t place : as_unknown_->places) {
+            state.push_back(event.state[place]);
+        }
+        return state;
+    }
+
     // Prints it; false, and more bits, where digits are missing.
     bool taken(const proved_event& event) {
         printed_event made;
-        std::vector<ball> values = event.state;
+        std::vector<ball> values = state_of(event);
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (given_[i]) {
                 values[i] = constant_value<ball>::of(*given_[i]);
@@ -175,17 +188,28 @@ private:
                 refused("is not reached: the solution is proved to exist up to " + reached +
                         ", where the steps become too small, as they do near a singularity");
                 break;
-            case search_end::undecided: raise_bits_for(text_of(search.undecided())); break;
+            case search_end::undecided:
+                if (!search.undecided().too_many_pieces) {
+                    raise_bits_for(text_of(search.undecided()));
+                } else if (as_unknown_ || system_.singular()) {
+                    refused(text_of(search.undecided()));
+                } else {
+                    as_unknown_ = with_condition(system_, request_.g);
+                }
+                break;
             case search_end::none:
             case search_end::precision: bits_.raise_to(2 * bits_.now(), "event", name_of_next()); break;
         }
     }
 
     std::string text_of(const undecided_place& place) const {
-        return "is not decided by " + std::to_string(bits_.now()) + " bits: the condition may " + "hold in [" +
-               bound_text(place.from, MPFR_RNDD) + ", " + bound_text(place.to, MPFR_RNDU) +
-               "], where its two sides differ by at most " + upper_bound_text(place.value.exact()) +
-               " and the derivatives of the two sides by at most " + upper_bound_text(place.slope.exact());
+        const std::string means = place.too_many_pieces
+                                      ? std::to_string(event_search::most_pieces_of_a_step) + " pieces of a step"
+                                      : std::to_string(bits_.now()) + " bits";
+        return "is not decided by " + means + ": the condition may hold in [" + bound_text(place.from, MPFR_RNDD) +
+               ", " + bound_text(place.to, MPFR_RNDU) + "], where its two sides differ by at most " +
+               upper_bound_text(place.value.exact()) + " and the derivatives of the two sides by at most " +
+               upper_bound_text(place.slope.exact());
     }
 
     std::string name_of_next() const { return std::to_string(events_.size() + 1); }
@@ -194,6 +218,7 @@ private:
     const event_request& request_;
     const proof_route& route_;
     const event_watch& watch_;
+    std::optional<condition_system> as_unknown_;  // once g itself is too wide on sets of times
     std::vector<std::optional<number>> given_;
     std::vector<printed_event> events_;  // of this run
     std::vector<printed_event> known_;   // of the run that found most

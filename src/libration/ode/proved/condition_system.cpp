@@ -1,0 +1,78 @@
+#include "condition_system.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "libration/ode/first_order_form.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr const char* name_of_condition = "the condition";  // no name that can be typed
+
+// With the leaves replaced by what `values` has for them, and the variable by `time`.
+expression with_leaves(const expression& e, const first_order_form& form, const std::vector<expression>& values,
+                       const expression& time) {
+    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() == node_kind::variable) {
+            return time;
+        }
+        const auto found = std::ranges::find_if(form.leaves, [&](const expression& l) { return same_form(l, leaf); });
+        return found == form.leaves.end()
+                   ? std::nullopt
+                   : std::optional(values[static_cast<std::size_t>(found - form.leaves.begin())]);
+    });
+}
+
+std::vector<std::size_t> places_in(const explicit_system& whole, const explicit_system& part) {
+    std::vector<std::size_t> places;
+    for (const unknown_function& each : part.unknowns()) {
+        std::size_t first = 0;
+        for (const unknown_function& other : whole.unknowns()) {
+            if (other.name == each.name) {
+                break;
+            }
+            first += static_cast<std::size_t>(other.order);
+        }
+        for (int j = 0; j < each.order; ++j) {
+            places.push_back(first + static_cast<std::size_t>(j));
+        }
+    }
+    return places;
+}
+
+}  // namespace
+
+condition_system with_condition(const explicit_system& system, const expression& g) {
+    if (system.singular()) {
+        throw std::logic_error("a condition as an unknown needs a start that is not singular");
+    }
+    const first_order_form form(system);
+    const expression value = form.in_leaves(g);
+    const expression slope = form.slope_of(value);
+    const expression curvature = form.slope_of(slope);
+    equation_system given;
+    given.variable = system.variable();
+    const expression at(system.point());
+    std::vector<expression> starts;
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        const expression of = unknown(system.unknowns()[i].name);
+        given.add(derivative(of, system.unknowns()[i].order), system.right()[i]);
+        for (std::size_t j = 0; j < system.starts()[i].size(); ++j) {
+            starts.emplace_back(system.starts()[i][j]);
+            given.begin(derivative(of, static_cast<int>(j)), starts.back(), at);
+        }
+    }
+    const expression condition = unknown(name_of_condition);
+    given.add(derivative(condition, 2), with_leaves(curvature, form, form.given, variable()));
+    given.begin(condition, with_leaves(value, form, starts, at), at);
+    given.begin(derivative(condition), with_leaves(slope, form, starts, at), at);
+    condition_system made{explicit_system(given), condition, {}};
+    made.places = places_in(made.system, system);
+    return made;
+}
+
+}  // namespace libration::ode
