@@ -39,7 +39,7 @@ struct error_bound {
 /// What is proved of |value - truth|.
 struct comparison {
     bool within;            ///< at most the tolerance
-    std::string reference;  ///< the truth: each digit right to one unit in the last
+    std::string reference;  ///< the truth: each digit right to one unit in the last; empty where none is proved
     std::string error;      ///< three digits; an upper bound where the value agrees with all that was computed
     /// -log10 |error/truth| rounded down to tenths, at least 0, in tenths, of the scale where the truth is 0; nothing
     /// where the error is 0.
@@ -83,7 +83,7 @@ inline comparison infinite_error(std::string reference) {
 }
 
 /// Compares a value; nothing where the working precision decides too little. In a last attempt an error that may be 0
-/// is given by its upper bound. The reference is printed down to 10^-places.
+/// is given by its upper bound, and a truth that may be 0 is left out. The reference is printed down to 10^-places.
 inline std::optional<comparison> compare(const rational& value, const true_value& truth, const error_bound& tolerance,
                                          long places, bool last_attempt) {
     const ball here = truth.value();
@@ -95,12 +95,13 @@ inline std::optional<comparison> compare(const rational& value, const true_value
     const bool decided_exactly = truth.exactly && tolerance.exactly;
     const bool within = decided_exactly ? abs(rational(value - *truth.exactly)) <= *tolerance.exactly
                                         : arb_le(error.handle(), tolerance.value.handle()) != 0;
-    const auto reference = reference_text(here, places);
-    if (!reference || (!within && !decided_exactly && !certainly_less(tolerance.value, error))) {
+    const auto known = reference_text(here, places);
+    if ((!known && !last_attempt) || (!within && !decided_exactly && !certainly_less(tolerance.value, error))) {
         return std::nullopt;
     }
+    std::string reference = known.value_or("");
     if (binary_exponent(error) < smallest_exponent) {
-        return comparison{within, *reference, "0", std::nullopt, mpfr(0)};
+        return comparison{within, std::move(reference), "0", std::nullopt, mpfr(0)};
     }
     auto text = to_proved_decimal(error, 3);
     const bool narrow_enough = text && (is_exact(error) || certainly_less(ldexp(radius_of(error), 10), error));
@@ -112,7 +113,7 @@ inline std::optional<comparison> compare(const rational& value, const true_value
         arb_get_abs_ubound_arf(arb_midref(bound.handle()), error.handle(), 60);
         mag_zero(arb_radref(bound.handle()));
     }
-    return comparison{within, *reference, narrow_enough ? text->text : upper_bound_text(error),
+    return comparison{within, std::move(reference), narrow_enough ? text->text : upper_bound_text(error),
                       tenths_of_digits(bound, truth.size()), midpoint_of(bound / tolerance.value)};
 }
 
