@@ -86,6 +86,20 @@ void add_known(libration_table& table, const ode::trajectory_value& value) {
     }
 }
 
+void add_known(libration_table& table, const ode::explicit_system& system, const ode::solution_state<mpfr>& state,
+               long digits) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const auto order = static_cast<std::size_t>(system.unknowns()[i].order);
+        for (std::size_t j = 0; j < order; ++j) {
+            if (state[i].empty()) {
+                table.add(std::string());
+            } else {
+                table.add(rounded_number(to_decimal(state[i][j], digits)));
+            }
+        }
+    }
+}
+
 known_states states_of(const libration_problem& p, const std::string& list, long digits, bool proved,
                        const watcher& watch) {
     const auto items = items_of(list, "times");
@@ -106,16 +120,12 @@ known_states states_of(const libration_problem& p, const std::string& list, long
         }
         return {std::move(table), part.missing};
     }
-    const auto states = ode::trajectory(p.system, times, given_digits(digits), ode::fast_product<mpfr>());
+    auto part = ode::part_of_trajectory(p.system, times, given_digits(digits), ode::fast_product<mpfr>());
     for (std::size_t i = 0; i < items.size(); ++i) {
         table.add(items[i]);
-        for (const auto& of_unknown : states[i]) {
-            for (const mpfr& value : of_unknown) {
-                table.add(rounded_number(to_decimal(value, digits)));
-            }
-        }
+        add_known(table, p.system, part.states[i], digits);
     }
-    return {std::move(table), {}};
+    return {std::move(table), std::move(part.missing)};
 }
 
 std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool parts) {

@@ -149,12 +149,12 @@ libration_table compared_with_problem(const libration_problem& p, const asked_va
         }
         components.push_back(all[static_cast<std::size_t>(found - p.names.begin())]);
     }
-    ode::problem_truths truths(p.system, p.equations);
+    ode::problem_truths truths(p.system, p.equations, components);
     return compared(asked, rules, watch, [&](const exact& time) {
         if (time.has_periods()) {
             throw error(error_kind::argument, "time", time.text, "is a multiple of a period, which a problem has not");
         }
-        return truths.at(time, components);
+        return truths.at(time);
     });
 }
 

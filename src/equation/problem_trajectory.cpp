@@ -1,7 +1,10 @@
 #include "equation/problem_trajectory.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "libration/digits/proved/printed_values.hpp"
@@ -17,16 +20,17 @@ namespace libration {
 
 namespace {
 
+constexpr const char* nearer_times_remedy = "choose times nearer to the start";
 constexpr const char* problem_times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
 using complex = complex_number<mpfr>;
 
 // In the arithmetic that prints them.
 template <class T>
-std::vector<ode::solution_state<mpfr>> in_wide_numbers(const std::vector<ode::solution_state<T>>& states) {
-    std::vector<ode::solution_state<mpfr>> all;
-    for (const auto& state : states) {
-        auto& wide = all.emplace_back();
+ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
+    ode::partial_states<mpfr> all{{}, std::move(part.missing)};
+    for (const auto& state : part.states) {
+        auto& wide = all.states.emplace_back();
         for (const auto& of_unknown : state) {
             auto& values = wide.emplace_back();
             for (const T& value : of_unknown) {
@@ -57,14 +61,14 @@ constexpr long digits_beyond = 20;
 
 long digits_of_march(const arithmetic& numbers) { return std::max(numbers.digits, numbers.scalar.digits); }
 
-std::vector<ode::solution_state<mpfr>> states_of(const ode::explicit_system& system,
-                                                 const std::vector<ode::number>& times, const arithmetic& numbers) {
+ode::partial_states<mpfr> states_of(const ode::explicit_system& system, const std::vector<ode::number>& times,
+                                    const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::arbitrary) {
-        return ode::trajectory(system, times, digits_of_march(numbers), ode::fast_product<mpfr>());
+        return ode::part_of_trajectory(system, times, digits_of_march(numbers), ode::fast_product<mpfr>());
     }
     const precision_scope wide(numbers.scalar.digits + digits_beyond);
     return with_scalar(numbers.scalar, 0,
-                       [&]<class T>() { return in_wide_numbers(ode::march_through<T>(system, times)); });
+                       [&]<class T>() { return in_wide_numbers(ode::part_of_march<T>(system, times)); });
 }
 
 std::vector<ode::solution_state<complex>> states_along(const ode::explicit_system& system,
@@ -100,7 +104,9 @@ std::vector<cell> drifts_of(const ode::explicit_system& system, const std::vecto
     const precision_scope scope(digits_of_march(numbers) + digits_beyond);
     ode::invariants<R> constant(system);
     for (std::size_t i = 0; i < times.size(); ++i) {
-        drifts.push_back(decimal_cell(constant.drift(ode::constant_value<R>::of(times[i]), states[i]), 3));
+        const bool complete = std::ranges::none_of(states[i], [](const auto& values) { return values.empty(); });
+        drifts.push_back(complete ? decimal_cell(constant.drift(ode::constant_value<R>::of(times[i]), states[i]), 3)
+                                  : cell());
     }
     return drifts;
 }
@@ -109,13 +115,21 @@ const char* rigour_of_march(const arithmetic& numbers) {
     return numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
 }
 
-// <time>,<values>,digits,rigour,time_typed, and the drifts where there are any.
-table table_with(std::vector<column> columns, const std::vector<cell>& drifts,
+// A column behind the others, which a table has where there are cells for it.
+struct further_column {
+    std::string name;
+    std::vector<cell> cells;
+};
+
+// <time>,<values>,digits,rigour,time_typed, and the further columns.
+table table_with(std::vector<column> columns, const std::vector<further_column>& further,
                  const std::vector<table_row_cells>& times_and_values, const std::vector<std::string>& typed,
                  const arithmetic& numbers) {
     columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
-    if (!drifts.empty()) {
-        columns.push_back({"invariant_drift", ""});
+    for (const further_column& each : further) {
+        if (!each.cells.empty()) {
+            columns.push_back({each.name, ""});
+        }
     }
     table data(std::move(columns));
     for (std::size_t i = 0; i < typed.size(); ++i) {
@@ -123,33 +137,88 @@ table table_with(std::vector<column> columns, const std::vector<cell>& drifts,
         row.emplace_back(numbers.digits);
         row.emplace_back(rigour_of_march(numbers));
         row.emplace_back(typed[i]);
-        if (!drifts.empty()) {
-            row.push_back(drifts[i]);
+        for (const further_column& each : further) {
+            if (!each.cells.empty()) {
+                row.push_back(each.cells[i]);
+            }
         }
         data.add_row(std::move(row));
     }
     return data;
 }
 
-table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times, const arithmetic& numbers) {
+// The times that at least one unknown reaches, with the states there.
+struct reached_states {
+    std::vector<exact> times;
+    std::vector<ode::number> at;
+    std::vector<ode::solution_state<mpfr>> states;
+    std::optional<error> missing;
+};
+
+reached_states states_reached(const ode::explicit_system& system, const std::vector<exact>& times,
+                              const arithmetic& numbers) {
     const auto at = constants_of(times);
-    const auto states = states_of(system, at, numbers);
+    auto part = states_of(system, at, numbers);
+    reached_states reached;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (std::ranges::any_of(part.states[i], [](const auto& values) { return !values.empty(); })) {
+            reached.times.push_back(times[i]);
+            reached.at.push_back(at[i]);
+            reached.states.push_back(std::move(part.states[i]));
+        }
+    }
+    reached.missing = std::move(part.missing);
+    return reached;
+}
+
+// The values in order, those that are not reached empty.
+void add_values(table_row_cells& row, const ode::explicit_system& system, const ode::solution_state<mpfr>& state,
+                long digits) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        if (state[i].empty()) {
+            row.resize(row.size() + static_cast<std::size_t>(system.unknowns()[i].order));
+        }
+        for (const mpfr& value : state[i]) {
+            row.push_back(decimal_cell(value, digits));
+        }
+    }
+}
+
+std::vector<cell> names_not_reached(const ode::explicit_system& system, const reached_states& of) {
+    std::vector<cell> cells;
+    if (!of.missing) {
+        return cells;
+    }
+    for (const auto& state : of.states) {
+        std::vector<std::string> not_reached;
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            if (state[i].empty()) {
+                not_reached.push_back(system.unknowns()[i].name + " is not reached");
+            }
+        }
+        cells.emplace_back(fmt::format("{}", fmt::join(not_reached, "; ")));
+    }
+    return cells;
+}
+
+partial_table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times,
+                              const arithmetic& numbers) {
+    reached_states reached = states_reached(system, times, numbers);
     std::vector<column> columns{{"time", ""}};
     for (const std::string& name : names_of_values(system)) {
         columns.push_back({name, ""});
     }
     std::vector<table_row_cells> rows;
     std::vector<std::string> typed;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        auto& row = rows.emplace_back(table_row_cells{number_cell(decimal_of(times[i], numbers.digits))});
-        for (const auto& of_unknown : states[i]) {
-            for (const mpfr& value : of_unknown) {
-                row.push_back(decimal_cell(value, numbers.digits));
-            }
-        }
-        typed.push_back(times[i].text);
+    for (std::size_t i = 0; i < reached.times.size(); ++i) {
+        auto& row = rows.emplace_back(table_row_cells{number_cell(decimal_of(reached.times[i], numbers.digits))});
+        add_values(row, system, reached.states[i], numbers.digits);
+        typed.push_back(reached.times[i].text);
     }
-    return table_with(std::move(columns), drifts_of(system, at, states, numbers), rows, typed, numbers);
+    const std::vector<further_column> further{
+        {"invariant_drift", drifts_of(system, reached.at, reached.states, numbers)},
+        {"undecided", names_not_reached(system, reached)}};
+    return {table_with(std::move(columns), further, rows, typed, numbers), {}, std::move(reached.missing)};
 }
 
 cell decimal_of_constant(const ode::number& x, long digits) {
@@ -183,7 +252,8 @@ table table_along(const ode::explicit_system& system, const std::vector<ode::com
             }
         }
     }
-    return table_with(std::move(columns), drifts_of(system, at, states, numbers), rows, typed, numbers);
+    return table_with(std::move(columns), {{"invariant_drift", drifts_of(system, at, states, numbers)}}, rows, typed,
+                      numbers);
 }
 
 }  // namespace
@@ -224,14 +294,14 @@ partial_table problem_trajectory(const ode::explicit_system& system, const std::
     if (numbers.scalar.kind == scalar_kind::proved) {
         return problem_reference(system, times, numbers.digits);
     }
-    try {
-        return {table_of_states(system, times, numbers), {}, {}};
-    } catch (const error& problem) {
-        if (problem.subject() != "time" || problem.kind() != error_kind::argument) {
-            throw;
+    partial_table found = table_of_states(system, times, numbers);
+    if (found.missing) {
+        if (found.rows.rows().empty()) {
+            throw input_error("--times", found.missing->value(), found.missing->reason(), nearer_times_remedy);
         }
-        throw input_error("--times", problem.value(), problem.reason(), "choose times nearer to the start");
+        found.missing = error(error_kind::undecided, "time", found.missing->value(), found.missing->reason());
     }
+    return found;
 }
 
 table problem_trajectory_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,

@@ -6,6 +6,7 @@
 #include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "libration/problem/axis.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -29,7 +30,10 @@ std::vector<column> columns_of(const ode::explicit_system& system, input_style s
 table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style) {
     const auto columns = columns_of(of.system, style);
     const partial_table values = problem_trajectory(of.system, times, {{scalar_kind::arbitrary, digits}, digits});
-    require_complete(values);
+    if (values.missing) {
+        throw input_error("--times", values.missing->value(), values.missing->reason(),
+                          "choose times nearer to the start");
+    }
     table result = [&] {
         auto all = columns;
         if (style == input_style::typed) {

@@ -57,7 +57,7 @@ exact problem_layout::time(const std::vector<std::string>& cells, bool as_double
 }
 
 row_question problem_questions::read(const std::vector<std::string>& cells) {
-    return truths_.at(layout_.time(cells, rules_.inputs_are_doubles), layout_.components());
+    return truths_.at(layout_.time(cells, rules_.inputs_are_doubles));
 }
 
 }  // namespace libration

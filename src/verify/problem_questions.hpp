@@ -48,7 +48,7 @@ private:
 class problem_questions : public question_reader {
 public:
     problem_questions(const problem_layout& layout, const compare_rules& rules)
-        : layout_(layout), rules_(rules), truths_(layout.system(), layout.equations()) {}
+        : layout_(layout), rules_(rules), truths_(layout.system(), layout.equations(), layout.components()) {}
     const std::vector<compared_column>& columns() const override { return layout_.compared(); }
     row_question read(const std::vector<std::string>& cells) override;
 

@@ -112,6 +112,22 @@ TEST_CASE("coefficients about other times are proved in balls", "[command][probl
     CHECK(proved[3].at("y_uncertainty") != "0");
 }
 
+// y = sqrt(y0^2 + t/2), whose fractions double in length with every power, beside z = 1/3 - atanh(t)/6, in whose even
+// powers only the first coefficient is not 0.
+TEST_CASE("coefficients of a system with long fractions keep the exact zeros of its independent parts",
+          "[command][problem]") {
+    const auto rows =
+        rows_of(coefficients("y' = (1/2)/(2*y); z' = (1/(1+t))*((1/6)/(t-1)); y(0) = 1 - 10^(-143); z(0) = 1/3",
+                             {"--order", "259", "--scalar", "ball:20"}));
+    REQUIRE(rows.size() == 260);
+    for (std::size_t n = 2; n < rows.size(); n += 2) {
+        CHECK(rows[n].at("z") == "0");
+        CHECK(rows[n].at("z_uncertainty") == "0");
+    }
+    CHECK(rows[257].at("z") == "-0.00064850843060959792477");  // -1/1542
+    CHECK(rows[1].at("y") == "0.25000000000000000000");
+}
+
 TEST_CASE("reference proves the digits of any problem, at times and at events", "[command][problem]") {
     const std::string swing = "x'' = -sin(x); x(0)=5/2; x'(0)=-3/10";
     const auto own =
@@ -180,6 +196,27 @@ TEST_CASE("an unknown that ends leaves those that it does not influence", "[comm
           "time,y,z,digits,rigour,time_typed,undecided\n"
           "0.5,2.000000000,0.5463024898,10,proved,0.5,\n"
           "1,,1.557407725,10,proved,1,y is not reached\n");
+}
+
+TEST_CASE("trajectory continues the unknowns that do not depend on one that has ended", "[command][problem]") {
+    const words asked{"trajectory", "--problem",  "y' = y^2; z' = 1 + z^2; y(0)=1; z(0)=0",
+                      "--times",    "-1,0.5,1,2", "--format",
+                      "csv",        "--digits",   "10"};
+    const auto agreed = run_libration(asked);
+    CHECK(agreed.exit_code == 1);
+    CHECK(agreed.err.find("time '1.0") != std::string::npos);
+    CHECK(lines_of(agreed.err).size() == 1);
+    CHECK(agreed.out ==
+          "time,y,z,digits,rigour,time_typed,undecided\n"
+          "-1,0.5000000000,-1.557407725,10,two-method,-1,\n"
+          "0.5,2.000000000,0.5463024898,10,two-method,0.5,\n"
+          "1,,1.557407725,10,two-method,1,y is not reached\n");
+    const auto rounded = csv_rows(run_libration(asked + words{"--scalar", "double"}).out);
+    REQUIRE(rounded.size() == 3);
+    CHECK(rounded[1].at("y").starts_with("2.00000000"));
+    CHECK(rounded[2].at("y").empty());
+    CHECK(rounded[2].at("z").starts_with("1.55740772"));
+    check_refused({"trajectory", "--problem", "y' = y^2; y(0)=1", "--times", "2"}, {"--times '2.0"});
 }
 
 TEST_CASE("a reference that cannot be proved ends with 1, says why, and prints nothing", "[command][problem]") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
@@ -53,6 +54,9 @@ struct closed_subsystem {
 /// itself. A system without starts (explicit_system::first_order) gives one without starts. Throws error for a set that
 /// is not closed.
 closed_subsystem subsystem_of(const explicit_system& of, const std::vector<std::size_t>& unknowns);
+
+/// The smallest such system that contains these unknowns. Throws error for a name that is none of them.
+closed_subsystem subsystem_with(const explicit_system& of, const std::vector<std::string>& names);
 
 /// The subsystems of the weakly connected components, in their order: one, the system itself, where it does not fall
 /// apart.

@@ -24,4 +24,7 @@ struct opened_system {
 /// a constant, such as an exponent.
 opened_system opened(const equation_system& given, const std::vector<std::string>& names);
 
+/// The equations of these unknowns and of what they depend on; all open numbers keep their leaves.
+opened_system closed_part(const opened_system& of, const std::vector<std::string>& unknowns);
+
 }  // namespace libration::ode

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/ode/taylor_expansion.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration::ode {
@@ -183,11 +186,26 @@ private:
     solution_state<T> state_;
 };
 
-/// The states at times in any order: one march forwards through those from the start on, one backwards. Throws as
-/// advance_to does.
+/// What was computed of a solution at a list of times.
+template <class R>
+struct partial_states {
+    /// At each time in order the unknowns with their lower derivatives; an unknown that does not reach the time has no
+    /// values there.
+    std::vector<solution_state<R>> states;
+    /// Why values are missing, where some are.
+    std::optional<error> missing;
+
+    /// Whether every unknown has values at time i.
+    bool complete_at(std::size_t i) const {
+        return std::ranges::none_of(states[i], [](const auto& values) { return values.empty(); });
+    }
+};
+
+/// The states at times in any order: one march forwards through those from the start on, one backwards, each as far as
+/// its steps lead.
 template <rounding_scalar T>
-std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times,
-                                             const series::block_product<T>* fast = nullptr) {
+partial_states<T> march_as_far_as_possible(const explicit_system& system, const std::vector<number>& times,
+                                           const series::block_product<T>* fast = nullptr) {
     std::vector<T> at;
     at.reserve(times.size());
     for (const number& each : times) {
@@ -196,17 +214,43 @@ std::vector<solution_state<T>> march_through(const explicit_system& system, cons
     const T origin = constant_value<T>::of(system.point());
     std::vector<std::size_t> order(times.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto is_forward = [&](std::size_t i) { return at[i] >= origin; };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const bool after_a = at[a] >= origin;
-        const bool after_b = at[b] >= origin;
-        return after_a != after_b ? after_a : after_a ? at[a] < at[b] : at[a] > at[b];
+        return is_forward(a) != is_forward(b) ? is_forward(a) : is_forward(a) ? at[a] < at[b] : at[a] > at[b];
     });
-    std::vector<solution_state<T>> states(times.size());
+    partial_states<T> result;
+    result.states.assign(times.size(), solution_state<T>(system.unknowns().size()));
     taylor_march<T> march(system, fast);
+    std::array<bool, 2> ended{};  // backwards and forwards
     for (const std::size_t i : order) {
-        states[i] = march.advance_to(at[i]);
+        bool& ended_here = ended[is_forward(i) ? 1 : 0];
+        if (ended_here) {
+            continue;
+        }
+        try {
+            result.states[i] = march.advance_to(at[i]);
+        } catch (const error& problem) {
+            if (problem.subject() != "time") {
+                throw;
+            }
+            ended_here = true;
+            if (!result.missing) {
+                result.missing = problem;
+            }
+        }
     }
-    return states;
+    return result;
+}
+
+/// The same where every time is reached. Throws as taylor_march::advance_to does.
+template <rounding_scalar T>
+std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times,
+                                             const series::block_product<T>* fast = nullptr) {
+    auto part = march_as_far_as_possible(system, times, fast);
+    if (part.missing) {
+        throw error(*part.missing);
+    }
+    return std::move(part.states);
 }
 
 #ifdef LIBRATION_COMPILED

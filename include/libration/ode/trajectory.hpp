@@ -1,20 +1,54 @@
 // The solution of any system at a list of times, to correct digits.
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
+#include "libration/ode/dependency.hpp"
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/step.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 
 namespace libration::ode {
 
+/// Adds to the states of a system those of one of its independent subsystems.
+template <class R>
+void add_part(partial_states<R>& whole, partial_states<R> part, const closed_subsystem& of) {
+    for (std::size_t i = 0; i < part.states.size(); ++i) {
+        for (std::size_t k = 0; k < part.states[i].size(); ++k) {
+            whole.states[i][of.unknowns[k]] = std::move(part.states[i][k]);
+        }
+    }
+    if (!whole.missing) {
+        whole.missing = std::move(part.missing);
+    }
+}
+
 /// The states at times in any order, each value with `digits` correct digits: two marches (taylor_march) that differ in
-/// precision and in order agree to them; as many digits more are taken as the flow loses. Nothing is proved. A value
-/// that is exactly 0 at a time that is not the start has no digits, and takes long (agreed_values). Throws error where
-/// a time is not reached, and of the kind undecided where no precision within the limits does. A fast product of whole
-/// sequences (ode/ball/fast_product.hpp) serves beyond some hundred digits.
+/// precision and in order agree to them; as many digits more are taken as the flow loses. Nothing is proved. Unknowns
+/// that do not influence each other are integrated separately, each as far as its steps lead. A value that is exactly 0
+/// at a time that is not the start has no digits, and takes long (agreed_values). Throws error of the kind undecided
+/// where no precision within the limits does. A fast product of whole sequences (ode/ball/fast_product.hpp) serves
+/// beyond some hundred digits.
+partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
+                                        const series::block_product<mpfr>* fast = nullptr);
+
+/// The same where nothing is missing; throws what is.
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const series::block_product<mpfr>* fast = nullptr);
+
+/// The states in a scalar of fixed precision, as accurate as one march is; unknowns that do not influence each other
+/// are integrated separately.
+template <rounding_scalar T>
+partial_states<T> part_of_march(const explicit_system& system, const std::vector<number>& times) {
+    partial_states<T> whole;
+    whole.states.assign(times.size(), solution_state<T>(system.unknowns().size()));
+    for (const closed_subsystem& each : independent_subsystems(system)) {
+        add_part(whole, march_as_far_as_possible<T>(each.system, times), each);
+    }
+    return whole;
+}
 
 /// The states at points of the complex plane of time, each by the same corners and then straight to it (complex_path):
 /// two such ways that differ in precision and in order agree to `digits` digits of each part (agreed_complex_values).

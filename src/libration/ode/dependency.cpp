@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -218,6 +219,21 @@ closed_subsystem subsystem_of(const explicit_system& of, const std::vector<std::
         }
     }
     return result;
+}
+
+closed_subsystem subsystem_with(const explicit_system& of, const std::vector<std::string>& names) {
+    const dependency_graph graph(of);
+    const auto index_of = places_of(of.unknowns());
+    std::set<std::size_t> closed;
+    for (const std::string& name : names) {
+        const auto found = index_of.find(name);
+        if (found == index_of.end()) {
+            throw error(error_kind::argument, "problem", name, "is none of the unknowns: choose one of them");
+        }
+        const auto closure = graph.closure(found->second);
+        closed.insert(closure.begin(), closure.end());
+    }
+    return subsystem_of(of, {closed.begin(), closed.end()});
 }
 
 std::vector<closed_subsystem> independent_subsystems(const explicit_system& of) {

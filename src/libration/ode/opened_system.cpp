@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "libration/ode/dependency.hpp"
+
 namespace libration::ode {
 
 namespace {
@@ -93,6 +95,15 @@ private:
 
 opened_system opened(const equation_system& given, const std::vector<std::string>& names) {
     return opening(given, names).result();
+}
+
+opened_system closed_part(const opened_system& of, const std::vector<std::string>& unknowns) {
+    const closed_subsystem part = subsystem_with(of.system, unknowns);
+    opened_system result{part.system, of.values, {}, of.leaves};
+    for (const std::size_t leaf : part.leaves) {
+        result.starts.push_back(of.starts[leaf]);
+    }
+    return result;
 }
 
 }  // namespace libration::ode

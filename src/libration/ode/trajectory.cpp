@@ -1,6 +1,8 @@
 #include "libration/ode/trajectory.hpp"
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "libration/digits/agreed_values.hpp"
 #include "libration/ode/path.hpp"
@@ -55,18 +57,77 @@ std::vector<bool> zeros_of(const explicit_system& system, const std::vector<numb
     return zeros;
 }
 
-}  // namespace
+// The places in the states that are complete.
+std::vector<std::size_t> places_reached(const partial_states<mpfr>& of) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < of.states.size(); ++i) {
+        if (of.complete_at(i)) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
 
-std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
-                                             long digits, const series::block_product<mpfr>* fast) {
+template <class Item>
+std::vector<Item> items_at(const std::vector<std::size_t>& places, const std::vector<Item>& of) {
+    std::vector<Item> items;
+    items.reserve(places.size());
+    for (const std::size_t place : places) {
+        items.push_back(of[place]);
+    }
+    return items;
+}
+
+// By two runs of other precision and order; the times are those that the first run reaches.
+partial_states<mpfr> agreed_part(const explicit_system& system, const std::vector<number>& times, long digits,
+                                 const series::block_product<mpfr>* fast) {
+    partial_states<mpfr> result;
+    result.states.assign(times.size(), solution_state<mpfr>(system.unknowns().size()));
+    std::vector<number> reached = times;
+    std::optional<std::vector<std::size_t>> places;
     const auto values = agreed_values(
         digits,
         [&](long guard) {
             const precision_scope scope(digits + guard);
-            return in_order(march_through<mpfr>(system, times, fast));
+            auto now = march_as_far_as_possible<mpfr>(system, reached, fast);
+            if (!places) {
+                places = places_reached(now);
+                reached = items_at(*places, times);
+                result.missing = std::move(now.missing);
+                return in_order(items_at(*places, now.states));
+            }
+            if (now.missing) {
+                throw error(*now.missing);
+            }
+            return in_order(now.states);
         },
-        [&] { return zeros_of(system, times); });
-    return states_of(system, values);
+        [&] { return zeros_of(system, reached); });
+    auto states = states_of(system, values);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        result.states[(*places)[i]] = std::move(states[i]);
+    }
+    return result;
+}
+
+}  // namespace
+
+partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
+                                        const series::block_product<mpfr>* fast) {
+    partial_states<mpfr> whole;
+    whole.states.assign(times.size(), solution_state<mpfr>(system.unknowns().size()));
+    for (const closed_subsystem& each : independent_subsystems(system)) {
+        add_part(whole, agreed_part(each.system, times, digits, fast), each);
+    }
+    return whole;
+}
+
+std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
+                                             long digits, const series::block_product<mpfr>* fast) {
+    auto part = part_of_trajectory(system, times, digits, fast);
+    if (part.missing) {
+        throw error(*part.missing);
+    }
+    return std::move(part.states);
 }
 
 std::vector<solution_state<complex_number<mpfr>>> trajectory_along(const explicit_system& system,

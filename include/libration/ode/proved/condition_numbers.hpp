@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "libration/ode/equation_system.hpp"
@@ -26,14 +27,16 @@ struct moved_value {
 /// starts and parameters.
 class dependence {
 public:
-    /// Throws error as explicit_system does.
-    explicit dependence(const equation_system& given);
+    /// Of these unknowns and those that they depend on; of all where none is named. Throws error as explicit_system does.
+    explicit dependence(const equation_system& given, const std::vector<std::string>& unknowns = {});
     ~dependence();
 
     /// The unknowns of the problem and its parameters, in the order in which the equations name them.
     const explicit_system& system() const;
     /// The places of the unknowns of the problem and their lower derivatives, in order, in the state of that.
     const std::vector<std::size_t>& own() const;
+    /// Their names: x, x', ...
+    const std::vector<std::string>& names() const;
     /// By how much these move, for a march along system() that keeps its derivative, at a time where it is in this
     /// state. by_rounding is 0 below 10^-negligible |y|. Nothing where it needs more bits, of the maps of errors too.
     std::optional<std::vector<moved_value>> moved(const proved_march& march, const number& time,

@@ -34,12 +34,13 @@ std::vector<solution_component> components_of(const explicit_system& system);
 /// that needs more is empty. Times that grow share the marches. Not for several threads at once.
 class problem_truths {
 public:
-    /// A problem solved for its highest derivatives, and as it is written.
-    problem_truths(explicit_system system, equation_system equations)
-        : system_(std::move(system)), equations_(std::move(equations)), all_(components_of(system_)) {}
+    /// A problem solved for its highest derivatives and as it is written, and the components that are compared, one at
+    /// least. What these do not depend on is left out.
+    problem_truths(const explicit_system& system, equation_system equations,
+                   const std::vector<solution_component>& asked);
 
-    /// Some components, one at least, at a time. The question holds as long as this, and asks it.
-    row_question at(const exact& time, const std::vector<solution_component>& asked);
+    /// The components at a time. The question holds as long as this, and asks it.
+    row_question at(const exact& time);
 
 private:
     struct march_pair;
@@ -47,18 +48,18 @@ private:
     struct dependent_way;
     using components = std::vector<solution_component>;
 
-    std::size_t place_of(const solution_component& of) const;
     bool proves(const exact& time);
     std::vector<ball> proved_state(const exact& time, long digits);
     march_pair& marches(long digits);
-    std::vector<true_value> truths_at(const exact& time, const components& asked, long digits);
-    std::string condition_at(const exact& time, const components& asked, long digits);
+    std::vector<true_value> truths_at(const exact& time, long digits);
+    std::string condition_at(const exact& time, long digits);
     std::string condition_of_slope(const exact& time, const solution_component& of, long digits);
     std::optional<std::vector<moved_value>> moved_at(const exact& at);
 
-    explicit_system system_;
+    explicit_system system_;  // of the components that are compared and what they depend on
     equation_system equations_;
-    std::vector<solution_component> all_;
+    components asked_;                 // by the unknowns of system_
+    std::vector<std::size_t> places_;  // in its state
     std::map<long, std::shared_ptr<march_pair>> by_digits_;
     std::map<long, std::shared_ptr<proved_way>> proved_by_digits_;
     std::shared_ptr<dependent_way> dependent_;

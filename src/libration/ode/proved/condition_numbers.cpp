@@ -28,6 +28,11 @@ std::vector<std::string> names_to_open(const equation_system& system) {
     return names;
 }
 
+opened_system opened_with(const equation_system& given, const std::vector<std::string>& unknowns) {
+    opened_system open = opened(given, names_to_open(given));
+    return unknowns.empty() ? open : closed_part(open, unknowns);
+}
+
 ball rounding_of(const ball& x) {
     ball nearest;
     arf_set_round(arb_midref(nearest.handle()), arb_midref(x.handle()), 53, ARF_RND_NEAR);
@@ -96,7 +101,8 @@ constexpr long negligible_condition = 9;
 
 // The system with its parameters opened, and the places of the unknowns of the problem in its state.
 struct dependence::open_problem {
-    explicit open_problem(const equation_system& given) : open(opened(given, names_to_open(given))), form(open.system) {
+    open_problem(const equation_system& given, const std::vector<std::string>& asked)
+        : open(opened_with(given, asked)), form(open.system) {
         const auto unknowns = given.unknowns();
         std::size_t place = 0;
         for (const unknown_function& each : open.system.unknowns()) {
@@ -104,6 +110,7 @@ struct dependence::open_problem {
             for (int j = 0; j < each.order; ++j, ++place) {
                 if (of_problem) {
                     own.push_back(place);
+                    names.push_back(form.names[place]);
                 }
             }
         }
@@ -112,15 +119,19 @@ struct dependence::open_problem {
     opened_system open;
     first_order_form form;
     std::vector<std::size_t> own;
+    std::vector<std::string> names;
 };
 
-dependence::dependence(const equation_system& given) : open_(std::make_unique<const open_problem>(given)) {}
+dependence::dependence(const equation_system& given, const std::vector<std::string>& unknowns)
+    : open_(std::make_unique<const open_problem>(given, unknowns)) {}
 
 dependence::~dependence() = default;
 
 const explicit_system& dependence::system() const { return open_->open.system; }
 
 const std::vector<std::size_t>& dependence::own() const { return open_->own; }
+
+const std::vector<std::string>& dependence::names() const { return open_->names; }
 
 std::optional<std::vector<moved_value>> dependence::moved(const proved_march& march, const number& time,
                                                           const std::vector<ball>& state, long negligible) const {

@@ -10,12 +10,20 @@ namespace libration::ode {
 
 namespace {
 
-// The conditions by the open numbers of a system.
+std::vector<std::string> unknowns_in(const std::vector<point_condition>& conditions) {
+    std::vector<std::string> names;
+    for (const point_condition& each : conditions) {
+        names.push_back(each.unknown);
+    }
+    return names;
+}
+
+// The conditions by the open numbers of a system, of which the unknowns that they depend on are integrated alone.
 class shooting {
 public:
     shooting(const equation_system& given, const std::vector<std::string>& names,
              const std::vector<point_condition>& conditions, const proof_route& route)
-        : open_(opened(given, names)), conditions_(conditions), route_(route) {
+        : open_(closed_part(opened(given, names), unknowns_in(conditions))), conditions_(conditions), route_(route) {
         for (const expression& each : open_.starts) {
             std::vector<expression> row;
             for (const expression& leaf : open_.leaves) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/dependency.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/taylor_expansion.hpp"
@@ -37,11 +38,30 @@ std::vector<solution_component> components_of(const explicit_system& system) {
     return all;
 }
 
-std::size_t problem_truths::place_of(const solution_component& of) const {
-    const auto found = std::ranges::find_if(all_, [&](const solution_component& each) {
-        return each.unknown == of.unknown && each.derivative == of.derivative;
-    });
-    return static_cast<std::size_t>(found - all_.begin());
+namespace {
+
+std::vector<std::string> unknowns_of(const explicit_system& system, const std::vector<solution_component>& asked) {
+    std::vector<std::string> names;
+    for (const solution_component& each : asked) {
+        names.push_back(system.unknowns()[each.unknown].name);
+    }
+    return names;
+}
+
+}  // namespace
+
+problem_truths::problem_truths(const explicit_system& system, equation_system equations,
+                               const std::vector<solution_component>& asked)
+    : system_(subsystem_with(system, unknowns_of(system, asked)).system), equations_(std::move(equations)) {
+    const auto index_of = ode::places_of(system_.unknowns());
+    const auto all = components_of(system_);
+    for (const solution_component& each : asked) {
+        asked_.push_back({index_of.at(system.unknowns()[each.unknown].name), each.derivative});
+        const auto found = std::ranges::find_if(all, [&](const solution_component& other) {
+            return other.unknown == asked_.back().unknown && other.derivative == each.derivative;
+        });
+        places_.push_back(static_cast<std::size_t>(found - all.begin()));
+    }
 }
 
 // Two marches, and where they are.
@@ -99,7 +119,7 @@ std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
     const number at = as_expression(time);
     auto& way = proved_by_digits_[digits];
     if (!way) {
-        way = std::make_shared<proved_way>(all_.size());
+        way = std::make_shared<proved_way>(components_of(system_).size());
         way->bits = digits * 3322 / 1000 + first_proof_bits;
     }
     const int direction = (at - system_.point()).sign();
@@ -136,10 +156,10 @@ bool problem_truths::proves(const exact& time) {
     return *provable_ && (as_expression(time) - system_.point()).sign() > 0;
 }
 
-std::vector<true_value> problem_truths::truths_at(const exact& time, const components& asked, long digits) {
+std::vector<true_value> problem_truths::truths_at(const exact& time, long digits) {
     std::vector<true_value> truths;
     if (is_start(system_, time)) {
-        for (const auto& [unknown, derivative] : asked) {
+        for (const auto& [unknown, derivative] : asked_) {
             const number& value = system_.starts()[unknown][derivative];
             truths.push_back({constant_value<ball>::of(value), value.fraction()});
         }
@@ -147,8 +167,8 @@ std::vector<true_value> problem_truths::truths_at(const exact& time, const compo
     }
     if (proves(time)) {
         const auto state = proved_state(time, digits);
-        for (const auto& each : asked) {
-            truths.push_back({state[place_of(each)]});
+        for (const std::size_t place : places_) {
+            truths.push_back({state[place]});
         }
         return truths;
     }
@@ -157,7 +177,7 @@ std::vector<true_value> problem_truths::truths_at(const exact& time, const compo
     const auto b = pair.state(*pair.second, time, second_guard);
     const precision_scope scope(digits + second_guard);
     const mpfr last = pow(mpfr(10), static_cast<int>(-digits));
-    for (const auto& [unknown, derivative] : asked) {
+    for (const auto& [unknown, derivative] : asked_) {
         const mpfr& here = b[unknown][derivative];
         const mpfr apart = abs(mpfr(a[unknown][derivative] - here)) * 16 + abs(here) * last;
         truths.push_back({enclose(ball(here), ball(apart))});
@@ -188,7 +208,12 @@ std::string problem_truths::condition_of_slope(const exact& time, const solution
 
 // A march that keeps its derivative by starts and parameters, and where it was asked last.
 struct problem_truths::dependent_way {
-    explicit dependent_way(const equation_system& equations) : on(equations), work(on.system().unknowns().size()) {}
+    dependent_way(const equation_system& equations, const std::vector<std::string>& unknowns)
+        : on(equations, unknowns), work(on.system().unknowns().size()) {}
+
+    std::size_t place_of(const std::string& name) const {
+        return static_cast<std::size_t>(std::ranges::find(on.names(), name) - on.names().begin());
+    }
 
     dependence on;
     std::unique_ptr<proved_march> march;
@@ -202,7 +227,7 @@ struct problem_truths::dependent_way {
 std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& at) {
     const number time = as_expression(at);
     if (!dependent_) {
-        dependent_ = std::make_shared<dependent_way>(equations_);
+        dependent_ = std::make_shared<dependent_way>(equations_, unknowns_of(system_, asked_));
     }
     dependent_way& way = *dependent_;
     const auto& system = way.on.system();
@@ -228,11 +253,11 @@ std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& at
     return std::nullopt;
 }
 
-std::string problem_truths::condition_at(const exact& time, const components& asked, long digits) {
+std::string problem_truths::condition_at(const exact& time, long digits) {
     std::optional<std::vector<moved_value>> moved;
     try {
         if (system_.singular() && (is_start(system_, time) || !proves(time))) {
-            return condition_of_slope(time, asked.front(), digits);
+            return condition_of_slope(time, asked_.front(), digits);
         }
         moved = moved_at(time);
     } catch (const work_limit&) {
@@ -241,16 +266,18 @@ std::string problem_truths::condition_at(const exact& time, const components& as
         if (!system_.singular()) {
             throw;
         }
-        return condition_of_slope(time, asked.front(), digits);  // a start that the equation fixes
+        return condition_of_slope(time, asked_.front(), digits);  // a start that the equation fixes
     }
     if (!moved) {
         return "inf";
     }
-    const auto truths = truths_at(time, asked, digits);
+    const auto truths = truths_at(time, digits);
     const precision_scope few(20);
     mpfr largest(0);
     for (std::size_t i = 0; i < truths.size(); ++i) {
-        const moved_value& own = (*moved)[place_of(asked[i])];
+        const auto& [unknown, derivative] = asked_[i];
+        const std::string name = primed(system_.unknowns()[unknown].name, static_cast<int>(derivative));
+        const moved_value& own = (*moved)[dependent_->place_of(name)];
         const mpfr size = abs(midpoint_of(truths[i].value()));
         const mpfr sum = own.by_start + own.by_parameters + own.by_time;
         largest = std::max(largest, mpfr(sum / (size > 1 ? size : mpfr(1))));
@@ -258,12 +285,12 @@ std::string problem_truths::condition_at(const exact& time, const components& as
     return to_decimal(largest, 3);
 }
 
-row_question problem_truths::at(const exact& time, const std::vector<solution_component>& asked) {
+row_question problem_truths::at(const exact& time) {
     row_question question;
     question.proved = proves(time);
     question.first_digits = [](long places) { return (places + 29) / 10 * 10; };
-    question.truths = [this, time, asked](long digits) { return truths_at(time, asked, digits); };
-    question.condition = [this, time, asked](long digits) { return condition_at(time, asked, digits); };
+    question.truths = [this, time](long digits) { return truths_at(time, digits); };
+    question.condition = [this, time](long digits) { return condition_at(time, digits); };
     return question;
 }
 
