@@ -73,7 +73,6 @@ ARGUED = {
     (ATOM, "return less(v, T(0)) && less(T(y * y * sqrt(y) * 4), T(s * v * v)) ? std::optional(side::below) : std::nullopt;"):
         "of a slope that is neither above nor below 0 nothing is said; no march has met it",
     (ATOM, "if (!(y > 0)) {"): "steers the bisection, proves nothing: what passes below 0 has been seen to do so before",
-    (MARCH, "if (!now_->tail) {"): "the halves of a radius end in one that holds, for a centre with values",
     (ROOT, "if (bits_.now() <= bits) {"): "digits that fail ask for more bits themselves",
     (ROOT, "if (!is_finite(step[i])) {"): "maps that are not finite end their march before",
     (ROOT, "if (!inverse) {"): "the second time: the same derivative had an inverse in Newton's method",
@@ -89,13 +88,9 @@ ARGUED = {
     (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its contour integral has been told from 0 before",
     (PLACE, "for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {"):
         "a pole in a loop is a zero within its reach, which the bits of the loop have shown every time",
-    (PLACE, "if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits)) {"): "as above",
     (PLACE, "if (problem.kind() != error_kind::undecided) {"): "no way is refused for another reason; another one has to pass",
     (PLACE, "return one_zero && (regular->order() == 1 || certainly_not_zero(regular->factor(time_at(within), over)));"):
         "the factor is 2 a2/3 at a pole, and the reach small; kept, because a zero of p alone is no pole",
-    (PLACE, "result.evidence = shown_along(system, *result.nearest, {}, reach, last ? most_loop_attempts : 2);"):
-        "the third smaller loop, and refusal after it: no singularity has needed it",
-    (PLACE, "if (!result.evidence && last) {"): "as above",
     (STEP, "if (bound) {"): "a radius among those that are tried has held for every start; kept, because no bound is no proof",
     (STEP, "if (refusal.kind() == error_kind::argument) {"): "no start is refused for another reason; another one has to pass",
     (TAIL, '[[noreturn]] static void refuse() { throw std::logic_error("theorem T takes products and sums alone"); }'):
