@@ -39,8 +39,8 @@ endif()
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/libration/*.cpp)
 set(proved_sources ${library_sources})
-# The facts known of problems need FLINT behind a header that does not.
-set(proved_folders "/(ball|proved)/|/problem/known/")
+# The facts known of problems and their solutions need FLINT behind a header that does not.
+set(proved_folders "/(ball|proved)/|/problem/(known|solution)/")
 list(FILTER proved_sources INCLUDE REGEX "${proved_folders}")
 list(FILTER library_sources EXCLUDE REGEX "${proved_folders}")
 set(vector_sources ${library_sources})

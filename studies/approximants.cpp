@@ -219,29 +219,28 @@ study_plan plan(const study_request& request) {
 }
 
 const problem& problems_of_study() {
-    static const problem result{
-        .name = "problems with a known far behaviour",
-        .axes = {{.name = "problem",
-                  .option = "--problems",
-                  .help = "problems of the catalogue whose far behaviour is known: LIST",
-                  .unit = "",
-                  .form = axis_form::words,
-                  .remedy = "write names such as blasius,sir",
-                  .check =
-                      [](const exact& each) {
-                          const auto& known = problems_with_far_behaviour();
-                          if (std::find(known.begin(), known.end(), each.text) == known.end()) {
-                              std::string names;
-                              for (const std::string& name : known) {
-                                  names += (names.empty() ? "" : ", ") + name;
-                              }
-                              throw error(
-                                  error_kind::argument, "list", "",
+    static const problem result(
+        "problems with a known far behaviour",
+        {{.name = "problem",
+          .option = "--problems",
+          .help = "problems of the catalogue whose far behaviour is known: LIST",
+          .unit = "",
+          .form = axis_form::words,
+          .remedy = "write names such as blasius,sir",
+          .check =
+              [](const exact& each) {
+                  const auto& known = problems_with_far_behaviour();
+                  if (std::find(known.begin(), known.end(), each.text) == known.end()) {
+                      std::string names;
+                      for (const std::string& name : known) {
+                          names += (names.empty() ? "" : ", ") + name;
+                      }
+                      throw error(error_kind::argument, "list", "",
                                   "has '" + each.text + "', whose far behaviour is not known: it is of " + names);
-                          }
-                      },
-                  .coordinate = "problem",
-                  .to_coordinate = {}}}};
+                  }
+              },
+          .coordinate = "problem",
+          .to_coordinate = {}}});
     return result;
 }
 

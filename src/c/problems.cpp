@@ -1,17 +1,15 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "guarded.hpp"
 #include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/ball/fast_product.hpp"
-#include "libration/ode/constant_value.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/problem_coefficients.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/ode/trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/problem/solution.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/exponent_range.hpp"
 #include "libration/scalar/text/given_number.hpp"
@@ -40,34 +38,13 @@ libration_problem make_problem(const std::string& text, const std::string& setti
     return made;
 }
 
-ode::number time_of(const std::string& text) {
+exact time_of(const std::string& text) {
     const exact time = given_time("time", text);
     if (time.has_periods()) {
         throw error(error_kind::argument, "time", text, "is a multiple of a period, which a problem has not");
     }
-    return as_expression(time);
+    return time;
 }
-
-// How far a proof has come from the start to the farthest time.
-class way_to_go {
-public:
-    way_to_go(const ode::explicit_system& system, const std::vector<ode::number>& times, const watcher& watch)
-        : watch_(watch), origin_(ode::constant_value<mpfr>::of(system.point())) {
-        for (const ode::number& each : times) {
-            whole_ = std::max(whole_, mpfr(abs(ode::constant_value<mpfr>::of(each) - origin_)));
-        }
-    }
-    void operator()(const ball& reached) const {
-        const precision_scope few(20);
-        const mpfr part = whole_ == 0 ? mpfr(0) : mpfr(abs(midpoint_of(reached) - origin_) / whole_);
-        watch_(std::clamp(part.convert_to<double>(), 0.0, 1.0));
-    }
-
-private:
-    const watcher& watch_;
-    mpfr origin_;
-    mpfr whole_ = mpfr(0);
-};
 
 // A row for each time, with what is known of it, and why something is missing where it is.
 struct known_states {
@@ -76,56 +53,37 @@ struct known_states {
 };
 
 // A value without proved digits is 0 to within its bound; there is none at a time that its equations do not reach.
-void add_known(libration_table& table, const ode::trajectory_value& value) {
-    if (value.decimal) {
-        table.add(proved_number(*value.decimal));
-    } else if (!value.bound.empty()) {
-        table.add(libration_number{"0", value.bound, LIBRATION_PROVED});
-    } else {
+void add_known(libration_table& table, const answer_value& value, bool proved) {
+    if (value.text.empty() && value.bound.empty()) {
         table.add(std::string());
-    }
-}
-
-void add_known(libration_table& table, const ode::explicit_system& system, const ode::solution_state<mpfr>& state,
-               long digits) {
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        const auto order = static_cast<std::size_t>(system.unknowns()[i].order);
-        for (std::size_t j = 0; j < order; ++j) {
-            if (state[i].empty()) {
-                table.add(std::string());
-            } else {
-                table.add(rounded_number(to_decimal(state[i][j], digits)));
-            }
-        }
+    } else if (value.text.empty()) {
+        table.add(libration_number{"0", value.bound, LIBRATION_PROVED});
+    } else if (proved) {
+        table.add(proved_number({value.text, value.bound}));
+    } else {
+        table.add(rounded_number(value.text));
     }
 }
 
 known_states states_of(const libration_problem& p, const std::string& list, long digits, bool proved,
                        const watcher& watch) {
     const auto items = items_of(list, "times");
-    std::vector<ode::number> times;
-    std::transform(items.begin(), items.end(), std::back_inserter(times), time_of);
+    std::vector<exact> times;
+    std::ranges::transform(items, std::back_inserter(times), time_of);
+    const request how{.scalar = {proved ? scalar_kind::proved : scalar_kind::arbitrary, given_digits(digits)},
+                      .progress = [&](double part) { watch(part); }};
+    // A solution of its own for each call: one in which memory ran out is not asked again.
+    auto found = solve(problem(p.equations))->states(times, how);
     libration_table table{{"time"}, {}};
     table.names.insert(table.names.end(), p.names.begin(), p.names.end());
-    if (proved) {
-        const way_to_go way(p.system, times, watch);
-        auto part = ode::proved_part_of_trajectory(p.system, times, given_digits(digits),
-                                                   [&](const ball& reached, long) { way(reached); });
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            table.add(items[i]);
-            part.states[i].resize(p.names.size());
-            for (const ode::trajectory_value& value : part.states[i]) {
-                add_known(table, value);
-            }
-        }
-        return {std::move(table), part.missing};
-    }
-    auto part = ode::part_of_trajectory(p.system, times, given_digits(digits), ode::fast_product<mpfr>());
     for (std::size_t i = 0; i < items.size(); ++i) {
         table.add(items[i]);
-        add_known(table, p.system, part.states[i], digits);
+        found.rows[i].resize(p.names.size());
+        for (const answer_value& value : found.rows[i]) {
+            add_known(table, value, proved);
+        }
     }
-    return {std::move(table), std::move(part.missing)};
+    return {std::move(table), std::move(found.missing)};
 }
 
 std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool parts) {

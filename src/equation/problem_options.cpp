@@ -58,7 +58,7 @@ problem_source problem_named(const std::string& words) {
     return {words, text_of_catalogue(words)};
 }
 
-void problem_options::add_to(CLI::App& command) {
+void problem_options::add_to(CLI::App& command, closed_forms known) {
     command_ = &command;
     command
         .add_option("--problem", problem_,
@@ -67,11 +67,34 @@ void problem_options::add_to(CLI::App& command) {
         ->type_name("P");
     command.add_option("--set", changes_, "another parameter or start of the problem: k=1/3, \"f'(0)=1\"")
         ->type_name("X=VALUE");
+    if (known == closed_forms::used) {
+        command.add_flag("--general", general_,
+                         "by Taylor series also where the equations are those of a problem with a closed form");
+    }
+}
+
+std::unique_ptr<libration::solution> problem_options::solution(bool general) const {
+    if (!problem_) {
+        require_problem();
+        return nullptr;
+    }
+    const libration::problem asked(equations());
+    auto found = naming_option(changes_.empty() ? "--problem" : "--problem with --set",
+                               [&] { return solve(asked, {.general = general || general_}); });
+    if (!found->closed_form().empty()) {
+        fmt::print(stderr,
+                   "libration: the equations are those of {}: its closed form is used (Taylor series with --general)\n",
+                   found->closed_form());
+    }
+    return found;
 }
 
 void problem_options::require_problem() const {
     if (!problem_ && !changes_.empty()) {
         throw input_error("--set", changes_.front(), "changes a problem and there is none", "give --problem too");
+    }
+    if (!problem_ && general_) {
+        throw input_error("--general is about the equations of a problem and there is none: give --problem too");
     }
 }
 
@@ -101,6 +124,9 @@ void problem_options::warn_of_unused(const std::string& written) const {
 
 ode::equation_system problem_options::equations() const {
     require_problem();
+    if (!problem_) {
+        throw input_error("no problem is given: add --problem P");
+    }
     const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
     warn_of_unused(written);

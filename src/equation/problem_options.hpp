@@ -2,11 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/problem/solution.hpp"
 #include "libration/scalar/error.hpp"
 #include "text/input_error.hpp"
 
@@ -43,13 +45,18 @@ void warn_of_unused_parameters(const std::string& written);
 /// --problem NAME | FILE.ode | 'TEXT; WITH; SEMICOLONS' and --set k=1/3, --set "f'(0)=1", any number of them.
 class problem_options {
 public:
-    void add_to(CLI::App& command);
+    /// Whether a command answers by closed forms where they are known, and has --general, which leaves them aside.
+    enum class closed_forms { used, not_used };
+    void add_to(CLI::App& command, closed_forms known = closed_forms::not_used);
+    /// The solution, nullptr where no problem is given; by Taylor series with --general or `general`. A line on stderr
+    /// names the closed form that is used. Throws input_error, also for --set and --general without --problem.
+    std::unique_ptr<libration::solution> solution(bool general = false) const;
     bool given() const { return problem_.has_value(); }
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
     /// The same as it is written, with the changes.
     ode::equation_system equations() const;
-    /// Refuses --set without --problem.
+    /// Refuses --set and --general without --problem.
     void require_problem() const;
     /// The words as they were given.
     const std::optional<std::string>& problem() const { return problem_; }
@@ -61,6 +68,7 @@ private:
     const CLI::App* command_ = nullptr;
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
+    bool general_ = false;
     mutable bool warned_ = false;
 };
 

@@ -27,20 +27,6 @@ using complex = complex_number<mpfr>;
 
 // In the arithmetic that prints them.
 template <class T>
-ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
-    ode::partial_states<mpfr> all{{}, std::move(part.missing)};
-    for (const auto& state : part.states) {
-        auto& wide = all.states.emplace_back();
-        for (const auto& of_unknown : state) {
-            auto& values = wide.emplace_back();
-            for (const T& value : of_unknown) {
-                values.push_back(widen(value));
-            }
-        }
-    }
-    return all;
-}
-template <class T>
 std::vector<ode::solution_state<complex>> in_wide_numbers(
     const std::vector<ode::solution_state<complex_number<T>>>& states) {
     std::vector<ode::solution_state<complex>> all;
@@ -60,16 +46,6 @@ std::vector<ode::solution_state<complex>> in_wide_numbers(
 constexpr long digits_beyond = 20;
 
 long digits_of_march(const arithmetic& numbers) { return std::max(numbers.digits, numbers.scalar.digits); }
-
-ode::partial_states<mpfr> states_of(const ode::explicit_system& system, const std::vector<ode::number>& times,
-                                    const arithmetic& numbers) {
-    if (numbers.scalar.kind == scalar_kind::arbitrary) {
-        return ode::part_of_trajectory(system, times, digits_of_march(numbers), ode::fast_product<mpfr>());
-    }
-    const precision_scope wide(numbers.scalar.digits + digits_beyond);
-    return with_scalar(numbers.scalar, 0,
-                       [&]<class T>() { return in_wide_numbers(ode::part_of_march<T>(system, times)); });
-}
 
 std::vector<ode::solution_state<complex>> states_along(const ode::explicit_system& system,
                                                        const std::vector<ode::complex_constant>& corners,
@@ -94,19 +70,16 @@ std::vector<std::string> names_of_values(const ode::explicit_system& system) {
 }
 
 // The largest change of an invariant at each time; nothing where the problem states none or its start is singular.
-template <class R, class Time>
-std::vector<cell> drifts_of(const ode::explicit_system& system, const std::vector<Time>& times,
-                            const std::vector<ode::solution_state<R>>& states, const arithmetic& numbers) {
+std::vector<cell> drifts_of(const ode::explicit_system& system, const std::vector<ode::complex_constant>& times,
+                            const std::vector<ode::solution_state<complex>>& states, const arithmetic& numbers) {
     std::vector<cell> drifts;
     if (system.invariants().empty() || system.singular()) {
         return drifts;
     }
     const precision_scope scope(digits_of_march(numbers) + digits_beyond);
-    ode::invariants<R> constant(system);
+    ode::invariants<complex> constant(system);
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const bool complete = std::ranges::none_of(states[i], [](const auto& values) { return values.empty(); });
-        drifts.push_back(complete ? decimal_cell(constant.drift(ode::constant_value<R>::of(times[i]), states[i]), 3)
-                                  : cell());
+        drifts.push_back(decimal_cell(constant.drift(ode::constant_value<complex>::of(times[i]), states[i]), 3));
     }
     return drifts;
 }
@@ -115,21 +88,13 @@ const char* rigour_of_march(const arithmetic& numbers) {
     return numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
 }
 
-// A column behind the others, which a table has where there are cells for it.
-struct further_column {
-    std::string name;
-    std::vector<cell> cells;
-};
-
-// <time>,<values>,digits,rigour,time_typed, and the further columns.
-table table_with(std::vector<column> columns, const std::vector<further_column>& further,
+// <time>,<values>,digits,rigour,time_typed, and the drifts where there are any.
+table table_with(std::vector<column> columns, const std::vector<cell>& drifts,
                  const std::vector<table_row_cells>& times_and_values, const std::vector<std::string>& typed,
                  const arithmetic& numbers) {
     columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
-    for (const further_column& each : further) {
-        if (!each.cells.empty()) {
-            columns.push_back({each.name, ""});
-        }
+    if (!drifts.empty()) {
+        columns.push_back({"invariant_drift", ""});
     }
     table data(std::move(columns));
     for (std::size_t i = 0; i < typed.size(); ++i) {
@@ -137,88 +102,12 @@ table table_with(std::vector<column> columns, const std::vector<further_column>&
         row.emplace_back(numbers.digits);
         row.emplace_back(rigour_of_march(numbers));
         row.emplace_back(typed[i]);
-        for (const further_column& each : further) {
-            if (!each.cells.empty()) {
-                row.push_back(each.cells[i]);
-            }
+        if (!drifts.empty()) {
+            row.push_back(drifts[i]);
         }
         data.add_row(std::move(row));
     }
     return data;
-}
-
-// The times that at least one unknown reaches, with the states there.
-struct reached_states {
-    std::vector<exact> times;
-    std::vector<ode::number> at;
-    std::vector<ode::solution_state<mpfr>> states;
-    std::optional<error> missing;
-};
-
-reached_states states_reached(const ode::explicit_system& system, const std::vector<exact>& times,
-                              const arithmetic& numbers) {
-    const auto at = constants_of(times);
-    auto part = states_of(system, at, numbers);
-    reached_states reached;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        if (std::ranges::any_of(part.states[i], [](const auto& values) { return !values.empty(); })) {
-            reached.times.push_back(times[i]);
-            reached.at.push_back(at[i]);
-            reached.states.push_back(std::move(part.states[i]));
-        }
-    }
-    reached.missing = std::move(part.missing);
-    return reached;
-}
-
-// The values in order, those that are not reached empty.
-void add_values(table_row_cells& row, const ode::explicit_system& system, const ode::solution_state<mpfr>& state,
-                long digits) {
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        if (state[i].empty()) {
-            row.resize(row.size() + static_cast<std::size_t>(system.unknowns()[i].order));
-        }
-        for (const mpfr& value : state[i]) {
-            row.push_back(decimal_cell(value, digits));
-        }
-    }
-}
-
-std::vector<cell> names_not_reached(const ode::explicit_system& system, const reached_states& of) {
-    std::vector<cell> cells;
-    if (!of.missing) {
-        return cells;
-    }
-    for (const auto& state : of.states) {
-        std::vector<std::string> not_reached;
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            if (state[i].empty()) {
-                not_reached.push_back(system.unknowns()[i].name + " is not reached");
-            }
-        }
-        cells.emplace_back(fmt::format("{}", fmt::join(not_reached, "; ")));
-    }
-    return cells;
-}
-
-partial_table table_of_states(const ode::explicit_system& system, const std::vector<exact>& times,
-                              const arithmetic& numbers) {
-    reached_states reached = states_reached(system, times, numbers);
-    std::vector<column> columns{{"time", ""}};
-    for (const std::string& name : names_of_values(system)) {
-        columns.push_back({name, ""});
-    }
-    std::vector<table_row_cells> rows;
-    std::vector<std::string> typed;
-    for (std::size_t i = 0; i < reached.times.size(); ++i) {
-        auto& row = rows.emplace_back(table_row_cells{number_cell(decimal_of(reached.times[i], numbers.digits))});
-        add_values(row, system, reached.states[i], numbers.digits);
-        typed.push_back(reached.times[i].text);
-    }
-    const std::vector<further_column> further{
-        {"invariant_drift", drifts_of(system, reached.at, reached.states, numbers)},
-        {"undecided", names_not_reached(system, reached)}};
-    return {table_with(std::move(columns), further, rows, typed, numbers), {}, std::move(reached.missing)};
 }
 
 cell decimal_of_constant(const ode::number& x, long digits) {
@@ -252,8 +141,7 @@ table table_along(const ode::explicit_system& system, const std::vector<ode::com
             }
         }
     }
-    return table_with(std::move(columns), {{"invariant_drift", drifts_of(system, at, states, numbers)}}, rows, typed,
-                      numbers);
+    return table_with(std::move(columns), drifts_of(system, at, states, numbers), rows, typed, numbers);
 }
 
 }  // namespace
@@ -289,13 +177,11 @@ std::vector<exact> times_of_problem(const std::string& words) {
     return times;
 }
 
-partial_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
-                                 const arithmetic& numbers) {
-    if (numbers.scalar.kind == scalar_kind::proved) {
-        return problem_reference(system, times, numbers.digits);
-    }
-    partial_table found = table_of_states(system, times, numbers);
-    if (found.missing) {
+partial_table problem_trajectory(const solution& of, const std::vector<exact>& times, const arithmetic& numbers,
+                                 const std::function<void(double)>& progress) {
+    partial_table found =
+        states_table(of, times, {.scalar = numbers.scalar, .digits = numbers.digits, .progress = progress});
+    if (found.missing && found.missing->kind() == error_kind::argument) {
         if (found.rows.rows().empty()) {
             throw input_error("--times", found.missing->value(), found.missing->reason(), nearer_times_remedy);
         }

@@ -1,13 +1,15 @@
 // The solution of any differential equation at a list of times as a table.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "equation/complex_times.hpp"
 #include "equation/problem_options.hpp"
-#include "equation/problem_reference.hpp"
+#include "equation/solution_table.hpp"
 #include "libration/ode/explicit_system.hpp"
+#include "libration/problem/solution.hpp"
 #include "option/options.hpp"
 #include "text/table.hpp"
 
@@ -22,13 +24,12 @@ std::vector<ode::number> constants_of(const std::vector<exact>& times);
 /// time,<unknown and its lower derivatives>...,digits,rigour,time_typed.
 std::vector<column> columns_of_states(const ode::explicit_system& system);
 
-/// time,<unknown and its lower derivatives>...,digits,rigour,time_typed: in mpfr each value right to one unit in its
-/// last digit by two marches that differ in order and in precision (two-method), in fixed scalars as one march computes
-/// it (heuristic). in balls each digit proved (problem_reference). Where the problem states invariants, the column
-/// invariant_drift behind is the largest change of one of them since the start, of the values before they are rounded
-/// to be printed. Throws input_error for a time that is not reached; in balls that is what is missing.
-partial_table problem_trajectory(const ode::explicit_system& system, const std::vector<exact>& times,
-                                 const arithmetic& numbers);
+/// The states of a solution (states_table): in mpfr each value right to one unit in its last digit, by a closed form or
+/// by two integrations that differ in order and in precision (two-method), in fixed scalars as one integration computes
+/// it (heuristic), in balls each digit proved. Throws input_error where no time is reached in arithmetic that rounds;
+/// else a time that is not reached is missing.
+partial_table problem_trajectory(const solution& of, const std::vector<exact>& times, const arithmetic& numbers,
+                                 const std::function<void(double)>& progress = {});
 
 /// time_re,time_im,<unknown and its lower derivatives>_re,.._im,...,digits,rigour,time_typed: the same at points of the
 /// complex plane of time, by the corners and then straight to each (ode::complex_path). A part far below the other is

@@ -1,22 +1,24 @@
-// libration reference: proved digits of theta, omega, E, T, T* and R of any motion, at any times.
+// libration reference: proved digits of a solution at any times: of a motion theta, omega, E, T, T* and R, of a problem
+// its unknowns.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "equation/problem_options.hpp"
-#include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
-#include "libration/problem/known_facts.hpp"
+#include "equation/solution_table.hpp"
+#include "libration/problem/known/pendulum_solution.hpp"
 #include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/problem_events.hpp"
-#include "motion/typed_times.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/grid.hpp"
 #include "run/parallel.hpp"
+#include "run/progress.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
 #include "text/point_file.hpp"
@@ -38,128 +40,65 @@ struct reference_options {
 
 // The second route sums about D/3 columns of D digits: minutes at this many, hours far above.
 constexpr long most_checked_digits = 10'000;
+constexpr const char* infinite_time = "inf";
 
-const std::vector<column> reference_columns{
-    {"energy", ""},       {"gap", ""},       {"regime", ""},       {"theta0", ""},      {"omega0", ""},
-    {"time", ""},         {"theta", ""},     {"omega", ""},        {"period", ""},      {"tstar", ""},
-    {"radius", ""},       {"digits", ""},    {"rigour", ""},       {"direction", ""},   {"time_typed", ""},
-    {"energy_typed", ""}, {"gap_typed", ""}, {"theta0_typed", ""}, {"omega0_typed", ""}};
+// A solution with the times that it is asked at.
+struct asked_solution {
+    std::unique_ptr<solution> of;
+    std::vector<exact> times;
+    std::string typed;  ///< what named the times, for complaints
+    /// Of a motion, with the digits of its constants.
+    std::function<shared_cells(const solution& of, const request& how)> about = {};
+};
 
-// The cells that all times share, in the order of the columns; those of a time are empty.
-table_row_cells shared_cells(const chosen_motion& chosen, proved_states& states, long digits) {
+// What the times of a motion share.
+shared_cells cells_of_motion(const chosen_motion& chosen, const solution& of, const request& how) {
+    const answer constants = *of.constants(how);
+    const auto constant = [&](const char* name) { return number_cell(constants.at(0, name)); };
+    const long digits = how.printed_digits();
     const motion& m = chosen.of;
-    std::string energy = chosen.energy.value_or("");
-    std::string gap = chosen.gap.value_or("");
-    if (energy.empty() || gap.empty()) {
-        const auto proved = states.energies();
-        energy = proved[0];
-        gap = proved[1];
-    }
-    const auto [period, tstar, radius] = states.constants();
     const cell theta0 = m.theta0() ? number_cell(angle_in_decimals(*m.theta0(), digits)) : cell();
     const cell omega0 = chosen.by_state ? number_cell(angle_in_decimals(read_typed(chosen.value), digits)) : cell();
     const std::string direction = chosen.by_state || m.omega0_sign() == 0 ? "" : m.direction() < 0 ? "-" : "+";
-    return {number_cell(energy),
-            number_cell(gap),
-            std::string(name_of(m.regime())),
-            theta0,
-            omega0,
-            {},
-            {},
-            {},
-            number_cell(period),
-            number_cell(tstar),
-            number_cell(radius),
-            digits,
-            "proved",
-            direction,
-            {},
-            chosen.energy_typed,
-            chosen.gap_typed,
-            chosen.theta0_typed,
-            chosen.omega0_typed};
+    return {{{"energy", constant("energy")},
+             {"gap", constant("gap")},
+             {"regime", std::string(name_of(m.regime()))},
+             {"theta0", theta0},
+             {"omega0", omega0}},
+            {{"period", constant("period")}, {"tstar", constant("tstar")}, {"radius", constant("radius")}},
+            {{"direction", direction}},
+            {{"energy_typed", chosen.energy_typed},
+             {"gap_typed", chosen.gap_typed},
+             {"theta0_typed", chosen.theta0_typed},
+             {"omega0_typed", chosen.omega0_typed}}};
 }
 
-constexpr std::size_t time_at = 5;
-constexpr std::size_t theta_at = 6;
-constexpr std::size_t omega_at = 7;
-constexpr std::size_t time_typed_at = 14;
+asked_solution asked_of(chosen_motion chosen, std::vector<exact> times, std::string typed) {
+    auto of = solution_of(chosen.of);
+    return {std::move(of), std::move(times), std::move(typed),
+            [chosen = std::move(chosen)](const solution& about, const request& how) {
+                return cells_of_motion(chosen, about, how);
+            }};
+}
 
-// Whether two rows are of one motion: all cells but those of the time are the same.
-bool same_motion(const table_row_cells& a, const table_row_cells& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if ((i < time_at || i > omega_at) && i != time_typed_at && a[i].text() != b[i].text()) {
-            return false;
-        }
+partial_table states_of(const asked_solution& asked, const request& how) {
+    if (asked.typed == infinite_time) {
+        const exact inf{0, unit::one, infinite_time};
+        return states_table(asked.of->limits(how), {inf}, {infinite_time}, how.printed_digits());
     }
-    return true;
-}
-
-// Each motion first, a line a column, and then every time of it.
-std::string lines_of(const table& data) {
-    std::string text;
-    const auto line = [&](std::size_t i, const table_row_cells& row) {
-        if (!row[i].is_empty()) {
-            text += fmt::format("{:<10}{}\n", data.columns()[i].name, row[i].text());
+    try {
+        return states_table(*asked.of, asked.times, how, asked.about ? asked.about(*asked.of, how) : shared_cells{});
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::range || problem.subject() != "time") {
+            throw;
         }
-    };
-    const table_row_cells* before = nullptr;
-    for (const auto& row : data.rows()) {
-        if (before == nullptr || !same_motion(*before, row)) {
-            text += text.empty() ? "" : "\n";
-            for (std::size_t i = 0; i < time_typed_at; ++i) {
-                if (i < time_at || i > omega_at) {
-                    line(i, row);
-                }
-            }
-        }
-        before = &row;
-        text += '\n';
-        for (const std::size_t i : {time_at, theta_at, omega_at}) {
-            line(i, row);
-        }
-    }
-    return text;
-}
-
-void require_check(proved_states& states, const exact& time, const proved_states::state_text& printed) {
-    if (!states.confirms(time)) {
-        throw std::runtime_error(fmt::format(
-            "the two proved routes disagree at time {}: theta = {}, omega = {} is not enclosed by the sum over "
-            "separatrix solutions",
-            time.text, printed.theta, printed.omega));
+        throw input_error("--times", asked.typed,
+                          "has '" + problem.value() + "', where the angular velocity is too small to be printed",
+                          "choose nearer times");
     }
 }
 
-// A motion with the times that it is asked at.
-struct asked_motion {
-    chosen_motion chosen;
-    std::vector<exact> times;
-    std::string said;  ///< what named the times, for complaints
-};
-
-std::vector<table_row_cells> rows_of(const asked_motion& asked, long digits, bool check) {
-    proved_states states(asked.chosen.of, digits);
-    const auto decimals = times_in_decimals(asked.chosen.of, asked.times, digits);
-    table_row_cells row = shared_cells(asked.chosen, states, digits);
-    std::vector<table_row_cells> rows;
-    rows.reserve(asked.times.size());
-    for (std::size_t i = 0; i < asked.times.size(); ++i) {
-        const exact& time = asked.times[i];
-        const auto state = state_at(states, time, asked.said);
-        if (check) {
-            require_check(states, time, state);
-        }
-        row[time_at] = number_cell(decimals[i]);
-        row[theta_at] = cell::number(state.theta, digits);
-        row[omega_at] = cell::number(state.omega, digits);
-        row[time_typed_at] = time.text;
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-asked_motion motion_of_options(const reference_options& options, long digits) {
+asked_solution motion_of_options(const reference_options& options, long digits) {
     if (!options.times) {
         throw input_error("no times are given: add --times LIST");
     }
@@ -168,7 +107,7 @@ asked_motion motion_of_options(const reference_options& options, long digits) {
     }
     chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
     auto times = times_of(*options.times, chosen.of.regime());
-    return {std::move(chosen), std::move(times), *options.times};
+    return asked_of(std::move(chosen), std::move(times), *options.times);
 }
 
 std::vector<known_column> columns_of_motions() {
@@ -179,7 +118,7 @@ std::vector<known_column> columns_of_motions() {
 }
 
 // The motions of a file, those of consecutive rows together.
-std::vector<asked_motion> motions_of_file(const reference_options& options) {
+std::vector<asked_solution> motions_of_file(const reference_options& options) {
     const point_file file("--motions", *options.motions, options.columns, columns_of_motions());
     const motion_columns columns(file.names());
     const time_columns time(file.names());
@@ -188,127 +127,134 @@ std::vector<asked_motion> motions_of_file(const reference_options& options) {
                           time.there() ? "has times, and --times too" : "has no column 'time'",
                           time.there() ? "leave out --times, or the column by --columns time=-" : "add --times LIST");
     }
-    std::vector<asked_motion> asked;
+    struct motion_of_rows {
+        chosen_motion chosen;
+        std::vector<exact> times;
+        std::string typed;
+    };
+    std::vector<motion_of_rows> motions;
     std::string before;
     for (const point_file::row& row : file.rows()) {
         file.reading(row, [&](const auto& all) {
             motion_cells cells = columns.in(all);
             cells.complete_from(motion_cells::of(options.motion));
-            if (asked.empty() || cells.key() != before || !time.there()) {
-                asked.push_back({cells.choose(), {}, options.times.value_or("")});
+            if (motions.empty() || cells.key() != before || !time.there()) {
+                motions.push_back({cells.choose(), {}, options.times.value_or("")});
                 before = cells.key();
             }
-            asked_motion& here = asked.back();
+            motion_of_rows& here = motions.back();
             if (time.there()) {
-                here.said = time.in(all).text;
+                here.typed = time.in(all).text;
                 here.times.push_back(time_for(time.in(all), here.chosen.of.regime()));
             } else {
-                here.times = times_of(here.said, here.chosen.of.regime());
+                here.times = times_of(here.typed, here.chosen.of.regime());
             }
             return true;
         });
     }
+    std::vector<asked_solution> asked;
+    asked.reserve(motions.size());
+    for (motion_of_rows& each : motions) {
+        asked.push_back(asked_of(std::move(each.chosen), std::move(each.times), std::move(each.typed)));
+    }
     return asked;
 }
 
+// What belongs to motions alone.
+void refuse_motions(const reference_options& options) {
+    if (const auto other = options.motion.first_given()) {
+        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+    }
+    for (const auto& [option, value] : {std::pair("--motions", options.motions),
+                                        std::pair("--columns", options.columns), std::pair("--jobs", options.jobs)}) {
+        if (value) {
+            throw input_error(option, *value, "has no meaning for a problem", "leave it out");
+        }
+    }
+}
+
 // When a condition holds.
-partial_table events_of_problem(const reference_options& options, long digits) {
+int write_events(const reference_options& options, long digits) {
+    refuse_motions(options);
     if (options.times) {
         throw input_error("--times", *options.times, "comes with --until, which finds the times", "leave one out");
     }
     const auto system = options.problem.choose();
     const auto request = options.events.request(options.problem, system);
-    auto found = naming_option("--until", [&] {
-        return problem_events(system, request, digits, options.check,
-                              [&](const table& data) { options.output.write(data, lines_of_states(data)); });
-    });
-    std::string text = lines_of_states(found.data);
-    return {std::move(found.data), std::move(text), std::move(found.missing)};
+    const auto write = [&](const table& data) { options.output.write(data, lines_of_states(data)); };
+    const auto found =
+        naming_option("--until", [&] { return problem_events(system, request, digits, options.check, write); });
+    if (!found.missing || !found.data.rows().empty()) {
+        write(found.data);
+    }
+    if (found.missing) {
+        throw error(*found.missing);
+    }
+    return 0;
 }
 
-// The limits of the unknowns, by a lemma.
-table state_at_infinity(const problem_options& problem, long digits) {
-    const auto system = problem.equations();
-    const auto limits = [&] {
-        try {
-            return proved_limits(system, digits);
-        } catch (const error& missing) {
-            throw missing.subject() == "time" ? error(missing.kind(), "--time", missing.value(), missing.reason())
-                                              : missing;
-        }
-    }();
-    table data(columns_of_states(problem.choose()));
-    table_row_cells row{cell::number("inf", digits)};
-    for (const proved_decimal& each : limits) {
-        row.push_back(cell::number(each.text, digits));
-    }
-    row.insert(row.end(), {digits, "proved", "inf"});
-    data.add_row(std::move(row));
-    return data;
-}
-
-// Instead of a motion, any problem.
-partial_table reference_of_problem(const reference_options& options, long digits) {
-    if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
-    }
-    const auto refuse = [](const char* option, const std::optional<std::string>& value) {
-        if (value) {
-            throw input_error(option, *value, "has no meaning for a problem", "leave it out");
-        }
-    };
-    refuse("--motions", options.motions);
-    refuse("--columns", options.columns);
-    refuse("--jobs", options.jobs);
-    if (options.events.given()) {
-        return events_of_problem(options, digits);
-    }
-    options.events.require_none();
+asked_solution problem_of_options(const reference_options& options, std::unique_ptr<solution> of) {
+    refuse_motions(options);
     if (!options.times) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
-    if (*options.times == "inf") {
-        if (options.check) {
-            throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
-        }
-        table state = state_at_infinity(options.problem, digits);
-        std::string text = lines_of_states(state);
-        return {std::move(state), std::move(text), {}};
+    if (*options.times != infinite_time) {
+        return {std::move(of), times_of_problem(*options.times), *options.times};
     }
-    const auto system = options.problem.choose();
-    const auto times = times_of_problem(*options.times);
-    return naming_option("--problem", [&] { return problem_reference(system, times, digits, options.check); });
+    if (options.check) {
+        throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
+    }
+    return {std::move(of), {}, infinite_time};
+}
+
+std::vector<asked_solution> asked_by(const reference_options& options, long digits) {
+    std::vector<asked_solution> asked;
+    if (auto of = options.problem.solution()) {
+        asked.push_back(problem_of_options(options, std::move(of)));
+    } else if (options.motions) {
+        asked = motions_of_file(options);
+    } else {
+        asked.push_back(motion_of_options(options, digits));
+    }
+    return asked;
+}
+
+// On all cores where there are several solutions.
+std::vector<partial_table> answered(const std::vector<asked_solution>& asked, const reference_options& options,
+                                    long digits) {
+    progress shown("reference", asked.size() * progress_of_part::steps);
+    std::vector<partial_table> parts(asked.size());
+    on_threads(asked.size(), jobs_of(options.jobs), [&](std::size_t i) {
+        progress_of_part to(shown);
+        parts[i] = states_of(asked[i], {.scalar = {scalar_kind::proved, digits},
+                                        .check = options.check,
+                                        .progress = [&](double part) { to(part); }});
+        to(1);
+    });
+    return parts;
 }
 
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
-    if (options.problem.given()) {
-        const partial_table found = reference_of_problem(options, digits);
-        if (found.has_output()) {
-            options.output.write(found.rows, found.text);
-        }
-        require_complete(found);
-        return 0;
+    if (!options.problem.given()) {
+        options.events.require_absent();
     }
-    options.problem.require_problem();
-    options.events.require_absent();
-    if (options.check && digits > most_checked_digits) {
+    if (options.events.given()) {
+        return write_events(options, digits);
+    }
+    options.events.require_none();
+    const auto asked = asked_by(options, digits);
+    const bool closed = std::ranges::any_of(asked, [](const auto& each) { return !each.of->closed_form().empty(); });
+    if (options.check && closed && digits > most_checked_digits) {
         throw input_error("--digits", std::to_string(digits), "with --check would take hours",
                           fmt::format("ask for {} digits or fewer", most_checked_digits));
     }
-    const std::vector<asked_motion> asked =
-        options.motions ? motions_of_file(options) : std::vector<asked_motion>{motion_of_options(options, digits)};
-    progress shown("reference", asked.size());
-    const auto parts = parallel_map(asked.size(), jobs_of(options.jobs), shown,
-                                    [&](std::size_t i) { return rows_of(asked[i], digits, options.check); });
-    table data(reference_columns);
-    for (const auto& part : parts) {
-        for (const table_row_cells& row : part) {
-            data.add_row(row);
-        }
+    const auto found = naming_option("--problem", [&] { return stacked_states(answered(asked, options, digits)); });
+    if (found.has_output()) {
+        options.output.write(found.rows, found.text);
     }
-    options.output.write(data, lines_of(data));
+    require_complete(found);
     return 0;
 }
 
@@ -319,7 +265,7 @@ subcommand reference_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "reference", "proved digits of theta, omega, E, T, T* and R, or of any problem, at a list of times");
     options->motion.add_to(*command);
-    options->problem.add_to(*command);
+    options->problem.add_to(*command, problem_options::closed_forms::used);
     options->output.add_to(*command, output_options::columns_option::not_here);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");

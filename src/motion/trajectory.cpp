@@ -12,6 +12,7 @@
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "run/progress.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
@@ -129,6 +130,7 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
             return partial_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
                                                        times_of_problem(options.times), numbers),
                                  {},
+                                 {},
                                  {}};
         });
     }
@@ -137,11 +139,15 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
         const auto corners = corners_of(options.via);
         const auto points = complex_points("--times", options.times);
         return naming_option("--problem", [&] {
-            return partial_table{problem_trajectory_along(system, corners, points, numbers), {}, {}};
+            return partial_table{problem_trajectory_along(system, corners, points, numbers), {}, {}, {}};
         });
     }
     const auto times = times_of_problem(options.times);
-    return naming_option("--problem", [&] { return problem_trajectory(system, times, numbers); });
+    const auto of = options.problem.solution(options.method == "taylor");
+    progress shown("trajectory", progress_of_part::steps);
+    progress_of_part to(shown);
+    return naming_option("--problem",
+                         [&] { return problem_trajectory(*of, times, numbers, [&](double part) { to(part); }); });
 }
 
 int run_trajectory(const trajectory_options& options) {
@@ -188,7 +194,7 @@ subcommand trajectory_command(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("trajectory", "theta and omega, or the unknowns of any problem, at a list of times");
     options->motion.add_to(*command);
-    options->problem.add_to(*command);
+    options->problem.add_to(*command, problem_options::closed_forms::used);
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command

@@ -98,4 +98,12 @@ void say_line(const std::string& line) {
     std::fflush(stderr);
 }
 
+void progress_of_part::operator()(double part) {
+    const auto now = static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * static_cast<double>(steps));
+    if (now > done_) {
+        all_.step(now - done_);
+        done_ = now;
+    }
+}
+
 }  // namespace libration

@@ -62,4 +62,19 @@ private:
 /// A line of its own on stderr, "libration: ...", in place of a progress line that stands there.
 void say_line(const std::string& line);
 
+/// One of several works that are shown together, by the part of it that is done. One thread at a time.
+class progress_of_part {
+public:
+    static constexpr std::size_t steps = 1000;
+
+    /// `all` counts `steps` for each of the works.
+    explicit progress_of_part(progress& all) : all_(all) {}
+    /// A part from 0 to 1; one that is less than before does not count.
+    void operator()(double part);
+
+private:
+    progress& all_;
+    std::size_t done_ = 0;
+};
+
 }  // namespace libration

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "equation/problem_reference.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "libration/problem/axis.hpp"
 #include "text/input_error.hpp"
@@ -29,7 +28,7 @@ std::vector<column> columns_of(const ode::explicit_system& system, input_style s
 
 table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style) {
     const auto columns = columns_of(of.system, style);
-    const partial_table values = problem_trajectory(of.system, times, {{scalar_kind::arbitrary, digits}, digits});
+    const partial_table values = problem_trajectory(*of.solution, times, {{scalar_kind::arbitrary, digits}, digits});
     if (values.missing) {
         throw input_error("--times", values.missing->value(), values.missing->reason(),
                           "choose times nearer to the start");

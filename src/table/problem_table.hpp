@@ -1,10 +1,12 @@
 // A table of the solution of any differential equation at times.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/problem/solution.hpp"
 #include "table/motion_table.hpp"
 
 namespace libration {
@@ -12,6 +14,7 @@ namespace libration {
 /// The equation of a table.
 struct table_problem {
     ode::explicit_system system;
+    std::shared_ptr<const libration::solution> solution;
     std::string text;   ///< as it was read
     std::string words;  ///< " --problem P --set X=VALUE": what names it in a command
 };

@@ -56,7 +56,8 @@ table_problem chosen_problem(const table_options& options) {
     for (const std::string& each : options.problem.changes()) {
         words += " --set " + quoted_word(each);
     }
-    return {options.problem.choose(), problem_named(*options.problem.problem()).text, words};
+    return {options.problem.choose(), options.problem.solution(), problem_named(*options.problem.problem()).text,
+            words};
 }
 
 // What the table is of. Throws input_error where that is nothing.
@@ -100,7 +101,7 @@ subcommand table_command(CLI::App& program) {
         program.add_subcommand("table", "reference tables with proved digits: motions at times, or elliptic functions");
     command->add_option("what", options->order.what, "pendulum, or functions as in am,sn: " + elliptic_names())
         ->type_name("pendulum|FUNCTION");
-    options->problem.add_to(*command);
+    options->problem.add_to(*command, problem_options::closed_forms::used);
     offer_motions(options->order.said, *command);
     offer_elliptic(options->order.said, *command);
     options->order.said.offer(

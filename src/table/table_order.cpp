@@ -48,7 +48,9 @@ std::vector<std::string> lines_of_problem(const std::string& text) {
     return lines;
 }
 
-std::string rigour_of(const table_order& order) { return order.problem ? rigour_of_problems : rigour; }
+std::string rigour_of(const table_order& order) {
+    return order.problem && order.problem->solution->closed_form().empty() ? rigour_of_problems : rigour;
+}
 
 std::vector<std::string> comment_lines(const table_order& order, const table& data, const std::string& command) {
     std::vector<std::string> lines{

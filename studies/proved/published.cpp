@@ -249,7 +249,7 @@ study_plan plan(const study_request& request) {
 }
 
 const problem& values_in_print() {
-    static const problem result{.name = "values in print", .axes = {proved::axis_of(values_to_choose())}};
+    static const problem result("values in print", {proved::axis_of(values_to_choose())});
     return result;
 }
 

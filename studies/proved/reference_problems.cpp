@@ -141,7 +141,7 @@ study_plan plan(const study_request& request) {
 }
 
 const problem& problems_of_study() {
-    static const problem result{.name = "test problems", .axes = {proved::axis_of(problems_to_choose())}};
+    static const problem result("test problems", {proved::axis_of(problems_to_choose())});
     return result;
 }
 

@@ -253,18 +253,17 @@ void check_tolerance(const exact& each) {
 }
 
 const problem& problems_of_study() {
-    static const problem result{.name = "test problems",
-                                .axes = {proved::axis_of(problems_to_choose()),
-                                         proved::axis_of(solvers_to_choose()),
-                                         {.name = "tolerance",
-                                          .option = "--tolerances",
-                                          .help = "what solvers are asked for, relative and absolute",
-                                          .unit = "",
-                                          .form = axis_form::numbers,
-                                          .remedy = "write a list such as 1e-4,1e-8,1e-12",
-                                          .check = check_tolerance,
-                                          .coordinate = "tolerance",
-                                          .to_coordinate = {}}}};
+    static const problem result("test problems", {proved::axis_of(problems_to_choose()),
+                                                  proved::axis_of(solvers_to_choose()),
+                                                  {.name = "tolerance",
+                                                   .option = "--tolerances",
+                                                   .help = "what solvers are asked for, relative and absolute",
+                                                   .unit = "",
+                                                   .form = axis_form::numbers,
+                                                   .remedy = "write a list such as 1e-4,1e-8,1e-12",
+                                                   .check = check_tolerance,
+                                                   .coordinate = "tolerance",
+                                                   .to_coordinate = {}}});
     return result;
 }
 

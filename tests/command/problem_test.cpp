@@ -80,7 +80,7 @@ TEST_CASE("coefficients about other points are those of the continued solution",
 }
 
 TEST_CASE("a problem is marched to times, and the pendulum agrees with its own command", "[command][problem]") {
-    const words problem{"trajectory", "--problem", "x' = y; y' = -sin(x); x(0)=5/2; y(0)=-3/10"};
+    const words problem{"trajectory", "--general", "--problem", "x' = y; y' = -sin(x); x(0)=5/2; y(0)=-3/10"};
     const auto rows = rows_of(problem + words{"--times", "10,-1,0", "--digits", "40"});
     const auto own =
         rows_of({"trajectory", "--theta0", "5/2", "--omega0", "-3/10", "--times", "10,-1,0", "--digits", "40"});
@@ -132,7 +132,7 @@ TEST_CASE("reference proves the digits of any problem, at times and at events", 
     const std::string swing = "x'' = -sin(x); x(0)=5/2; x'(0)=-3/10";
     const auto own =
         rows_of({"reference", "--theta0", "5/2", "--omega0", "-3/10", "--time", "10,-1", "--digits", "40"});
-    const auto rows = rows_of({"reference", "--problem", swing, "--time", "10,-1", "--digits", "40"});
+    const auto rows = rows_of({"reference", "--general", "--problem", swing, "--time", "10,-1", "--digits", "40"});
     REQUIRE(rows.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         CHECK(rows[i].at("x") == own[i].at("theta"));
@@ -140,7 +140,8 @@ TEST_CASE("reference proves the digits of any problem, at times and at events", 
         CHECK(rows[i].at("rigour") == "proved");
         CHECK(rows[i].at("digits") == "40");
     }
-    const auto marched = rows_of({"trajectory", "--problem", swing, "--times", "10", "--scalar", "ball:40"});
+    const auto marched =
+        rows_of({"trajectory", "--general", "--problem", swing, "--times", "10", "--scalar", "ball:40"});
     CHECK(marched[0].at("x") == rows[0].at("x"));
     const auto quarters =
         rows_of({"reference", "--theta0", "2", "--omega0", "0", "--time", "T/4,3T/4", "--digits", "30"});
@@ -181,6 +182,22 @@ TEST_CASE("one value or time that is not proved leaves the others", "[command][p
     CHECK(rows[1].at("y") == "0.1226264804");
     CHECK(rows[1].at("undecided").starts_with("|z| < "));
     CHECK(lines_of(csv.err).size() == 1);
+}
+
+TEST_CASE("equations that are the pendulum's are answered by its closed form, which is said", "[command][problem]") {
+    const words asked{"reference", "--time", "1e12", "--digits", "30", "--format", "csv"};
+    const auto own = rows_of({"reference", "--theta0", "5/2", "--omega0", "-3/10", "--time", "1e12", "--digits", "30"});
+    for (const char* text : {"pendulum", "q'' = -sin(q); q(0) = 5/2; q'(0) = -3/10"}) {
+        const auto found = run_libration(asked + words{"--problem", text});
+        CHECK(found.exit_code == 0);
+        CHECK(found.err.find("the equations are those of the pendulum") != std::string::npos);
+        CHECK(lines_of(found.err).size() == 1);
+        CHECK(found.out.find(own[0].at("theta") + "," + own[0].at("omega") + ",30,proved,1e12\n") != std::string::npos);
+    }
+    const auto checked = run_libration({"reference", "--problem", "pendulum", "--time", "10", "--check"});
+    CHECK(checked.exit_code == 0);
+    check_refused({"reference", "--general", "--theta0", "1", "--omega0", "0", "--time", "1"},
+                  {"--general", "--problem"});
 }
 
 // y = 1/(1 - t) does not influence z = tan t.

@@ -65,7 +65,8 @@ std::map<std::string, rooms> order_of_rooms() {
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
         problem = ode + proofs + rooms{"approximant/asymptotic", "problem"},
-        library = pendulum + problem + rooms{"problem/known", "problem/known/proved", "verify/proved"},
+        library =
+            pendulum + problem + rooms{"problem/known", "problem/known/proved", "problem/solution", "verify/proved"},
         // What every study and command stands on knows no pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
         equation = option + rooms{"src/equation"}, journal = equation + rooms{"src/journal"},
@@ -114,8 +115,9 @@ std::map<std::string, rooms> order_of_rooms() {
         {"pendulum/error/proved", numerical + proofs + rooms{"pendulum/error"}},
         {"pendulum", numerical + rooms{"pendulum/error", "pendulum/sampler"}},
         {"problem", ode + proofs + rooms{"approximant/asymptotic"}},
-        {"problem/known", pendulum + problem + rooms{"problem/known/proved"}},
+        {"problem/known", pendulum + problem + rooms{"problem/known/proved", "problem/solution"}},
         {"problem/known/proved", ode + proofs},
+        {"problem/solution", problem},
         {"verify/proved", pendulum + problem},
         {"library", library},
         {"src/c", library},

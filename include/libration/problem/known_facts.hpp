@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "libration/scalar/text/printed_number.hpp"
 
 namespace libration {
+
+class solution;
 
 /// A condition at infinity that determines parameters or starts of a problem, by a lemma (problem/known/proved/).
 struct condition_at_infinity {
@@ -32,6 +35,9 @@ struct known_facts {
     std::function<std::vector<proved_decimal>(const ode::equation_system&, long digits)> limits = {};
     /// The behaviour far from the start (far_behaviour_of).
     std::function<far_behaviour(const ode::equation_system&, long digits, const std::string& free)> far = {};
+    /// The solution in closed form of any equations that are those of the problem, whatever their names and parameters;
+    /// nullptr of others.
+    std::function<std::unique_ptr<solution>(const ode::equation_system&)> closed_form = {};
 };
 
 /// Of all problems of which something is known, by name.

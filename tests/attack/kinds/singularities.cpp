@@ -12,7 +12,7 @@ namespace libration::attack {
 
 namespace {
 
-// Those that closed forms list.
+// Those that closed forms list, at least.
 constexpr double all_listed = 50;
 
 truth modulus_of_place(const place& at) {
@@ -21,11 +21,13 @@ truth modulus_of_place(const place& at) {
 
 truth nearest(const solved_problem& problem) {
     truth best;
-    for (const component& each : problem.parts) {
-        for (const place& at : each.singularities(all_listed)) {
-            const truth here = modulus_of_place(at);
-            if (!best || rough(here) < rough(best)) {
-                best = here;
+    for (double within = all_listed; !best; within *= 8) {
+        for (const component& each : problem.parts) {
+            for (const place& at : each.singularities(within)) {
+                const truth here = modulus_of_place(at);
+                if (!best || rough(here) < rough(best)) {
+                    best = here;
+                }
             }
         }
     }
@@ -84,7 +86,7 @@ void judge_map(const solved_problem& problem, double within, const program_answe
     for (const map_row& row : rows) {
         bool shown = false;
         for (std::size_t i = 0; i < problem.columns.size(); ++i) {
-            const auto all = problem.parts[i].singularities(all_listed);
+            const auto all = problem.parts[i].singularities(std::max(all_listed, 2 * within));
             shown = shown || (problem.columns[i] == row.unknown &&
                               std::ranges::any_of(all, [&](const place& at) { return row.shows(at); }));
         }

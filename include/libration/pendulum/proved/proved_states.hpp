@@ -34,7 +34,9 @@ public:
     /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws error of the kind
     /// undecided where the precision ends before the digits are proved.
     state_text at(const exact& time);
-    /// One of the two, with the bound of what its decimal misses.
+    /// The same, with the bounds of what the decimals miss.
+    std::vector<proved_decimal> both_at(const exact& time) { return state_at(time); }
+    /// One of the two.
     proved_decimal theta_at(const exact& time) { return state_at(time)[0]; }
     proved_decimal omega_at(const exact& time) { return state_at(time)[1]; }
     constant_texts constants();

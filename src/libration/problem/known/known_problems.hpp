@@ -9,6 +9,7 @@ known_facts facts_of_blasius();
 known_facts facts_of_falkner_skan();
 known_facts facts_of_flierl_petviashvili();
 known_facts facts_of_painleve_1();
+known_facts facts_of_pendulum();
 known_facts facts_of_rayleigh();
 known_facts facts_of_sakiadis();
 known_facts facts_of_seir();

@@ -1,0 +1,164 @@
+#include "equation/solution_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace libration {
+
+namespace {
+
+constexpr long digits_of_drift = 3;
+
+bool is_undecided(const answer_value& value) { return value.text.empty(); }
+
+// |y| < 1.2e-60, or that the time is not reached.
+std::string undecided_text(const std::string& name, const answer_value& value) {
+    return value.bound.empty() ? name + " is not reached" : fmt::format("|{}| < {}", name, value.bound);
+}
+
+std::string line_of(const std::string& name, const std::string& value) {
+    return value.empty() ? "" : fmt::format("{:<10}{}\n", name, value);
+}
+
+std::string lines_of(const shared_cells::list& cells) {
+    std::string text;
+    for (const auto& [name, value] : cells) {
+        text += line_of(name, value.text());
+    }
+    return text;
+}
+
+bool has_undecided(const answer& found) {
+    return std::ranges::any_of(found.rows, [](const auto& row) { return std::ranges::any_of(row, is_undecided); });
+}
+
+std::vector<column> columns_of_answer(const answer& found, const shared_cells& shared) {
+    std::vector<column> columns;
+    const auto add = [&](const shared_cells::list& cells) {
+        for (const auto& each : cells) {
+            columns.push_back({each.first, ""});
+        }
+    };
+    add(shared.before_time);
+    columns.push_back({"time", ""});
+    for (const std::string& name : found.names) {
+        columns.push_back({name, ""});
+    }
+    add(shared.behind_values);
+    columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}});
+    add(shared.behind_rigour);
+    columns.push_back({"time_typed", ""});
+    add(shared.behind_time);
+    if (!found.drifts.empty()) {
+        columns.push_back({"invariant_drift", ""});
+    }
+    if (has_undecided(found)) {
+        columns.push_back({"undecided", ""});
+    }
+    return columns;
+}
+
+// "|y| < 1.2e-60; |z| < 3e-61".
+std::string bounds_of(const answer& found, const std::vector<answer_value>& row) {
+    std::string bounds;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (is_undecided(row[i])) {
+            bounds += (bounds.empty() ? "" : "; ") + undecided_text(found.names[i], row[i]);
+        }
+    }
+    return bounds;
+}
+
+std::string paragraph_of(const answer& found, const std::vector<answer_value>& row, const std::string& time) {
+    std::string text = line_of("time", time);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string& name = found.names[i];
+        text += line_of(name, is_undecided(row[i]) ? undecided_text(name, row[i]) : row[i].text);
+    }
+    return text;
+}
+
+}  // namespace
+
+void require_complete(const partial_table& of) {
+    if (of.missing) {
+        throw error(*of.missing);
+    }
+}
+
+partial_table states_table(const answer& found, const std::vector<exact>& times,
+                           const std::vector<std::string>& decimals, long digits, const shared_cells& shared) {
+    const auto columns = columns_of_answer(found, shared);
+    partial_table result{table(columns), lines_of(shared.before_time) + lines_of(shared.behind_values), "",
+                         found.missing};
+    if (!result.heading.empty()) {
+        result.heading += line_of("digits", std::to_string(digits)) + line_of("rigour", found.rigour) +
+                          lines_of(shared.behind_rigour);
+    }
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (found.rows[i].empty()) {
+            continue;
+        }
+        table_row_cells row;
+        const auto add = [&](const shared_cells::list& cells) {
+            for (const auto& each : cells) {
+                row.push_back(each.second);
+            }
+        };
+        add(shared.before_time);
+        row.push_back(number_cell(decimals[i]));
+        for (const answer_value& value : found.rows[i]) {
+            row.push_back(value.text.empty() ? cell() : cell::number(value.text, digits));
+        }
+        add(shared.behind_values);
+        row.insert(row.end(), {digits, found.rigour});
+        add(shared.behind_rigour);
+        row.emplace_back(times[i].text);
+        add(shared.behind_time);
+        if (!found.drifts.empty()) {
+            row.push_back(found.drifts[i].empty() ? cell() : cell::number(found.drifts[i], digits_of_drift));
+        }
+        if (has_undecided(found)) {
+            row.emplace_back(bounds_of(found, found.rows[i]));
+        }
+        result.rows.add_row(std::move(row));
+        result.text += (result.text.empty() ? "" : "\n") + paragraph_of(found, found.rows[i], decimals[i]);
+    }
+    return result;
+}
+
+partial_table states_table(const solution& of, const std::vector<exact>& times, const request& how,
+                           const shared_cells& shared) {
+    const long digits = how.printed_digits();
+    return states_table(of.states(times, how), times, of.times_in_decimals(times, digits), digits, shared);
+}
+
+std::string lines_of_states(const table& data) {
+    std::string text;
+    for (const auto& row : data.rows()) {
+        text += text.empty() ? "" : "\n";
+        for (std::size_t i = 0; i + 3 < row.size(); ++i) {
+            text += fmt::format("{:<10}{}\n", data.columns()[i].name, row[i].text());
+        }
+    }
+    return text;
+}
+
+partial_table stacked_states(const std::vector<partial_table>& parts) {
+    partial_table all{table(parts.front().rows.columns()), "", "", {}};
+    const std::string* heading = &all.heading;
+    for (const partial_table& part : parts) {
+        all.rows.append(part.rows);
+        if (part.heading != *heading) {
+            all.text += (all.text.empty() ? "" : "\n") + part.heading;
+        }
+        heading = &part.heading;
+        all.text += (all.text.empty() || part.text.empty() ? "" : "\n") + part.text;
+        all.missing = all.missing ? all.missing : part.missing;
+    }
+    return all;
+}
+
+}  // namespace libration

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <iterator>
+
+#include "libration/problem/known_facts.hpp"
+#include "libration/problem/solution.hpp"
+#include "libration/scalar/text/given_number.hpp"
+#include "taylor_solution.hpp"
+
+namespace libration {
+
+const std::string& answer::at(std::size_t row, const std::string& name) const {
+    const auto column = std::ranges::find(names, name);
+    if (column == names.end()) {
+        throw error(error_kind::argument, "quantity", name, "is not one of this answer");
+    }
+    const auto place = static_cast<std::size_t>(column - names.begin());
+    if (row >= rows.size()) {
+        throw error(error_kind::argument, "row", std::to_string(row), "is beyond the answer");
+    }
+    if (missing && (rows[row].empty() || rows[row][place].text.empty())) {
+        throw error(*missing);
+    }
+    return rows[row][place].text;
+}
+
+std::vector<std::string> solution::times_in_decimals(const std::vector<exact>& times, long digits) const {
+    std::vector<std::string> decimals;
+    std::ranges::transform(times, std::back_inserter(decimals),
+                           [&](const exact& time) { return decimal_of(time, digits); });
+    return decimals;
+}
+
+answer solution::states(const std::string& times, const request& how) const {
+    std::vector<exact> list;
+    for (std::size_t begin = 0; begin <= times.size();) {
+        const std::size_t end = std::min(times.find(',', begin), times.size());
+        std::string item = times.substr(begin, end - begin);
+        std::erase(item, ' ');
+        list.push_back(given_time("time", item));
+        begin = end + 1;
+    }
+    return states(list, how);
+}
+
+std::unique_ptr<solution> solve(const problem& given, const settings& by) {
+    if (!by.general) {
+        for (const known_facts& facts : all_known_facts()) {
+            if (auto known = facts.closed_form ? facts.closed_form(given.equations) : nullptr) {
+                return known;
+            }
+        }
+    }
+    return std::make_unique<taylor_solution>(given.equations);
+}
+
+}  // namespace libration

@@ -1,0 +1,280 @@
+#include "taylor_solution.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "libration/digits/proved/printed_values.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
+#include "libration/ode/ball/fast_product.hpp"
+#include "libration/ode/constant_value.hpp"
+#include "libration/ode/invariant.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/problem_coefficients.hpp"
+#include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/step.hpp"
+#include "libration/ode/trajectory.hpp"
+#include "libration/problem/known_facts.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration {
+
+namespace {
+
+// Digits with which integrations work beyond those of the result, at least.
+constexpr long digits_beyond_result = 20;
+constexpr long digits_of_drift = 3;
+constexpr long digits_of_second = ode::more_digits_of_second_proof;
+
+std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
+    std::vector<ode::number> at;
+    at.reserve(times.size());
+    for (const exact& each : times) {
+        if (each.has_periods()) {
+            throw error(error_kind::argument, "time", each.text, "is a multiple of a period, which a problem has not");
+        }
+        at.push_back(as_expression(each));
+    }
+    return at;
+}
+
+std::vector<std::string> names_of_quantities(const ode::explicit_system& system) {
+    std::vector<std::string> names;
+    for (const auto& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            names.push_back(ode::primed(each.name, j));
+        }
+    }
+    return names;
+}
+
+answer_value value_of(const proved_decimal& number) { return {number.text, number.uncertainty}; }
+
+// Which part of the way from the start to the farthest time has been integrated.
+class part_of_way {
+public:
+    part_of_way(const ode::explicit_system& system, const std::vector<ode::number>& times,
+                const std::function<void(double)>& progress)
+        : progress_(progress) {
+        const precision_scope few(digits_beyond_result);
+        origin_ = ode::constant_value<mpfr>::of(system.point());
+        for (const ode::number& each : times) {
+            whole_ = std::max(whole_, mpfr(abs(ode::constant_value<mpfr>::of(each) - origin_)));
+        }
+    }
+
+    void operator()(const ball& reached) const {
+        if (progress_ && whole_ > 0) {
+            const precision_scope few(digits_beyond_result);
+            const mpfr part = abs(midpoint_of(reached) - origin_) / whole_;
+            progress_(std::clamp(part.convert_to<double>(), 0.0, 1.0));
+        }
+    }
+
+private:
+    const std::function<void(double)>& progress_;
+    mpfr origin_;
+    mpfr whole_ = mpfr(0);
+};
+
+// In the arithmetic that prints them.
+template <class T>
+ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
+    ode::partial_states<mpfr> all{{}, std::move(part.missing)};
+    for (const auto& state : part.states) {
+        auto& wide = all.states.emplace_back();
+        for (const auto& of_unknown : state) {
+            auto& values = wide.emplace_back();
+            std::ranges::transform(of_unknown, std::back_inserter(values), [](const T& x) { return widen(x); });
+        }
+    }
+    return all;
+}
+
+long digits_of_integration(const request& how) { return std::max(how.printed_digits(), how.scalar.digits); }
+
+ode::partial_states<mpfr> integrated(const ode::explicit_system& system, const std::vector<ode::number>& times,
+                                     const request& how) {
+    if (how.scalar.kind == scalar_kind::arbitrary) {
+        return ode::part_of_trajectory(system, times, digits_of_integration(how), ode::fast_product<mpfr>());
+    }
+    const precision_scope wide(how.scalar.digits + digits_beyond_result);
+    return with_scalar(how.scalar, 0, [&]<class T>() { return in_wide_numbers(ode::part_of_march<T>(system, times)); });
+}
+
+// The values of a state in order, none of them where it is not reached at all.
+std::vector<answer_value> rounded_row(const ode::explicit_system& system, const ode::solution_state<mpfr>& state,
+                                      long digits) {
+    std::vector<answer_value> row;
+    bool reached = false;
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        if (state[i].empty()) {
+            row.resize(row.size() + static_cast<std::size_t>(system.unknowns()[i].order));
+        }
+        for (const mpfr& value : state[i]) {
+            row.push_back({to_decimal(value, digits), ""});
+            reached = true;
+        }
+    }
+    return reached ? row : std::vector<answer_value>{};
+}
+
+void require_second_proof(const ode::explicit_system& system, const std::vector<exact>& times, const request& how,
+                          const ode::partial_trajectory& first) {
+    const auto second = ode::proved_part_of_trajectory(
+        system, numbers_of(times), how.printed_digits() + digits_of_second, {}, ode::proof_route::second());
+    const auto names = names_of_quantities(system);
+    for (std::size_t i = 0; i < first.states.size(); ++i) {
+        const std::size_t compared = std::min(first.states[i].size(), second.states[i].size());
+        for (std::size_t j = 0; j < compared; ++j) {
+            const auto& a = first.states[i][j].decimal;
+            const auto& b = second.states[i][j].decimal;
+            if (a && b) {
+                require_agreement(*a, *b, names[j] + " at time " + times[i].text);
+            }
+        }
+    }
+}
+
+std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool complex) {
+    std::vector<std::string> names{"n"};
+    for (const auto& each : system.unknowns()) {
+        for (const char* part : complex ? std::vector{"_re", "_im"} : std::vector{""}) {
+            names.push_back(each.name + part);
+        }
+    }
+    return names;
+}
+
+// A row a power.
+template <class Number, class Value>
+void add_powers(answer& to, const ode::coefficient_list<Number>& list, const Value& value) {
+    const std::size_t width = to.names.size() - 1;
+    for (std::size_t at = 0; at < list.values.size(); at += width) {
+        auto& row = to.rows.emplace_back();
+        row.push_back({std::to_string(at / width), "0"});
+        for (std::size_t i = 0; i < width; ++i) {
+            row.push_back(value(list.values[at + i]));
+        }
+    }
+}
+
+}  // namespace
+
+taylor_solution::taylor_solution(ode::equation_system equations)
+    : solution(names_of_quantities(ode::explicit_system(equations))),
+      equations_(std::move(equations)),
+      system_(equations_) {}
+
+answer taylor_solution::states(const std::vector<exact>& times, const request& how) const {
+    return how.scalar.kind == scalar_kind::proved ? proved_states(times, how) : rounded_states(times, how);
+}
+
+answer taylor_solution::proved_states(const std::vector<exact>& times, const request& how) const {
+    const auto checked = checked_products(how.check);
+    const auto at = numbers_of(times);
+    const part_of_way part(system_, at, how.progress);
+    auto found = ode::proved_part_of_trajectory(system_, at, how.printed_digits(),
+                                                [&](const ball& reached, long /*bits*/) { part(reached); });
+    if (how.check) {
+        require_second_proof(system_, times, how, found);
+    }
+    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
+    for (const auto& state : found.states) {
+        auto& row = result.rows.emplace_back();
+        for (const ode::trajectory_value& each : state) {
+            row.push_back(each.decimal ? value_of(*each.decimal) : answer_value{"", each.bound});
+        }
+    }
+    result.missing = std::move(found.missing);
+    return result;
+}
+
+answer taylor_solution::rounded_states(const std::vector<exact>& times, const request& how) const {
+    auto part = integrated(system_, numbers_of(times), how);
+    const bool agreed = how.scalar.kind == scalar_kind::arbitrary;
+    answer result{.names = quantities(), .rows = {}, .rigour = agreed ? "two-method" : "heuristic"};
+    for (const auto& state : part.states) {
+        result.rows.push_back(rounded_row(system_, state, how.printed_digits()));
+    }
+    result.drifts = drifts(times, part.states, digits_of_integration(how));
+    result.missing = std::move(part.missing);
+    return result;
+}
+
+std::vector<std::string> taylor_solution::drifts(const std::vector<exact>& times,
+                                                 const std::vector<ode::solution_state<mpfr>>& states,
+                                                 long digits) const {
+    std::vector<std::string> all;
+    if (system_.invariants().empty() || system_.singular()) {
+        return all;
+    }
+    const precision_scope scope(digits + digits_beyond_result);
+    ode::invariants<mpfr> constant(system_);
+    const auto at = numbers_of(times);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        if (std::ranges::any_of(states[i], [](const auto& values) { return values.empty(); })) {
+            all.emplace_back();
+            continue;
+        }
+        const mpfr drift = constant.drift(ode::constant_value<mpfr>::of(at[i]), states[i]);
+        all.push_back(to_decimal(drift, digits_of_drift));
+    }
+    return all;
+}
+
+answer taylor_solution::limits(const request& how) const {
+    answer result{.names = quantities(), .rows = {{}}, .rigour = "proved"};
+    for (const proved_decimal& each : proved_limits(equations_, how.printed_digits())) {
+        result.rows.front().push_back(value_of(each));
+    }
+    return result;
+}
+
+answer taylor_solution::events(const std::string& condition, long count, const request& how) const {
+    const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
+    auto found = ode::searched_events(system_, asked, how.printed_digits());
+    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
+    result.names.insert(result.names.begin(), "time");
+    for (const ode::printed_event& event : found.events) {
+        auto& row = result.rows.emplace_back();
+        row.push_back(value_of(event.time));
+        std::ranges::transform(event.values, std::back_inserter(row), value_of);
+    }
+    result.missing = std::move(found.missing);
+    return result;
+}
+
+answer taylor_solution::series(long order, const std::string& about, const request& how) const {
+    ode::coefficient_request asked{system_, 0, order};
+    if (!about.empty()) {
+        asked.at = ode::parse_complex_constant(about);
+    }
+    answer result{.names = names_of_unknowns(system_, asked.complex()), .rows = {}, .rigour = "proved"};
+    const long digits = how.printed_digits();
+    if (how.scalar.kind == scalar_kind::proved) {
+        add_powers(result, ode::proved_coefficients(asked, digits), value_of);
+        return result;
+    }
+    result.rigour = how.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
+    add_powers(result, ode::rounded_coefficients(how.scalar, asked), [&](const mpfr& value) {
+        return answer_value{to_decimal(value, digits), ""};
+    });
+    return result;
+}
+
+answer taylor_solution::radius(const std::string& about, const request& how) const {
+    if (!about.empty()) {
+        throw error(error_kind::argument, "point", about,
+                    "is not the start, about which alone the radius of these equations is bounded");
+    }
+    const long digits = how.printed_digits();
+    const auto [lower, upper] = ode::outward_decimals(ode::prove_radius(system_, digits), digits);
+    return {.names = {"lower", "upper"}, .rows = {{{lower, ""}, {upper, ""}}}, .rigour = "proved"};
+}
+
+}  // namespace libration

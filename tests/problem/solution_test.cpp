@@ -1,0 +1,116 @@
+// A solution as an object: closed forms of elementary problems, and the pendulum however it is written, by its closed
+// form and by Taylor series.
+#include "libration/problem/solution.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/problem/known/pendulum_solution.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace problem_solution_test {
+
+using namespace libration;
+
+namespace {
+
+const std::string tangent = "x' = 1 + x^2; x(0) = 0";
+
+}  // namespace
+
+TEST_CASE("a solution has states, events, series and a radius", "[problem]") {
+    const auto x = solve(problem(tangent));
+    CHECK(x->quantities() == std::vector<std::string>{"x"});
+    CHECK(x->closed_form().empty());
+    const answer states = x->states("pi/4, -pi/6, 0", proved_digits(20));
+    CHECK(states.rigour == "proved");
+    CHECK(states.at(0, "x") == "1.0000000000000000000");
+    CHECK(states.at(1, "x") == "-0.57735026918962576451");
+    CHECK(states.at(2, "x") == "0");
+    CHECK_THROWS_AS(states.at(0, "y"), error);
+    CHECK_THROWS_AS(states.at(3, "x"), error);
+    CHECK(x->states("pi/4", rounded_digits(15)).rigour == "two-method");
+    const answer events = x->events("x = sqrt(3)", 1, proved_digits(20));
+    CHECK(events.at(0, "time") == "1.0471975511965977462");  // pi/3
+    const answer series = x->series(5, "", proved_digits(10));
+    CHECK(series.at(5, "x") == "0.1333333333");
+    CHECK(series.at(4, "x") == "0");
+    CHECK(x->series(1, "pi/4", proved_digits(10)).at(1, "x") == "2.000000000");
+    const answer radius = x->radius("", proved_digits(10));
+    CHECK(radius.at(0, "lower").starts_with("1.57079632"));
+    CHECK(radius.at(0, "upper").starts_with("1.57079632"));
+}
+
+TEST_CASE("a solution gives what it reaches and says what it does not", "[problem]") {
+    const auto both = solve(problem("y' = y^2; z' = 1 + z^2; y(0) = 1; z(0) = 0"));
+    for (const request& how : {proved_digits(10), rounded_digits(10)}) {
+        const answer states = both->states("0.5, 1.2, 2", how);
+        CHECK(states.at(0, "y") == "2.000000000");
+        CHECK(states.at(1, "z") == "2.572151622");
+        CHECK_THROWS_AS(states.at(1, "y"), error);
+        CHECK(states.rows[2].empty());
+        CHECK(states.missing);
+    }
+}
+
+TEST_CASE("a problem is a text, a name of the catalogue or equations, with changes", "[problem]") {
+    CHECK(solve(problem("lotka_volterra"))->quantities() == std::vector<std::string>{"x", "y"});
+    CHECK(solve(problem(tangent).set("x(0) = 1"))->states("0", proved_digits(5)).at(0, "x") == "1.0000");
+    CHECK(solve(problem(ode::parse(tangent)))->states("pi/4", proved_digits(5)).at(0, "x") == "1.0000");
+    CHECK_THROWS_AS(problem("no_such_problem"), error);
+    CHECK_THROWS_AS(solve(problem("x' = x")), error);
+}
+
+TEST_CASE("the pendulum is recognised however it is written", "[problem]") {
+    for (const char* text :
+         {"x'' = -sin(x); x(0) = 2; x'(0) = 0", "x'' + 3*sin(x) = 0; x(1/2) = -100; x'(1/2) = -7",
+          "2*q'' = -pi*sin(q); q(0) = pi/3; q'(0) = sqrt(2)", "y' = -sin(x)/7; x' = y; x(0) = 3; y(0) = 1e-10",
+          "u' = v; v' = -k*sin(u); u(0) = 0; v(0) = 2; k = 1", "x'' = -sin(x); x(0) = 2*pi; x'(0) = 1e-200"}) {
+        CAPTURE(text);
+        const auto closed = solve(problem(text));
+        const auto general = solve(problem(text), {.general = true});
+        CHECK(closed->closed_form() == "the pendulum");
+        CHECK(general->closed_form().empty());
+        REQUIRE(closed->quantities() == general->quantities());
+        const answer a = closed->states("-3/2, 5/2, 3", proved_digits(25));
+        const answer b = general->states("-3/2, 5/2, 3", proved_digits(25));
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (const std::string& name : closed->quantities()) {
+                CHECK(a.at(row, name) == b.at(row, name));
+            }
+        }
+        const answer by_lattice = closed->series(9, "", proved_digits(15));
+        const answer by_equations = general->series(9, "", proved_digits(15));
+        REQUIRE(by_lattice.names == by_equations.names);
+        for (std::size_t n = 0; n < 10; ++n) {
+            CHECK(by_lattice.at(n, by_lattice.names[1]) == by_equations.at(n, by_lattice.names[1]));
+        }
+    }
+}
+
+TEST_CASE("what is not the pendulum is not taken for it", "[problem]") {
+    for (const char* text : {"x'' = sin(x); x(0) = 2; x'(0) = 0", "x'' = -sin(2*x); x(0) = 2; x'(0) = 0",
+                             "x'' = -sin(x) - x'; x(0) = 2; x'(0) = 0", "x'' = -t*sin(x); x(1) = 2; x'(1) = 0",
+                             "x'' = -sin(x'); x(0) = 2; x'(0) = 0", "x' = y; y' = -sin(y); x(0) = 2; y(0) = 0",
+                             "x' = 2*y; y' = -sin(x); x(0) = 2; y(0) = 0", "x'' = -cos(x); x(0) = 2; x'(0) = 0",
+                             "x'' = -sin(x); y' = y; x(0) = 2; x'(0) = 0; y(0) = 1"}) {
+        CAPTURE(text);
+        CHECK_FALSE(recognise_pendulum(ode::parse(text)));
+        CHECK(solve(problem(text))->closed_form().empty());
+    }
+}
+
+// Far beyond what Taylor series reach in this time, and at the equilibria, which no precision shows.
+TEST_CASE("the closed form answers where Taylor series cannot", "[problem]") {
+    const auto top = solve(problem("x'' = -sin(x); x(0) = pi; x'(0) = 0"));
+    CHECK(top->states("1e6", proved_digits(10)).at(0, "x'") == "0");
+    const auto far = solve(problem("pendulum"));
+    CHECK(far->states("1e12", proved_digits(30)).at(0, "theta") == "-1.28977566036974826206862501873");
+    const auto constants = far->constants(proved_digits(10));
+    REQUIRE(constants);
+    CHECK(constants->names.front() == "energy");
+}
+
+}  // namespace problem_solution_test
