@@ -26,7 +26,7 @@ namespace {
 constexpr int journal_mark = 0x4c69624a;  // "LibJ", SQLite's application_id
 constexpr int journal_format = 1;         // SQLite's user_version
 constexpr std::ptrdiff_t bytes_of_sum = 8;
-// Of the file's range of bytes, far behind all content: whoever holds its lock writes. SQLite's own locks stand at
+// An offset in the file far beyond its content: the process that holds its lock may write. SQLite's own locks are at
 // 2^30.
 constexpr off_t place_of_writers_lock = off_t{1} << 60;
 
@@ -214,7 +214,7 @@ struct journal::database {
         }
     }
 
-    // Tells a journal from any other file, and makes the tables of a new one.
+    // Checks that the file is a journal, and creates the tables of a new one.
     void prepare_file(access how) const {
         const long mark = number("PRAGMA application_id");
         const bool is_new = mark == 0 && number("SELECT count(*) FROM sqlite_master") == 0;
@@ -222,7 +222,7 @@ struct journal::database {
             refuse_as(journal_error::fault::unbegun, path, "holds nothing yet");
         }
         if (!is_new && mark != journal_mark) {
-            refuse_as(journal_error::fault::damaged, path, "is no journal");
+            refuse_as(journal_error::fault::damaged, path, "is not a journal");
         }
         if (!is_new && number("PRAGMA user_version") != journal_format) {
             refuse_as(journal_error::fault::damaged, path, "has the format of another version");

@@ -46,7 +46,7 @@ struct journal_counts {
     double seconds = 0;  ///< of all cells
 };
 
-/// What is wrong with a journal itself.
+/// An error of the journal file itself.
 class journal_error : public std::runtime_error {
 public:
     /// unbegun: a run made the file, and was killed before it wrote the tables, or has just begun.
@@ -90,8 +90,8 @@ public:
     std::optional<journal_record> find(const cell_key& key) const;
     /// Adds all or none; a record of a key that is there is replaced.
     void add(const std::vector<journal_record>& records);
-    /// Nothing is added for now: all goes into the one file, and what SQLite keeps beside it goes away, unless another
-    /// process reads it at this moment.
+    /// Ends a period of writing: everything is moved into the one file, and SQLite's auxiliary files are removed, unless
+    /// another process is reading it.
     void settle();
     /// In the order in which they were added.
     void for_each(const std::function<void(const journal_record&)>& see) const;
@@ -103,7 +103,7 @@ private:
     std::unique_ptr<database> database_;
 };
 
-/// Takes a journal away, with what SQLite keeps beside it. Throws journal_error of the kind in_use.
+/// Removes a journal and SQLite's auxiliary files. Throws journal_error of the kind in_use.
 void drop_journal(const std::filesystem::path& path);
 
 }  // namespace libration

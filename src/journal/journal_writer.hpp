@@ -12,8 +12,8 @@
 
 namespace libration {
 
-/// Commits what it was given at latest `patience` after it came, in a thread of its own. Memory is bounded: who adds
-/// waits while `most_waiting` records do.
+/// Commits records at most `patience` after they were added, in a separate thread. Memory is bounded: adding blocks while
+/// `most_waiting` records are queued.
 class journal_writer {
 public:
     static constexpr std::chrono::milliseconds patience{100};
@@ -22,7 +22,7 @@ public:
     explicit journal_writer(journal& into);
     journal_writer(const journal_writer&) = delete;
     journal_writer& operator=(const journal_writer&) = delete;
-    /// Commits what is left, in silence: flush() says whether it could.
+    /// Commits the remaining records and ignores errors; flush() reports them.
     ~journal_writer();
 
     /// Throws what the last commit threw.

@@ -43,10 +43,11 @@ std::vector<exact> list_in(const std::string& text, const std::string& path) {
     } catch (const malformed_line& problem) {
         throw input_error("--coefficients", path,
                           fmt::format("line {}: {} {}", problem.number(), quotation(problem.text()), problem.reason()),
-                          "write one number a line such as 0.25, 1/3 or 1e-30, or n,coefficient with growing n");
+                          "write one number per line such as 0.25, 1/3 or 1e-30, or n,coefficient with increasing n");
     }
     if (list.empty()) {
-        throw input_error("--coefficients", path, "holds no coefficient", "write one number a line, or n,coefficient");
+        throw input_error("--coefficients", path, "holds no coefficient",
+                          "write one number per line, or n,coefficient");
     }
     return list;
 }

@@ -20,9 +20,9 @@ struct named_list {
     bool is_complex() const { return !imaginary.empty(); }
 };
 
-/// All lists of a file: of a file as above the one; below a line of names without `coefficient` one for each column but
+/// All lists of a file: one for a file as above; below a line of names without `coefficient` one for each column except
 /// n and those that end in _uncertainty; NAME_re and NAME_im, and numbers such as 1/2-3i, are complex. JSON is an array
-/// of numbers, of pairs [re, im], or of objects with the keys of such columns; numbers may stand in strings.
+/// of numbers, of pairs [re, im], or of objects with the keys of such columns; numbers may be strings.
 /// Throws input_error of --coefficients, which names the line or, of JSON, the row.
 std::vector<named_list> lists_in_file(const std::string& path);
 

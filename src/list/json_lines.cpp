@@ -24,7 +24,7 @@ public:
     }
     bool end_array() override {
         if (depth_ == 2 && cells_.size() != 2) {
-            refuse("an array that is no pair");
+            refuse("an array that is not a pair");
         }
         return close();
     }
@@ -42,7 +42,7 @@ public:
         return true;
     }
     bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception&) override {
-        throw std::runtime_error("is no JSON at character " + std::to_string(position));
+        throw std::runtime_error("is not JSON at character " + std::to_string(position));
     }
 
     std::string text() const {
@@ -62,7 +62,7 @@ private:
     }
     bool take(const std::string& cell) {
         if (cell.find_first_of(",;\n\"") != std::string::npos) {
-            refuse("a string that is no number");
+            refuse("a string that is not a number");
         }
         cells_.push_back(cell);
         return depth_ == 1 ? end_row() : true;

@@ -103,7 +103,7 @@ std::vector<list_method> methods_of(const list_words& words) {
             return {method};
         }
     }
-    throw input_error("--method", *words.method, "is no method for a list", "write series, pade or endpoint");
+    throw input_error("--method", *words.method, "is not a method for a list", "write series, pade or endpoint");
 }
 
 }  // namespace

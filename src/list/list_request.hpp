@@ -1,4 +1,4 @@
-// What `libration series` is asked for.
+// The request of `libration series`.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ std::string name_of(list_method method);
 /// What the values are compared with: nothing, one for each time.
 using reference_values = std::vector<exact>;
 
-/// A list of one's own, where to evaluate it, how, and what it is compared with.
+/// A list of coefficients, where to evaluate it, how, and the reference values.
 struct list_request {
     std::vector<exact> coefficients;  ///< a_0 .. a_N
     long digits;                      ///< to print

@@ -51,7 +51,7 @@ pade_approximant<mpfr> pade_of(const power_series<mpfr>& a) {
     return {a, power_series<mpfr>(std::vector<mpfr>{mpfr(1)})};
 }
 
-// Nothing where it has a pole.
+// std::nullopt at a pole.
 using function_of_time = std::function<std::optional<mpfr>(const mpfr&)>;
 
 // f^(j)(end) end^j/j!.

@@ -1,4 +1,4 @@
-// libration series: what a list of coefficients of one's own is worth: values by partial sums, Pade and endpoint
+// libration series: evaluates the function defined by a list of coefficients: values by partial sums, Pade and endpoint
 // approximants, errors against a reference, poles and zeros, and the plots of its ratios and roots.
 #include <filesystem>
 #include <memory>
@@ -23,7 +23,7 @@ struct series_options {
     std::string format = "text";
 };
 
-// The tables and figures are made beside and take their places when all of them are whole.
+// The tables and figures are written to a temporary directory and moved when all of them are complete.
 void write_list(const list_request& request, const table& values, const std::string& folder) {
     output_folder into("--out", folder);
     const working_folder working(into.path());
@@ -46,7 +46,7 @@ void write_list(const list_request& request, const table& values, const std::str
 int run_series(const series_options& options) {
     const long digits = options.digits ? digits_of(options.digits) : 20;
     if (options.format != "text" && options.format != "csv" && options.format != "json" && options.format != "latex") {
-        throw input_error("--format", options.format, "is no format", "write text, csv, json or latex");
+        throw input_error("--format", options.format, "is not a format", "write text, csv, json or latex");
     }
     const list_request request = list_request_of(options.list, digits);
     const bool evaluated = !request.times.empty();
@@ -63,9 +63,9 @@ int run_series(const series_options& options) {
 subcommand series_command(CLI::App& program) {
     const auto options = std::make_shared<series_options>();
     CLI::App* command = program.add_subcommand(
-        "series", "a list of coefficients of your own: values, approximants, errors, poles and zeros, plots");
+        "series", "your own list of coefficients: values, approximants, errors, poles and zeros, plots");
     list_words& list = options->list;
-    command->add_option("--coefficients", list.file, "the list: one number a line, or n,coefficient; - for stdin")
+    command->add_option("--coefficients", list.file, "the list: one number per line, or n,coefficient; - for stdin")
         ->type_name("FILE")
         ->required();
     command->add_option("--order", list.order, "last power N; all that the list has unless given")->type_name("N");

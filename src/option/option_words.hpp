@@ -1,4 +1,4 @@
-// What was said to a command, by option: read where the words are understood, and said again in the provenance of a
+// The arguments of a command by option: parsed by the code that interprets them, and repeated in the provenance of a
 // table.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace libration {
 
-/// Words by option, in the order in which a command line says them. An object that was offered to a parser stays where
-/// it is.
+/// Arguments by option, in the order of the command line. An object whose address was passed to a parser must not be
+/// moved.
 class option_words {
 public:
     option_words() = default;
@@ -21,7 +21,7 @@ public:
     /// Adds an option such as "--times,--time" to a command; its words are then found under the first name.
     void offer(CLI::App& command, const std::string& names, const std::string& type_name, const std::string& help);
     void say(const std::string& option, const std::string& words);
-    /// What was said for an option; nothing where it was not given.
+    /// The argument of an option; std::nullopt if it was not given.
     const std::optional<std::string>& operator[](const std::string& option) const;
     /// " --gaps=-1e-3 --times 0,T/8".
     std::string text() const;

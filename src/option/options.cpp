@@ -110,7 +110,7 @@ void output_options::add_to(CLI::App& command, columns_option columns) {
 
 void output_options::check() const {
     if (std::find(formats_.begin(), formats_.end(), format_) == formats_.end()) {
-        throw input_error("--format", format_, "is no format", "write " + offered());
+        throw input_error("--format", format_, "is not a format", "write " + offered());
     }
     if (!out_) {
         return;
@@ -140,7 +140,7 @@ table with_named_columns(const table& data, const std::string& names) {
         const auto found = std::find_if(data.columns().begin(), data.columns().end(),
                                         [&](const column& each) { return each.name == name; });
         if (found == data.columns().end()) {
-            throw input_error("--columns", name, "is no column of this table", "choose from " + all);
+            throw input_error("--columns", name, "is not a column of this table", "choose from " + all);
         }
         places.push_back(static_cast<std::size_t>(found - data.columns().begin()));
     }
@@ -179,7 +179,7 @@ void output_options::write_content(const std::string& content) const {
 output_folder::output_folder(const std::string& option, std::string path) : path_(std::move(path)) {
     namespace fs = std::filesystem;
     if (path_.empty()) {
-        throw input_error(option, path_, "is no folder", "name one");
+        throw input_error(option, path_, "is not a directory", "name one");
     }
     std::vector<fs::path> missing;
     std::error_code error;

@@ -48,7 +48,7 @@ public:
     /// With more formats than these, which the command writes itself, all columns, and another usual one.
     output_options(std::string usual, const std::vector<std::string>& more);
 
-    /// Without --columns where a command says something else by it.
+    /// Without --columns, for commands in which it has another meaning.
     enum class columns_option { own, not_here };
     void add_to(CLI::App& command, columns_option columns = columns_option::own);
     /// Throws input_error for a format that is none and a file that cannot be written.

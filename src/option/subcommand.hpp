@@ -1,4 +1,4 @@
-// The subcommands: each in a file of its own, which adds its options to the program and says what to run.
+// The subcommands: one file each, which adds its options to the program and returns the action to run.
 #pragma once
 
 #include <CLI/CLI.hpp>

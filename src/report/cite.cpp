@@ -21,7 +21,7 @@ constexpr const char* paper_entry = R"(@misc{pendulum_series,
 }
 )";
 
-// The year of the commit; the program has no address of its own.
+// The year of the commit; the program has no web address.
 std::string program_entry() {
     const std::string year(build::year);
     return fmt::format(

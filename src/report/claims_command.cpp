@@ -1,4 +1,4 @@
-// libration claims: what the paper states, judged.
+// libration claims: tests the statements of the paper.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::string as_text(const std::vector<judged_claim>& judged) {
     for (const auto& row : data.rows()) {
         text += fmt::format("{}  {}: {}\n    {}\n    {}: {}\n", row[0].text(), row[1].text(), row[3].text(),
                             row[2].text(), row[5].text(), row[4].text());
-        text += row[6].is_empty() ? "" : fmt::format("    true is: {}\n", row[6].text());
+        text += row[6].is_empty() ? "" : fmt::format("    correct statement: {}\n", row[6].text());
         text += fmt::format("    {}\n", row[7].text());
     }
     return text;
@@ -63,7 +63,7 @@ int run_claims(const claims_options& options) {
 
 subcommand claims_command(CLI::App& program) {
     const auto options = std::make_shared<claims_options>();
-    CLI::App* command = program.add_subcommand("claims", "judge the statements of the paper: verdict and number");
+    CLI::App* command = program.add_subcommand("claims", "test the statements of the paper: verdict and number");
     command->add_option("NAME", options->names, "these claims only; all without it");
     options->output.add_to(*command);
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Copies beside the old one, then changes places with it, so that no moment leaves half of it. Journals belong to the
-// folder of the run.
+// Copies to a temporary directory, then exchanges it with the old one, so that an interruption never leaves half of it.
+// Journals remain in the directory of the run.
 void replace(const fs::path& from, const fs::path& target) {
     const std::string own = "." + target.filename().string() + "." + std::to_string(::getpid());
     const fs::path beside = target.parent_path() / (own + ".part");

@@ -1,5 +1,5 @@
-// What a results folder holds, read back from its files: the report and the index are made of this alone, so that they
-// also fit a folder of which only a part was made again.
+// The contents of a results directory, read back from its files: the report and the index are made from this alone, so
+// that they are also correct for a directory of which only a part was recomputed.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace libration {
 
-/// The files of one study, relative to the folder, and what its JSON says of them.
+/// The files of one study, relative to the folder, and their description in its JSON.
 struct published_study {
     const study* what;
     std::string command;
@@ -24,7 +24,7 @@ struct published_claim {
     std::string name, label, statement, verdict, number, measured, correction, command;
 };
 
-/// A table of reference/: what reference.json says of it.
+/// A table of reference/, as described in reference.json.
 struct published_reference {
     std::string title;
     std::string command;             ///< of its CSV
@@ -36,7 +36,7 @@ struct published_reference {
 struct published {
     std::string folder;
     std::vector<published_study> studies;
-    std::vector<published_claim> claims;  ///< in the paper's order, our own behind; empty where they were not judged
+    std::vector<published_claim> claims;  ///< in the paper's order, then this program's; empty if they were not tested
     std::vector<published_reference> references;
 };
 

@@ -14,7 +14,7 @@ namespace libration {
 
 namespace {
 
-// A cell of a Markdown table: its characters stand for themselves.
+// A cell of a Markdown table, with special characters escaped.
 std::string markdown_cell(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -98,7 +98,7 @@ const published_claim& claim_named(const std::vector<published_claim>& claims, c
     const auto found =
         std::find_if(claims.begin(), claims.end(), [&](const published_claim& each) { return each.name == name; });
     if (found == claims.end()) {
-        throw std::runtime_error("the errata name the claim " + name + ", which there is not");
+        throw std::runtime_error("the errata name the claim " + name + ", which does not exist");
     }
     return *found;
 }

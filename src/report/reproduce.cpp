@@ -1,5 +1,5 @@
 // libration reproduce: the studies of a set with their own parameters, the claims, the reference values and the report,
-// in a folder of their own, compared with what is published.
+// in a separate directory, compared with the published results.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct reproduce_options {
 struct part {
     std::string name;
     double seconds;  // expected on two cores
-    bool alone;      // nothing runs beside it
+    bool alone;      // nothing runs at the same time
     std::function<void(const progress_context&)> make;
 };
 
@@ -139,7 +139,7 @@ private:
         }
     }
 
-    // In a thread of its own, which was given a core.
+    // In a separate thread, which was given a core.
     void make(std::size_t i, std::string& failure) {
         const part& own = parts_[i];
         const core_share share(cores_, static_cast<int>(i), core_share::taken);
@@ -172,7 +172,7 @@ bool has_published(const reproduce_options& options) {
                           "leave --out away or name another folder");
     }
     if (options.results_given && !there && !options.publish) {
-        throw input_error("--results", options.results, "is no folder", "name the published folder");
+        throw input_error("--results", options.results, "is not a directory", "name the published folder");
     }
     return there && !same;
 }
@@ -184,7 +184,7 @@ std::vector<part> left_of(std::vector<part> parts, const unfinished_run& record)
     const auto all = parts.size();
     std::erase_if(parts, [&](const part& each) { return record.has(each.name); });
     if (parts.size() < all) {
-        say_line(fmt::format("goes on with an interrupted run: {} of {} parts are made", all - parts.size(), all));
+        say_line(fmt::format("resuming an interrupted run: {} of {} parts are done", all - parts.size(), all));
     }
     return parts;
 }
@@ -207,7 +207,7 @@ bool judge_by_published(const reproduce_options& options, const std::vector<std:
 int run_reproduce(const reproduce_options& options) {
     const reproduce_set set = chosen_of(set_named(options.set), options.only, options.skip);
     const int jobs = jobs_of(options.jobs);
-    has_published(options);  // refuses
+    has_published(options);  // throws
     const auto parts = parts_of(set, options.out, jobs);
     output_folder into("--out", options.out);
     unfinished_run record(options.out);

@@ -108,7 +108,7 @@ reproduce_set set_named(const std::string& name) {
         return {studies_of_own_problems(), true, true, all_examples()};
     }
     if (name != "problems") {
-        throw input_error("set", name, "is no set", "write paper, problems, proved or all");
+        throw input_error("set", name, "is not a set", "write paper, problems, proved or all");
     }
     return {studies_where([](const study& each) { return !is_of_paper(each); }), false, false, all_examples()};
 }

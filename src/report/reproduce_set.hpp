@@ -1,4 +1,4 @@
-// The sets of work that `libration reproduce` knows by name.
+// The named sets of work of `libration reproduce`.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace libration {
 
-/// What is made again: studies, examples of studies of any equation, and whether the claims are judged and the
-/// reference values made.
+/// What is reproduced: studies, examples of studies of any equation, and whether the claims are tested and the
+/// reference values computed.
 struct reproduce_set {
     std::vector<const study*> studies;
     bool claims = false;
@@ -18,11 +18,11 @@ struct reproduce_set {
     std::vector<const study_order*> examples = {};
 };
 
-/// The names of claims and reference values beside those of the studies.
+/// The names of claims and reference values, in addition to those of the studies.
 inline constexpr const char* claims_name = "claims";
 inline constexpr const char* references_name = "reference";
 
-/// Where a part stands in a folder of results: the file claims.csv, or a folder of its name.
+/// The path of a part in a results directory: the file claims.csv, or a directory with its name.
 std::string place_of_part(const std::string& part);
 
 /// The file without which a part is not made: claims.csv, or the description NAME/NAME.json.
@@ -36,8 +36,8 @@ std::string description_of_part(const std::string& part);
 /// Throws input_error for another name, and for a set that holds nothing.
 reproduce_set set_named(const std::string& name);
 
-/// Those of --only, if given, in place of the set's, without those of --skip. Throws input_error for a name that is
-/// none and where nothing is left.
+/// Those of --only, if given, instead of the set's, without those of --skip. Throws input_error for an unknown name and if
+/// nothing remains.
 reproduce_set chosen_of(reproduce_set set, const std::optional<std::string>& only,
                         const std::optional<std::string>& skip);
 

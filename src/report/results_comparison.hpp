@@ -1,4 +1,4 @@
-// What was made again beside what is published: which tables are other ones.
+// Compares recomputed results with the published ones: which tables differ.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The versions, and what tells two builds of the same commit apart.
+// The versions, and what distinguishes two builds of the same commit.
 std::string this_program() {
     std::error_code error;
     const fs::path file = fs::read_symlink("/proc/self/exe", error);

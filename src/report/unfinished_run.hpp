@@ -1,4 +1,4 @@
-// What an interrupted `libration reproduce` had made already: the next one goes on there.
+// The finished parts of an interrupted `libration reproduce`, from which the next run resumes.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Another program as a part of ours. By hand, because Boost.Process takes twelve times as long to compile.
+// Runs another program as a child process. Written by hand, because Boost.Process takes twelve times as long to compile.
 #pragma once
 
 #include <string>

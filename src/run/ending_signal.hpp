@@ -7,9 +7,9 @@
 
 namespace libration {
 
-/// While it lives, INT, TERM and HUP call `done` before they end the process as they do by themselves: in a thread of
-/// its own, one after the other, so that it may do anything, but not for long. A signal that the process was started to
-/// ignore (nohup) stays ignored.
+/// During its lifetime, INT, TERM and HUP call `done` before they end the process in the default way: in a separate
+/// thread, one after the other, so that `done` may call any function but should return soon. A signal that was ignored
+/// when the process started (nohup) remains ignored.
 class at_ending_signal {
 public:
     explicit at_ending_signal(std::function<void()> done);

@@ -90,7 +90,7 @@ exact relative_width(const exact& first, const exact& last) { return last / firs
 std::vector<exact> log_range(const exact& first, const exact& last, long count) {
     if (!first.is_number() || !last.is_number() || sign_of_exact(first) * sign_of_exact(last) <= 0) {
         throw error(error_kind::argument, "list", "",
-                    "has ends that are no numbers of one sign, as a logarithmic range needs");
+                    "has ends that are not nonzero numbers of one sign, as a logarithmic range needs");
     }
     const precision_scope rough(20);
     const mpfr relative_step = abs(from_exact<mpfr>(relative_width(first, last))) / count;

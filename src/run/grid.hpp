@@ -1,4 +1,4 @@
-// Lists and ranges of exact numbers as the command line takes them.
+// Lists and ranges of exact numbers in the notation of the command line.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ inline constexpr long most_grid_values = 10'000'000;
 /// Throws error of the kind argument saying which item is wrong and why.
 std::vector<exact> read_grid(std::string_view text);
 
-/// A whole number >= 0, at most `largest`. Throws error of the kind argument saying what is wrong.
+/// An integer >= 0, at most `largest`. Throws error of the kind argument with the reason.
 int read_count(std::string_view text, int largest);
 
 /// A list of whole numbers.

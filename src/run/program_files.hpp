@@ -12,7 +12,7 @@ bool runs_from_build_folder();
 /// A path relative to the folder of the running program.
 std::string path_from_program(const std::string& relative);
 
-/// A program that is started by ours, by its name: beside it in the build folder, or where it was installed.
+/// A program that is started by this one, by its name: next to it in the build directory, or where it was installed.
 std::string peer_program(const std::string& name);
 
 }  // namespace libration

@@ -1,4 +1,4 @@
-// A progress line on stderr while a person watches; nothing in a pipe or a log, but for what may take days.
+// A progress line on stderr if it is a terminal; nothing in a pipe or a log, except for long-running work.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace libration {
 
-/// What a progress line says around its own part: the larger work that its steps belong to.
+/// The context that a progress line prints: the larger work that its steps belong to.
 struct progress_context {
     std::string before;                    ///< "study 3 of 15, "
     std::shared_ptr<work_estimate> whole;  ///< nullptr for a work by itself
@@ -26,12 +26,12 @@ struct progress_context {
 /// several of a work may be counted at once: they share the line.
 class progress {
 public:
-    /// Says what takes long at the moment; empty for nothing.
+    /// Returns a description of the slowest current items; empty if there are none.
     using slowest = std::function<std::string()>;
 
     progress(std::string what, std::size_t steps, progress_context context = {});
-    /// Of a work that may take days: with the rate and what is slow, renewed every second on a terminal; in a pipe or a
-    /// log a line a minute.
+    /// For long-running work: with the rate and the slowest items, updated every second on a terminal; in a pipe or a log
+    /// one line per minute.
     progress(std::string what, std::size_t steps, progress_context context, slowest slow);
     progress(const progress&) = delete;
     progress& operator=(const progress&) = delete;
@@ -59,7 +59,7 @@ private:
     std::jthread keeper_;  // last, so that it ends first
 };
 
-/// A line of its own on stderr, "libration: ...", in place of a progress line that stands there.
+/// A separate line on stderr, "libration: ...", which replaces a progress line if one is shown.
 void say_line(const std::string& line);
 
 /// One of several works that are shown together, by the part of it that is done. One thread at a time.

@@ -7,14 +7,14 @@
 
 namespace libration {
 
-/// (name, version) of the program and of what it stands on, with the thread safety of MPFR.
+/// (name, version) of the program and of the libraries that it uses, with the thread safety of MPFR.
 std::vector<std::pair<std::string, std::string>> provenance();
 
 /// The same as the lines of --version.
 std::string version_text();
 
-/// Version and commit of the program: what cells depend on besides their study. Where sources
-/// are not committed, a hash of what was changed stands beside it.
+/// Version and commit of the program, on which cells depend in addition to their study. If sources
+/// are not committed, a hash of the changes is appended.
 std::string program_identity();
 
 }  // namespace libration

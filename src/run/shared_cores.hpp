@@ -1,5 +1,5 @@
-// Cores that several sweeps share: the sweep that comes first takes what it can use, the next one what is left over, so
-// that no core waits for the last step of another.
+// Cores shared by several sweeps: the first sweep uses as many as it can, the next one the remaining ones, so that no core
+// waits for the last step of another.
 #pragma once
 
 #include <condition_variable>
@@ -29,7 +29,7 @@ private:
 };
 
 /// A part of a larger work, bound to its thread while it lives: it holds one core, and the sweeps that the thread
-/// starts (on_threads) take the shared cores by its rank, step by step, in place of cores of their own.
+/// starts (on_threads) use the shared cores by its rank, step by step, instead of separate ones.
 class core_share {
 public:
     /// Waits for a core.
@@ -45,7 +45,7 @@ public:
     /// That of this thread; nullptr where its sweeps share with nobody.
     static core_share* of_this_thread();
 
-    /// A core for a thread of the sweep; nothing where the share is nullptr.
+    /// A core for a thread of the sweep; no core if the share is nullptr.
     class turn {
     public:
         explicit turn(core_share* share);

@@ -14,7 +14,7 @@ struct grid_item {
     bool is_range;
 };
 
-/// The items of a list of exact numbers, as read_grid takes them and throws.
+/// The items of a list of exact numbers, with the syntax and the errors of read_grid.
 std::vector<grid_item> read_grid_items(std::string_view text);
 
 /// The items of a list of whole numbers from 0 on, at most `largest` (0: no bound). The values of a range must come

@@ -8,16 +8,16 @@
 
 namespace libration {
 
-/// The parts of a work, each with the seconds that it was expected to take. What has been done so far, and how long it
-/// took on this machine, in this hour, says how long the rest will take: at the start the expectation counts, later
-/// what was measured. Safe to call from several threads.
+/// The parts of a work, each with its expected time in seconds. The remaining time is estimated from the finished parts
+/// and the time that they took on this machine in this run: at first the expected times dominate, later the measured
+/// ones. Safe to call from several threads.
 class work_estimate {
 public:
     using clock = std::chrono::steady_clock;
 
     explicit work_estimate(std::vector<double> seconds, clock::time_point start = clock::now());
 
-    /// A part has come so far, a fraction of 1. What it said before stands where that was further.
+    /// Progress of a part, a fraction of 1. A smaller value than before has no effect.
     void reached(std::size_t part, double fraction);
 
     /// Of all parts together: what is expected of the rest, times measured/expected of what is done; trial_seconds of

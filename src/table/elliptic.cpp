@@ -22,7 +22,7 @@ int run_elliptic(const elliptic_options& options) {
     options.output.check();
     const elliptic::named_function* const function = elliptic::find_function(options.function);
     if (function == nullptr) {
-        throw input_error("elliptic", options.function, "is no function", "write " + elliptic_names());
+        throw input_error("elliptic", options.function, "is not a function", "write " + elliptic_names());
     }
     const long digits = digits_of(options.digits);
     const elliptic_request request = read_elliptic({function}, options.said, elliptic_grid::one);

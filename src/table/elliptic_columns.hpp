@@ -1,4 +1,4 @@
-// Where an elliptic function is asked, in the cells of a row.
+// The arguments of an elliptic function, in the cells of a row.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace libration {
 
 /// The columns of one function: k, m or m1, of theta functions q, its argument u, phi, x or z, and the characteristic n
-/// of Pi. Complex arguments of the functions that take them stand in u as typed, 1+2i, or in u_re and u_im.
+/// of Pi. Complex arguments of the functions that support them are in u as typed, 1+2i, or in u_re and u_im.
 class elliptic_columns {
 public:
     /// The quantities, for column_names.

@@ -102,7 +102,7 @@ arguments_list complex_arguments(const std::string& option, const std::string& w
     return arguments;
 }
 
-// The arguments with their imaginary parts; one that is nothing where the functions have none.
+// The arguments with their imaginary parts; a single std::nullopt if the functions have no argument.
 arguments_list read_arguments(elliptic_request& request, const option_words& said) {
     const named_function& function = *request.functions.front();
     const std::string wanted = function.argument.empty() ? "" : "--" + std::string(function.argument);
@@ -209,7 +209,7 @@ void refuse_input(const elliptic_request& request, const elliptic_point& at, con
 void require_argument(const std::string& name, const exact& argument) {
     const bool angle = argument.measure == unit::degree && name != "phi";
     if (argument.has_periods() || angle || (name == "x" && !argument.is_number())) {
-        throw error(error_kind::argument, name, argument.text, "has '" + argument.text + "', which is no number");
+        throw error(error_kind::argument, name, argument.text, "has '" + argument.text + "', which is not a number");
     }
 }
 

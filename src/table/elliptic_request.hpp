@@ -1,4 +1,4 @@
-// What `elliptic` and `table` are asked about elliptic functions: functions, arguments and moduli.
+// The requests of `elliptic` and `table` for elliptic functions: functions, arguments and moduli.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ std::string elliptic_names();
 /// Whether one parameter may be given, or lists and ranges of parameters.
 enum class elliptic_grid { one, lists };
 
-/// Reads what was said for functions that take the same argument; with lists also --points, a file with columns.
+/// Parses the options for functions with the same argument; with lists also --points, a file with columns.
 /// Throws input_error.
 elliptic_request read_elliptic(const std::vector<const elliptic::named_function*>& functions, const option_words& said,
                                elliptic_grid grid);

@@ -21,7 +21,7 @@ long digits_before_point_of(const exact& argument) { return elliptic::digits_bef
 
 long digits_lost(const elliptic_point& at) { return at.argument ? digits_before_point_of(*at.argument) : 0; }
 
-// Whether the value is infinite: a matter of exact numbers, so that any precision tells where it is one.
+// Whether the value is infinite: decided by exact numbers, hence at any precision.
 int infinite_at(const named_function& function, const elliptic_point& at) {
     return with_growing_precision(
         {0, 20, most_guard_digits}, std::string(function.name),

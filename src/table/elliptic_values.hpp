@@ -18,9 +18,9 @@ struct typed_parameter {
     elliptic::real_parameter value() const { return from(typed); }
 };
 
-/// Where a function is asked, as typed.
+/// The arguments of a function, as typed.
 struct elliptic_point {
-    std::optional<exact> argument;  ///< nothing where the function has none
+    std::optional<exact> argument;  ///< std::nullopt if the function has none
     typed_parameter parameter;
     std::optional<exact> characteristic = std::nullopt;
     std::optional<exact> imaginary = std::nullopt;  ///< of a complex argument

@@ -137,7 +137,7 @@ std::vector<const named_function*> functions_of(const std::string& list) {
     for (std::string name; std::getline(names, name, ',');) {
         const named_function* const function = find_function(name);
         if (function == nullptr) {
-            throw input_error("table", list, "is no function", remedy);
+            throw input_error("table", list, "is not a function", remedy);
         }
         if (std::find(functions.begin(), functions.end(), function) != functions.end()) {
             throw input_error("table", list, "names " + name + " twice", "name each function once");

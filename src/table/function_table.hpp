@@ -15,10 +15,10 @@ namespace libration {
 /// The functions of a list such as am,sn,cn,dn, which take the same argument; throws input_error.
 std::vector<const elliptic::named_function*> functions_of(const std::string& list);
 
-/// Every function at every argument and every parameter, parameters first. In the typed style one value a row:
-/// function, argument, k, m or m1, value, condition, digits, rigour, of Pi also n. In decimals one argument a row, with
+/// Every function at every argument and every parameter, parameters first. In the typed style one value per row:
+/// function, argument, k, m or m1, value, condition, digits, rigour, of Pi also n. In decimals one argument per row, with
 /// a column for each function: u or phi, k, m or m1, the functions, condition_NAME for each. With complex arguments the
-/// value is the real part and a column `imaginary` stands behind; in decimals u_re, u_im, k, m or m1, NAME_re, NAME_im,
+/// value is the real part and a column `imaginary` follows; in decimals u_re, u_im, k, m or m1, NAME_re, NAME_im,
 /// condition_NAME.
 ///
 /// condition = (|u df/du| + |x df/dx|)/|f| with x the parameter as typed, of Pi also |n df/dn|, to three digits and

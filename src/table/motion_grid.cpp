@@ -40,7 +40,7 @@ void add_by_energy(std::vector<grid_motion>& motions, const option_words& said, 
         angles.assign(given.begin(), given.end());
     }
     for (const exact& number : reading(option, words, remedy, [&] { return read_grid(words); })) {
-        std::optional<sweep_energy> texts;  // of a formula, the digits that are asked for
+        std::optional<sweep_energy> texts;  // of a formula, the requested digits
         if (number.is_fraction() || !number.is_number()) {
             texts =
                 reading(option, words, remedy, [&] { return by_gap ? energy_from_gap(number) : energy_from(number); });
@@ -85,7 +85,7 @@ void require_one_kind(const option_words& said) {
             "no motions are given: add --energies LIST, --gaps LIST, or --theta0 LIST with --omega0 LIST");
     }
     if (omega0 && !said["--theta0"]) {
-        throw input_error("--omega0", *omega0, "is not yet a motion", "add --theta0 LIST");
+        throw input_error("--omega0", *omega0, "alone does not determine a motion", "add --theta0 LIST");
     }
     if (omega0 && said["--direction"]) {
         throw input_error("--direction", *said["--direction"], "goes with --energies or --gaps",

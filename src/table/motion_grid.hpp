@@ -1,4 +1,4 @@
-// The motions and times of a table, from what was said: lists of energies, gaps, angles and velocities.
+// The motions and times of a table, from its options: lists of energies, gaps, angles and velocities.
 #pragma once
 
 #include <optional>

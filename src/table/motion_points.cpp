@@ -109,7 +109,7 @@ private:
         });
     }
 
-    // A reader of columns of numbers takes no empty cell.
+    // A reader of columns of numbers does not accept empty cells.
     void require_filled(const motion_cells& cells) const {
         for (const auto& [there, cell] : {std::pair{columns_.has_angle(), &cells.theta0},
                                           {columns_.has_speed(), &cells.omega0},

@@ -1,4 +1,4 @@
-// What a table of motions is asked: each motion with its times, from lists or from the rows of a file.
+// The request of a table of motions: each motion with its times, from lists or from the rows of a file.
 #pragma once
 
 #include <string>

@@ -168,7 +168,7 @@ private:
         const auto text = [&](const rational& value) {
             return number_cell(decimal_text(exactly(value), more_digits()));
         };
-        // A decimal that was typed stands as it is.
+        // A typed decimal is kept unchanged.
         if (of_.texts && style_ == input_style::typed) {
             const bool by_gap = of_.texts->energy_typed.empty();
             const rational gap = 2 - *energy;

@@ -8,8 +8,7 @@
 
 namespace libration {
 
-/// How the numbers that were typed stand in a table: as they were typed, or as decimals, which every reader of numbers
-/// understands.
+/// How typed numbers are written to a table: as typed, or as decimals, which every reader of numbers accepts.
 enum class input_style { typed, decimals };
 
 /// The digits that a typed number has more than the results where no decimal holds it (pi/3, T/8, 1/3).

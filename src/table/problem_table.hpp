@@ -19,7 +19,7 @@ struct table_problem {
     std::string words;  ///< " --problem P --set X=VALUE": what names it in a command
 };
 
-/// What is said of the digits of such a table.
+/// The label of the digits of such a table.
 inline constexpr const char* rigour_of_problems = "two-method: two marches of other orders and precisions agree";
 
 /// time,<unknown and its lower derivatives>..., and in the typed style digits,rigour,time_typed. In the style for

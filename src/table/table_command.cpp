@@ -29,7 +29,7 @@ struct table_options {
     std::optional<std::string> digits, name, jobs;
 };
 
-// The file that holds the provenance of one that cannot: x.csv has x.provenance.json beside it.
+// The file with the provenance of a format without comments: x.provenance.json next to x.csv.
 std::filesystem::path provenance_beside(const std::string& file) {
     return std::filesystem::path(file).replace_extension("provenance.json");
 }

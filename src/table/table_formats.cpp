@@ -68,7 +68,7 @@ std::string floating(const std::string& number) {
     return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
 }
 
-// A line of Fortran has 132 characters at most: a long text goes on in the next ones.
+// A line of Fortran has 132 characters at most: a long text continues on the next ones.
 std::string wrapped(const std::string& text, const std::string& joint) {
     constexpr std::size_t longest = 90;
     std::string lines = text.substr(0, longest);
@@ -117,7 +117,7 @@ void require_identifier(const std::string& name) {
     const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     const bool letters = !name.empty() && std::all_of(name.begin(), name.end(), is_part);
     if (!letters || std::isdigit(static_cast<unsigned char>(name.front())) != 0) {
-        throw input_error("--name", name, "is no identifier", "write letters, digits and _, a letter first");
+        throw input_error("--name", name, "is not an identifier", "write letters, digits and _, a letter first");
     }
     const bool reserved = name.find("__") != std::string::npos || name.front() == '_' ||
                           std::find(keywords.begin(), keywords.end(), name) != keywords.end();

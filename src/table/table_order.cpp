@@ -27,7 +27,7 @@ constexpr std::array<const char*, 9> argument_names{"--u", "--phi", "--x", "--z"
 
 constexpr const char* rigour = "proved to one unit in the last place";
 
-// What a table says that it holds.
+// The description of the contents of a table.
 std::string title_of(const table_order& order) {
     if (order.problem) {
         return "Reference values of the solution of";

@@ -11,14 +11,14 @@
 
 namespace libration {
 
-/// What was asked for: pendulum or a list of elliptic functions, and the words of their options.
+/// The request: pendulum or a list of elliptic functions, and the arguments of their options.
 struct table_order {
     std::string what;
     option_words said;
     long digits = 50;
-    std::optional<table_problem> problem = {};  ///< in place of what, where it is given
+    std::optional<table_problem> problem = {};  ///< instead of `what`, if given
 
-    /// The command that asks for it, without --out and --jobs.
+    /// The command that makes it, without --out and --jobs.
     std::string command() const;
 };
 
@@ -32,11 +32,11 @@ table table_for(const table_order& order, const std::string& format, int jobs);
 /// Whether a format holds its provenance in comments.
 bool has_comments(const std::string& format);
 
-/// The file: `command` and the versions of provenance() stand in its comment where the format has one.
+/// The file: `command` and the versions of provenance() are in its comment if the format has one.
 std::string table_file(const table_order& order, const table& data, const std::string& format, const std::string& name,
                        const std::string& command);
 
-/// The same provenance with columns and their meanings as JSON, for a file beside one that has no comments.
+/// The same provenance with columns and their meanings as JSON, for a file next to one without comments.
 std::string provenance_json(const table_order& order, const table& data, const std::string& command);
 
 }  // namespace libration

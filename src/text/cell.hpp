@@ -1,5 +1,5 @@
-// A cell of a table: text, or a number with its digits. A number is already a decimal, so nothing is rounded on its way
-// out, and whoever prints it need not guess from its characters what it is.
+// A cell of a table: text, or a number with its digits. A number is already a decimal, so it is not rounded on output, and
+// its type need not be inferred from its characters.
 #pragma once
 
 #include <concepts>
@@ -35,7 +35,7 @@ public:
     cell_kind kind() const { return kind_; }
     bool is_empty() const { return kind_ == cell_kind::empty; }
     bool is_number() const { return kind_ == cell_kind::whole || kind_ == cell_kind::number; }
-    /// As it stands in a CSV, but for quotes.
+    /// As written in CSV, without quotes.
     const std::string& text() const { return text_; }
     /// Significant digits of a number; 0 where they have no bound, as those of a whole number.
     long digits() const { return digits_; }
@@ -48,7 +48,7 @@ private:
     long digits_ = 0;
 };
 
-/// A number from its decimal, with the digits that stand there; empty where there is no text.
+/// A number from its decimal, with all of its digits; empty for an empty text.
 cell number_cell(const std::string& decimal);
 
 /// A cell of a file: a number where one is written, else text.

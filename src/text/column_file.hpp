@@ -29,7 +29,7 @@ private:
 
 /// Names, and records of as many cells below them, in constant memory. Lines that begin with # are comments.
 ///
-/// The separator is that of the first line that is no comment. That line holds the names unless all of its cells are
+/// The separator is that of the first line that is not a comment. That line holds the names unless all of its cells are
 /// numbers: then the names are in the last comment before it, if that has as many, or there are none.
 class column_file {
 public:
@@ -45,7 +45,7 @@ public:
     bool has_records() const { return first_.has_value(); }
 
     std::optional<csv_record> next();
-    /// Nothing where a quote is not closed.
+    /// std::nullopt if a quote is not closed.
     std::optional<std::vector<std::string>> cells(const csv_record& record) const {
         return cells_of(record.text, between_);
     }

@@ -112,7 +112,7 @@ void column_names::map(const std::string& mapping, const std::string& item) {
     const auto at = std::find(own_.begin(), own_.end(), theirs);
     if (at == own_.end()) {
         throw input_error(columns_option, mapping,
-                          "has " + quotation(theirs) + ", which is no column of " + quotation(file_),
+                          "has " + quotation(theirs) + ", which is not a column of " + quotation(file_),
                           "choose among " + listed());
     }
     require_known(mapping, ours);
@@ -128,7 +128,7 @@ void column_names::require_known(const std::string& mapping, const std::string& 
     for (const known_column& each : known_) {
         names += std::string(each.name) + ", ";
     }
-    throw input_error(columns_option, mapping, "has " + quotation(name) + ", which is no quantity",
+    throw input_error(columns_option, mapping, "has " + quotation(name) + ", which is not a quantity",
                       "write " + names + "or -");
 }
 

@@ -17,24 +17,24 @@ struct known_column {
 /// What to do about a column that is not found, where --columns is an option.
 inline constexpr const char* mapping_remedy = "name yours in --columns THEIRS=OURS";
 
-/// The columns of a file. A mapped column is what the user says; of the others one of exactly our name comes first,
-/// then one that is spelled so: "Time", "t [s]", "theta_0 (rad)".
+/// The columns of a file. A mapped column is what the user specifies; of the others one with exactly the name of the
+/// quantity has priority, then one with another spelling of it: "Time", "t [s]", "theta_0 (rad)".
 class column_names {
 public:
-    /// `mapping` is --columns: t=time,E=energy, with a name of `known` or - (no column of ours) on the right; or, where
-    /// the file has no names, theirs in its order. Throws input_error.
+    /// `mapping` is --columns: t=time,E=energy, with a name of `known` or - (ignored) on the right; or, if the file has
+    /// no names, the names of its columns in their order. Throws input_error.
     column_names(std::string file, std::vector<std::string> own, std::size_t count,
                  const std::optional<std::string>& mapping, std::vector<known_column> known);
 
-    /// The place of the quantity; nothing where the file lacks it. Throws input_error where two columns are it, and
-    /// std::logic_error for a name that is not known.
+    /// The index of the column of a quantity; std::nullopt if the file lacks it. Throws input_error if two columns match, and
+    /// std::logic_error for an unknown name.
     std::optional<std::size_t> find(std::string_view name) const;
     std::size_t count() const { return own_.size(); }
     /// What the file calls a column.
     const std::string& own(std::size_t at) const { return own_[at]; }
     const std::vector<std::string>& own() const { return own_; }
     const std::string& file() const { return file_; }
-    /// 'time', 'theta': what a message says of the columns that there are.
+    /// 'time', 'theta': the existing columns, for messages.
     std::string listed() const;
 
 private:
@@ -44,7 +44,7 @@ private:
 
     std::string file_;
     std::vector<std::string> own_;
-    std::vector<std::string> mapped_;  ///< what the user says of each column; empty where nothing
+    std::vector<std::string> mapped_;  ///< the user's name for each column; empty if none
     std::vector<known_column> known_;
 };
 

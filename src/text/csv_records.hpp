@@ -10,13 +10,13 @@
 
 namespace libration {
 
-/// A record as it stands in the file, without its line end.
+/// A record exactly as written in the file, without its line end.
 struct csv_record {
     long line;
     std::string text;
 };
 
-/// What stands between the cells of a record: one of these characters, or any number of blanks.
+/// The separator of the cells of a record: one of these characters, or any number of blanks.
 enum class separator : char { comma = ',', semicolon = ';', tabulator = '\t', blanks = ' ' };
 
 /// That of a line: semicolons where there are as many as commas, commas, tabulators, else blanks.
@@ -54,7 +54,7 @@ struct split_record {
 };
 split_record split_cells(const std::string& record, separator between);
 
-/// The cells alone; nothing where a quote is not closed.
+/// The cells; std::nullopt if a quote is not closed.
 std::optional<std::vector<std::string>> cells_of(const std::string& record, separator between = separator::comma);
 
 /// A cell as it is written, quoted where CSV needs it.

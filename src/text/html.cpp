@@ -99,7 +99,7 @@ std::string svg_uri(const std::string& svg) {
 std::string data_uri(const std::string& media_type, const std::string& content) {
     using namespace boost::archive::iterators;
     using encoded = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-    // Zeros fill up the last group of three bytes; '=' stands for those that were added.
+    // Zeros fill up the last group of three bytes; '=' marks those that were added.
     const std::size_t added = (3 - content.size() % 3) % 3;
     const std::string whole = content + std::string(added, '\0');
     std::string out = "data:" + media_type + ";base64,";

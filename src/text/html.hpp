@@ -8,14 +8,14 @@ namespace libration {
 /// Text as HTML shows it.
 std::string html_text(const std::string& text);
 
-/// The same with formulas as html_mathematics writes them, and what stands between backticks as code.
+/// The same with formulas as html_mathematics writes them, and text between backticks as code.
 std::string html_prose(const std::string& text);
 
 /// A file's content as a data: URI, so that the page needs no other file to show it.
 std::string data_uri(const std::string& media_type, const std::string& content);
 
-/// A drawing as a data: URI for an attribute in double quotes, with the few characters escaped that may not stand
-/// there: two thirds of its base64. Its own double quotes become single ones, so it may hold no text with either.
+/// An SVG image as a data: URI for an attribute in double quotes, with the few characters escaped that are not allowed
+/// there: two thirds of the size in base64. Its double quotes become single ones, so it must not contain text with either.
 std::string svg_uri(const std::string& svg);
 
 /// A whole page: title, style and body.

@@ -61,7 +61,7 @@ private:
             out_ += "√";
             return;
         }
-        // thetabar is no theta, and T0 no letter with an index.
+        // thetabar does not contain theta, and T0 is not a letter with an index.
         out_ += known ? symbol->second : letters;
         if (known && is_decimal_digit(now())) {
             out_ += "<sub>" + take(is_decimal_digit) + "</sub>";

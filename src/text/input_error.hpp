@@ -1,4 +1,4 @@
-// Bad input as one line: the option, the value, what is wrong with it, and the remedy. Ends in exit code 2.
+// Invalid input as a one-line message: the option, the value, the reason and the fix. The exit code is 2.
 #pragma once
 
 #include <stdexcept>
@@ -22,7 +22,7 @@ public:
     const std::string& value() const { return value_; }
     const std::string& remedy() const { return remedy_; }
 
-    /// The line with a hint before the remedy: "--method 'sereis' is no method (did you mean series?): write ...".
+    /// The line with a hint before the remedy: "--method 'sereis' is not a method (did you mean series?): write ...".
     std::string line_with(const std::string& hint) const {
         std::string line = what();
         if (!remedy_.empty()) {
@@ -36,8 +36,8 @@ private:
     std::string remedy_;
 };
 
-/// read(value), the library's error turned into an input_error of the option, which is the name that the user knows the
-/// quantity by. What no precision decides is nothing that was typed wrong, and passes.
+/// read(value), with the library's error converted to an input_error of the option, which is the user's name of the
+/// quantity. An error that a sign cannot be decided at any precision is not invalid input, and is passed on.
 template <class Read>
 auto reading(const std::string& option, const std::string& value, const std::string& remedy, const Read& read) {
     try {

@@ -85,7 +85,7 @@ struct latex_column {
     std::string line(std::size_t row) const { return of_decimals ? left[row] + " & " + right[row] : left[row]; }
 };
 
-// Whether a column says which row it is.
+// Whether a column identifies the row.
 bool is_key(const std::string& name) {
     static const std::set<std::string> keys{"energy", "gap",    "order",   "method", "point",    "count",    "time",
                                             "scalar", "theta0", "omega0",  "digits", "problem",  "n",        "route",
@@ -175,7 +175,7 @@ double needed(const std::vector<latex_column>& columns) {
     return width;
 }
 
-// Numbers of the rows, where what says which row it is would leave no room beside it.
+// Row numbers, used if the columns that identify the row would leave no space for others.
 latex_column row_numbers(std::size_t rows) {
     latex_column numbers{"row", true, false, {}, {}, 3};
     for (std::size_t i = 1; i <= rows; ++i) {
@@ -264,7 +264,7 @@ std::string upright_lines(const table& data, const std::vector<std::size_t>& sho
     return lines;
 }
 
-// Columns named log10_... serve the figures; those with one value throughout stand in the caption.
+// Columns named log10_... are for the figures only; those with a constant value are in the caption.
 std::vector<std::size_t> framed_columns(const table& data, std::string& constants) {
     std::vector<std::size_t> shown;
     const auto& rows = data.rows();
@@ -286,7 +286,7 @@ std::vector<std::size_t> framed_columns(const table& data, std::string& constant
     return shown;
 }
 
-// As many digits as let all columns stand on one page, 5 to 8; 8 where even 5 are too many.
+// The largest number of digits with which all columns fit the page, 5 to 8; 8 if even 5 are too many.
 std::vector<std::vector<latex_column>> framed_parts(const table& data, const std::vector<std::size_t>& shown) {
     for (const long digits : {8, 7, 6, 5}) {
         auto parts = parts_of(columns_of(data, shown, digits), small_page_width);

@@ -12,7 +12,7 @@ namespace libration {
 /// its decimal), a whole number with all of them; inf as $\infty$; anything else as text.
 std::string latex_cell(const cell& content, long digits = 8);
 
-/// What stands around a table.
+/// Caption and label of a table.
 struct latex_frame {
     std::string caption;  ///< LaTeX
     std::string label;    ///< the table is \ref{tab:LABEL}
@@ -25,8 +25,8 @@ struct latex_frame {
 std::string to_latex(const table& data);
 
 /// The same with a frame: a longtable of \footnotesize with numbers of 8 digits or, where that makes it fit, fewer, but
-/// at least 5, and those that say which row it is of up to 12. A column with one value throughout stands in the
-/// caption, and columns named log10_... are left out: they serve the figures. Needs \usepackage{booktabs,longtable}.
+/// at least 5, and those that identify the row up to 12. A column with a constant value is moved to the
+/// caption, and columns named log10_..., which are for the figures, are omitted. Needs \usepackage{booktabs,longtable}.
 std::string to_latex(const table& data, const latex_frame& frame);
 
 }  // namespace libration

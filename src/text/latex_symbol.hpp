@@ -1,4 +1,4 @@
-// What stands at the head of a column in a paper.
+// The header of a column in a paper.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A file of points that a command is asked at: every row read before anything is computed.
+// A file of points at which a command computes: every row is read before anything is computed.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ public:
 
     const column_names& names() const { return *names_; }
     const std::vector<row>& rows() const { return rows_; }
-    /// read(cells) of a row; what is wrong with it becomes an input_error that names file and line.
+    /// read(cells) of a row; an error becomes an input_error that names file and line.
     template <class Read>
     auto reading(const row& at, const Read& read) const {
         try {

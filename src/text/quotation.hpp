@@ -12,7 +12,7 @@ namespace libration {
 /// The characters that a message quotes of an input.
 inline constexpr std::size_t longest_quotation = 60;
 
-/// A text with at most so many of its characters and "..." for the rest. Control characters and bytes that are no
+/// A text with at most so many of its characters and "..." for the rest. Control characters and bytes that are not
 /// UTF-8 become \n, \t, \r, \0 or \x1b. Cost: as many characters.
 std::string without_controls(std::string_view text, std::size_t most);
 
@@ -22,7 +22,7 @@ std::string quotation(std::string_view input);
 /// A whole message, whose quoted parts ('...') are cut in the same way: a line of at most 2000 characters.
 std::string shortened(std::string_view message);
 
-/// What an error says, with its value quoted so: what() ends where the value has a NUL.
+/// The message of an error, with its value quoted in this way: what() ends where the value has a NUL.
 std::string message_of(const error& problem);
 
 }  // namespace libration

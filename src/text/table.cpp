@@ -75,7 +75,7 @@ void table::append(const table& below) {
     const bool same = std::equal(columns_.begin(), columns_.end(), below.columns_.begin(), below.columns_.end(),
                                  [](const column& a, const column& b) { return a.name == b.name; });
     if (!same) {
-        throw std::logic_error("two tables with other columns cannot stand below each other");
+        throw std::logic_error("two tables with different columns cannot be concatenated");
     }
     rows_.insert(rows_.end(), below.rows_.begin(), below.rows_.end());
 }

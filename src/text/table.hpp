@@ -15,7 +15,7 @@
 
 namespace libration {
 
-/// A column: its CSV name, and its unit or meaning for the reader of the JSON beside a study.
+/// A column: its CSV name, and its unit or meaning for the reader of the JSON file of a study.
 struct column {
     std::string name;
     std::string meaning;
@@ -118,7 +118,7 @@ table make_table(const column_list<Row>& columns, const std::vector<Row>& rows) 
     return result;
 }
 
-/// One header line, one row a line, no comments.
+/// One header line, one line per row, no comments.
 std::string to_csv(const table& data);
 
 /// The CSV of a table that is too long to be held: row by row into a file, with these of its columns.
@@ -146,12 +146,12 @@ std::string to_json(const table& data);
 /// Aligned columns for a terminal.
 std::string to_text(const table& data);
 
-/// Writes the whole file or nothing: beside the target first, then renamed onto it. A symbolic link is followed; what
-/// exists and is no regular file (a pipe, a device) is written to as it is.
-/// Throws std::runtime_error with the reason; nothing is left behind then.
+/// Writes the whole file or nothing: to a temporary file next to the target, which is then renamed. A symbolic link is
+/// followed; an existing target that is not a regular file (a pipe, a device) is written to directly.
+/// Throws std::runtime_error with the reason, and removes the temporary file.
 void write_whole_file(const std::string& path, const std::string& content);
 
-/// Writes to stdout and sees that it arrives. Throws std::runtime_error with the reason.
+/// Writes to stdout and checks that it was written. Throws std::runtime_error with the reason.
 void write_to_stdout(const std::string& content);
 
 }  // namespace libration

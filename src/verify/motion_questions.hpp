@@ -1,4 +1,4 @@
-// Rows of motions under `verify`: theta, and perhaps omega, at a time.
+// Rows of motions in `verify`: theta, and optionally omega, at a time.
 #pragma once
 
 #include <memory>

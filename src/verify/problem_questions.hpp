@@ -44,7 +44,7 @@ private:
     std::string own_time_;
 };
 
-/// Rows of such a file (ode::problem_truths). Rows that come by time share the marches.
+/// Rows of such a file (ode::problem_truths). Rows sorted by time share the integrations.
 class problem_questions : public question_reader {
 public:
     problem_questions(const problem_layout& layout, const compare_rules& rules)

@@ -1,4 +1,4 @@
-// What a row of a file asks `verify`: values, and where their truths come from.
+// A row of a file given to `verify`: values, and how their reference values are computed.
 #pragma once
 
 #include <functional>

@@ -7,15 +7,15 @@
 
 namespace libration {
 
-/// stdout, or a file that is written beside and renamed when it is whole. What exists and is no regular file (a pipe, a
-/// device) is written to as it is.
+/// stdout, or a file that is written to a temporary name and renamed when complete. An existing target that is not a
+/// regular file (a pipe, a device) is written to directly.
 class row_target {
 public:
     /// Throws input_error where the file cannot be written, as everything here.
     explicit row_target(const std::optional<std::string>& path);
     row_target(const row_target&) = delete;
     row_target& operator=(const row_target&) = delete;
-    /// Unless it was finished, what was written beside is taken away.
+    /// Removes the temporary file unless it was finished.
     ~row_target();
 
     void write(const std::string& text);

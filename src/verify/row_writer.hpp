@@ -8,11 +8,11 @@
 
 namespace libration {
 
-/// CSV, where the rows of a comma-separated input stand as they are, or a JSON array of objects, whose values are
+/// CSV, with the rows of a comma-separated input unchanged, or a JSON array of objects, whose values are
 /// strings, null where a cell is empty.
 class row_writer {
 public:
-    /// A column of ours that the input has too is called verify_NAME.
+    /// An output column that the input has too is called verify_NAME.
     row_writer(bool json, separator between, std::vector<std::string> input, const std::vector<std::string>& added);
 
     separator between() const { return between_; }
@@ -20,7 +20,7 @@ public:
     std::string head() const;
     std::string joint() const { return json_ ? ",\n" : "\n"; }
     std::string tail() const { return json_ ? "\n]\n" : "\n"; }
-    /// A record without a text stands in its cells.
+    /// A record without a text is given by its cells.
     std::string row(const csv_record& record, const std::vector<std::string>& cells,
                     const std::vector<std::string>& added) const;
 

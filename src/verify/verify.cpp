@@ -121,7 +121,7 @@ compare_rules rules_of(const verify_options& options) {
                           "write decimal for numbers as typed, double for their nearest doubles");
     }
     if (options.format != "csv" && options.format != "json") {
-        throw input_error("--format", options.format, "is no format", "write csv or json");
+        throw input_error("--format", options.format, "is not a format", "write csv or json");
     }
     return {tolerance_of("--tolerance", options.tolerance), tolerance_of("--relative", options.relative),
             tolerance_of("--ulp", options.ulps), options.inputs == "double", options.modulo_turn};
@@ -199,10 +199,11 @@ subcommand verify_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "verify", "compare a table of theta at times, or of elliptic functions, row by row with proved values");
     command
-        ->add_option("FILE", options->file,
-                     "columns time, theta, perhaps omega, and a motion: theta0 and omega0, gap or energy, perhaps "
-                     "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ..., complex u "
-                     "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin")
+        ->add_option(
+            "FILE", options->file,
+            "columns time, theta, optionally omega, and a motion: theta0 and omega0, gap or energy, optionally "
+            "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ..., complex u "
+            "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin")
         ->required();
     options->motion.add_to(*command);
     options->problem.add_to(*command);

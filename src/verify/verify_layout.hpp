@@ -15,7 +15,7 @@ std::vector<known_column> known_columns();
 /// The kind of a file and its columns.
 class verify_layout {
 public:
-    /// Throws input_error for a file of neither kind, and for options of motions beside elliptic functions.
+    /// Throws input_error for a file of neither kind, and for options of motions together with elliptic functions.
     verify_layout(const column_names& names, const motion_options& motion, const compare_rules& rules);
 
     const std::vector<compared_column>& compared() const {

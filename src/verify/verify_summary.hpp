@@ -1,4 +1,4 @@
-// What `libration verify` says of a whole file: counts, the worst row and the correct digits of all rows.
+// The summary that `libration verify` prints for a file: counts, the worst row and the correct digits of all rows.
 #pragma once
 
 #include <map>

@@ -137,7 +137,7 @@ TEST_CASE("an interrupted reproduce goes on with what is missing", "[command][re
     const finished_process second = run_libration(order, folder.path());
     INFO(second.err);
     CHECK(second.exit_code == 0);
-    CHECK(lines_with(second.err, "goes on with an interrupted run: 1 of 2 parts are made") == 1);
+    CHECK(lines_with(second.err, "resuming an interrupted run: 1 of 2 parts are done") == 1);
     CHECK(lines_with(second.err, "part 1 of 1, libration_series") == 1);
     CHECK_FALSE(fs::exists(record));
 
@@ -159,7 +159,7 @@ TEST_CASE("an interrupted reproduce makes a part again that lacks a file", "[com
     const finished_process second = run_libration(order, folder.path());
     INFO(second.err);
     CHECK(second.exit_code == 0);
-    CHECK(lines_with(second.err, "goes on with an interrupted run") == 0);
+    CHECK(lines_with(second.err, "resuming an interrupted run") == 0);
     CHECK(lines_with(second.err, "of 2, period_error") == 1);
     CHECK(fs::exists(figure));
 }

@@ -197,7 +197,8 @@ TEST_CASE("the option --columns chooses the columns of LaTeX tables and of stdou
     CHECK(lines_of(output_of(words{"period"} + energy)).front() == "period,energy");
     const finished_process refused = run_libration(small + words{"--scalar", "double", "--columns", "nrom"});
     CHECK(refused.exit_code == 2);
-    CHECK(refused.err.starts_with("libration: --columns 'nrom' is no column of this table: choose from energy, order"));
+    CHECK(refused.err.starts_with(
+        "libration: --columns 'nrom' is not a column of this table: choose from energy, order"));
 }
 
 TEST_CASE("the JSON of a study names every file with the SHA-256 that sha256sum prints", "[command][study]") {

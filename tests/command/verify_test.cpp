@@ -183,7 +183,7 @@ TEST_CASE("verify refuses tolerances, inputs and formats that are none", "[comma
     refuses(csv, {"--relative", "1e-9", "--ulp", "1"}, "--ulp '1' comes together with --relative '1e-9'");
     refuses(csv, {"--tolerance", "x"}, "--tolerance 'x'");
     refuses(csv, {"--inputs", "float"}, "--inputs 'float'");
-    refuses(csv, {"--format", "xml"}, "--format 'xml' is no format");
+    refuses(csv, {"--format", "xml"}, "--format 'xml' is not a format");
     refuses("u,m,sn\n0,0,0\n", {"--modulo-2pi"}, "--modulo-2pi has no meaning");
 }
 
@@ -317,8 +317,9 @@ TEST_CASE("verify knows columns by common spellings and by --columns", "[command
     const auto refused = [&](const std::string& header, const std::string& mapping, const std::string& reason) {
         refuses(header + "\n" + row, {"--columns", mapping}, reason);
     };
-    refused("a,b,c", "x=time", "--columns 'x=time' has 'x', which is no column of 'f.csv': choose among 'a', 'b', 'c'");
-    refused("a,b,c", "a=tme", "has 'tme', which is no quantity: write time, ");
+    refused("a,b,c", "x=time",
+            "--columns 'x=time' has 'x', which is not a column of 'f.csv': choose among 'a', 'b', 'c'");
+    refused("a,b,c", "a=tme", "has 'tme', which is not a quantity: write time, ");
     refused("a,b,c", "a", "has 'a', which is not THEIRS=OURS");
     refused("t,T,theta", "theta=theta", "f.csv has two columns 'time': 't' and 'T'");
     // A complaint names the column as the file does.
