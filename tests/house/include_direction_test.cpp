@@ -60,7 +60,7 @@ std::map<std::string, rooms> order_of_rooms() {
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
         arc = taylor + rooms{"pendulum/arc"},
         proofs = balls + functions + rooms{"function/ball", "approximant/proved", "elliptic/proved",
-                                           "ode/ball",      "ode/singularity",    "ode/proved"},
+                                           "ode/ball",      "ode/singularity",    "ode/rigorous",       "ode/proved"},
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
@@ -98,7 +98,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"ode/text", ode},
         {"ode/ball", ode + balls + rooms{"function/ball"}},
         {"ode/singularity", ode},
-        {"ode/proved", ode + balls + rooms{"ode/ball", "ode/singularity"}},
+        {"ode/rigorous", ode + balls + rooms{"ode/ball"}},
+        {"ode/proved", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/singularity"}},
         {"elliptic", digits},
         {"elliptic/proved", elliptic + balls},
         {"pendulum/motion", ode + elliptic},
@@ -281,7 +282,7 @@ complaints unnamed_kinds(const house& all) {
 bool needs_flint(const std::string& path) {
     const auto folder = fs::path(path).parent_path().filename();
     return path == "include/libration/proved.hpp" ||
-           (path.starts_with("include/") && (folder == "ball" || folder == "proved"));
+           (path.starts_with("include/") && (folder == "ball" || folder == "proved" || folder == "rigorous"));
 }
 
 complaints flint_includes(const house& all) {

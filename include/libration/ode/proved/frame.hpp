@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "libration/scalar/ball/magnitude.hpp"
@@ -23,6 +24,9 @@ class error_frame {
 public:
     /// The box itself.
     explicit error_frame(std::vector<magnitude> widths);
+    /// By B in columns, r and e.
+    error_frame(ball_matrix columns, std::vector<magnitude> widths, std::vector<magnitude> added)
+        : columns_(std::move(columns)), widths_(std::move(widths)), added_(std::move(added)) {}
 
     std::size_t size() const { return widths_.size(); }
     /// B by columns, r and e.

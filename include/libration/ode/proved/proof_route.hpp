@@ -6,6 +6,13 @@
 
 namespace libration::ode {
 
+/// Which integrator takes the steps to a time.
+enum class integrator_choice {
+    automatic,   ///< collocation where the steps of Taylor series are far shorter than the solution's scale
+    taylor,      ///< Taylor series alone (theorem V)
+    collocation  ///< collocation (theorem K) from the start on; Taylor series where that is not possible
+};
+
 /// The freedom that theorems T, S, V, L and C leave: any order, any step inside the radius, any enclosing product of
 /// series. Two routes prove the same statements; what they share is in docs/proved.md.
 struct proof_route {
@@ -15,6 +22,7 @@ struct proof_route {
     unsigned long step_eighths = 8;
     /// The product of long series; null: term by term, quotients by their recurrence.
     const series::block_product<ball>* product = fast_product<ball>();
+    integrator_choice integrator = integrator_choice::automatic;
 
     /// The route of --check: five more terms, steps of seven eighths, series term by term.
     static proof_route second() { return {5, 7, nullptr}; }

@@ -12,6 +12,7 @@
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/step_length.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
+#include "libration/ode/rigorous/collocation_integrator.hpp"
 
 namespace libration::ode {
 
@@ -31,6 +32,10 @@ enum class march_end {
 /// c'), and A, from theorem T for the system with its variations over the whole set, holds the derivative of Phi at
 /// every point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau]
 /// (error_frame::moved). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
+///
+/// Where at() is stiff, that is where the solution is smooth over many of the steps, the integrator of theorem K
+/// (rigorous/collocation_integrator.hpp) takes over from the same set, and gives it back when no mode is fast any more.
+/// That is done for equations that are polynomial as they are, without a derivative of the flow.
 ///
 /// The unknowns are those of the given system with their lower derivatives; what theorem T needs besides
 /// (lifted_system) is computed from them in each step. The precision falls as the set grows: what is below it is noise.
@@ -87,11 +92,14 @@ public:
     march_end end() const { return end_; }
     /// Up to here the solution is proved to exist.
     const ball& reached() const { return time_; }
+    /// A step of collocation counts as 32.
     long steps() const { return steps_; }
     /// Those that it began with.
     long bits() const { return bits_; }
     /// A bound of the set, |x_i - c_i|.
     magnitude width() const;
+    /// How many of the steps were of collocation.
+    long collocation_steps() const { return collocation_steps_; }
 
 private:
     struct expansions;
@@ -107,6 +115,11 @@ private:
     bool stopped_by_bounds();
     std::vector<ball> flow_of_centre(const ball& distance) const;
     std::vector<ball> whole_set() const;
+    bool may_use_collocation(const ball& rest) const;
+    bool begins_collocation(const ball& rest);
+    void end_collocation();
+    void step_of_collocation();
+    void count_steps(long count);
 
     lifted_system lifted_;
     tape tape_;
@@ -127,6 +140,12 @@ private:
     march_end end_ = march_end::none;
     std::vector<ball> before_;
     std::optional<explicit_system> singular_;  ///< where it begins behind a singular start
+    std::unique_ptr<collocation_integrator> collocation_;
+    bool in_collocation_ = false;
+    long collocation_steps_ = 0;
+    long steps_of_phase_ = 0;  ///< of collocation, since it took over
+    magnitude length_to_pay_;
+    long next_question_, questions_apart_;  ///< after how many steps it is asked whether the equations are stiff
 };
 
 }  // namespace libration::ode

@@ -69,6 +69,15 @@ public:
             return each.resolved && each.reach != nothing && each.reach - each.size > limit;
         });
     }
+    /// The same for a state alone, by its size instead of that beside it: an unknown near 0 is among them.
+    bool may_be_lost(const std::vector<ball>& centre, const std::vector<magnitude>& reach, double limit) const {
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            if (all_[i].resolved && log_of(reach[i]) - log_of(magnitude(centre[i])) > limit) {
+                return true;
+            }
+        }
+        return false;
+    }
     /// Counts those as distinguished from 0 whose error set is narrower than 2^limit of their size.
     void resolve(double limit) {
         for (unknown_scale& each : all_) {

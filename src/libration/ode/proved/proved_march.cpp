@@ -24,6 +24,18 @@ constexpr long bits_unwatched = 4096;
 constexpr double worth_more_terms = 0.3;
 // Of the bits of the map of errors, those that its largest terms may lose before it has more.
 constexpr double bits_to_lose = 16;
+// Steps of Taylor series before the first question whether the equations are stiff; twice as many before each next one.
+constexpr long steps_before_question = 8;
+// A step of collocation takes about as long as so many of Taylor series, and counts as many.
+constexpr long cost_of_collocation = 32;
+// Steps of collocation in which their length may grow beyond that of so many of Taylor series.
+constexpr long steps_to_pay = 6;
+// More unknowns take too long, as the cost of a step grows with their cube.
+constexpr std::size_t most_unknowns_of_collocation = 40;
+// More bits too, as that of the matrix of integration grows with the cube of the degree.
+constexpr long most_bits_of_collocation = 1024;
+// Steps of collocation without a fast mode after which it is no longer needed.
+constexpr int steps_without_fast_modes = 3;
 
 singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
     return system.singular() ? proved_singular_step(system, bits, route)
@@ -75,7 +87,9 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
       errors_(std::vector<magnitude>(lifted_.given)),
       scales_(start),
       set_bits_(error_bits),
-      watch_(std::move(watch)) {
+      watch_(std::move(watch)),
+      next_question_(route.integrator == integrator_choice::collocation ? 0 : steps_before_question),
+      questions_apart_(steps_before_question) {
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
     origin_ = time_;
@@ -257,8 +271,12 @@ void proved_march::step(int direction) {
         derivative_ = product(map, *derivative_);
     }
     errors_ = errors_.image(map, added);
-    ++steps_;
-    if (watch_ && (steps_ % steps_unwatched == 0 || bits_ > bits_unwatched)) {
+    count_steps(1);
+}
+
+void proved_march::count_steps(long count) {
+    steps_ += count;
+    if (watch_ && (steps_ / steps_unwatched != (steps_ - count) / steps_unwatched || bits_ > bits_unwatched)) {
         watch_(time_, bits_);
     }
 }
@@ -292,17 +310,105 @@ std::optional<std::vector<ball>> proved_march::at(const number& time) {
 std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     const precision_scope scope(decimal_digits(bits_) + 20);
     try {
-        while (prepare()) {
+        for (;;) {
             const ball distance = target - time_;
+            if (in_collocation_ && collocation_->prepare() && !contains_zero(distance)) {
+                const ball& length = collocation_->length();
+                if (magnitude(distance) <= magnitude(length)) {
+                    return collocation_->values_at(distance);
+                }
+                step_of_collocation();
+                continue;
+            }
+            if (in_collocation_) {
+                end_collocation();
+            }
+            if (!prepare()) {
+                break;
+            }
             if (magnitude(distance) <= now_->length) {
                 return values_at(distance);
             }
-            step(arb_is_negative(distance.handle()) != 0 ? -1 : 1);
+            if (!begins_collocation(distance)) {
+                step(arb_is_negative(distance.handle()) != 0 ? -1 : 1);
+            }
         }
     } catch (const precision_exhausted&) {
         end_ = march_end::precision;
     }
     return std::nullopt;
+}
+
+bool proved_march::may_use_collocation(const ball& rest) const {
+    const bool fits = lifted_.given == lifted_.leaves.size() && lifted_.given <= most_unknowns_of_collocation;
+    return fits && bits_ <= most_bits_of_collocation && is_exact(time_) &&
+           route_.integrator != integrator_choice::taylor && !derivative_ && steps_ >= next_question_ &&
+           now_->length * magnitude(static_cast<unsigned long>(cost_of_collocation)) <= magnitude(rest);
+}
+
+// Checked after 8, 16, 32, ... steps.
+bool proved_march::begins_collocation(const ball& rest) {
+    if (!may_use_collocation(rest)) {
+        return false;
+    }
+    next_question_ = steps_ + questions_apart_;
+    questions_apart_ *= 2;
+    if (!collocation_) {
+        collocation_ = std::make_unique<collocation_integrator>(lifted_, bits_, route_.more_terms);
+    }
+    const ball length = arb_is_negative(rest.handle()) != 0 ? -now_->length.exact() : now_->length.exact();
+    if (route_.integrator != integrator_choice::collocation && !collocation_->is_smooth_over(time_, centre_, length)) {
+        return false;
+    }
+    tube_set set;
+    set.centre = centre_;
+    set.columns = errors_.columns();
+    set.blocks.assign(set.columns.size(), 1);
+    set.radii = errors_.widths();
+    set.added = errors_.added();
+    set.slow = set.columns.size();
+    collocation_->begin(time_, std::move(set), length);
+    in_collocation_ = collocation_->prepare();
+    steps_of_phase_ = 0;
+    length_to_pay_ = now_->length * magnitude(static_cast<unsigned long>(cost_of_collocation));
+    return in_collocation_;
+}
+
+void proved_march::step_of_collocation() {
+    const bool pays = length_to_pay_ <= magnitude(collocation_->length());
+    collocation_->step();
+    time_ = collocation_->reached();
+    ++collocation_steps_;
+    count_steps(cost_of_collocation);
+    if (route_.integrator == integrator_choice::collocation) {
+        return;
+    }
+    const tube_set& set = collocation_->set();
+    std::vector<magnitude> reach;
+    for (std::size_t i = 0; i < set.centre.size(); ++i) {
+        reach.push_back(set.reach(i));
+    }
+    if ((++steps_of_phase_ > steps_to_pay && !pays) || scales_.may_be_lost(set.centre, reach, widest_set)) {
+        end_collocation();
+    } else if (collocation_->steps_without_fast_modes() >= steps_without_fast_modes) {
+        end_collocation();
+        questions_apart_ = steps_before_question;
+        next_question_ = steps_ + questions_apart_;
+    }
+}
+
+// A block of two columns with the Euclidean norm lies in a box.
+void proved_march::end_collocation() {
+    const tube_set& set = collocation_->set();
+    std::vector<magnitude> widths;
+    for (std::size_t b = 0; b < set.blocks.size(); ++b) {
+        widths.insert(widths.end(), set.blocks[b], set.radii[b]);
+    }
+    centre_ = set.centre;
+    errors_ = error_frame(set.columns, std::move(widths), set.added);
+    in_collocation_ = false;
+    now_->ready = false;
+    next_question_ = steps_ + questions_apart_;
 }
 
 std::vector<ball> proved_march::values_at(const ball& distance) const {

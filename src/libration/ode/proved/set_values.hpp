@@ -16,8 +16,8 @@ namespace libration::ode {
 
 // R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
 inline constexpr std::array<unsigned long, 7> tried_parts{92, 85, 75, 60, 45, 30, 15};
-// Then 2^-1, 2^-3, 2^-7, 2^-15 of about the last one; where the coefficients tell nothing of a radius, down to 2^-32767.
-inline constexpr int tried_powers = 4;
+// Then 2^-1, 2^-3, 2^-7, .. 2^-63 of about the last one, for stiff equations at smooth solutions; where the coefficients tell nothing of a radius, down to 2^-32767.
+inline constexpr int tried_powers = 6;
 inline constexpr int tried_powers_without_estimate = 15;
 
 // A lower bound of |x|.

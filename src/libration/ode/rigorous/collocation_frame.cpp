@@ -1,0 +1,233 @@
+#include <algorithm>
+#include <cmath>
+
+#include "collocation_solver.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// Decimal digits of frames, and of how large their inverses may be before the slow columns are chosen anew.
+constexpr double digits_of_frame = 15;
+constexpr long kept_inverse = 10;    // 2^10
+constexpr long usable_inverse = 20;  // 2^20
+constexpr int most_refinements = 6;
+// Below every radius, so that the error set comes first.
+constexpr long last_resort = -100'000;
+
+dense_matrix of_columns(const ball_columns& slow, const ball_columns& fast) {
+    const std::size_t size = slow.size() + fast.size();
+    dense_matrix result(size, size);
+    for (std::size_t k = 0; k < size; ++k) {
+        result.set_column(k, k < slow.size() ? slow[k] : fast[k - slow.size()]);
+    }
+    return result;
+}
+
+bool has_inverse_below(const ball_columns& slow, const ball_columns& fast, long exponent) {
+    const auto back = inverse(of_columns(slow, fast));
+    return back && back->largest() < magnitude::of(1, exponent);
+}
+
+std::vector<ball> of_length_1(std::vector<ball> v) {
+    ball_columns unit;
+    extend_orthonormal(unit, {std::move(v)}, 1, false);
+    return unit.front();
+}
+
+}  // namespace
+
+// The slow columns at the start of the step. The old ones at the end of the last step, where their number is the same
+// and they are far enough from each other and from the fast ones: then nothing is wrapped. Else the subspace of their
+// longest combinations with slow modes of the middle, and in it along the fast columns a basis of the largest columns of
+// the error set [Lohner].
+bool collocation_solver::slow_start(ball_columns& slow) {
+    const std::size_t asked = modes_->slow.size();
+    ball_columns old;
+    ball_columns lengths_1;
+    for (std::size_t j = 0; j < start_->columns.size(); ++j) {
+        std::vector<ball> scaled;
+        for (std::size_t i = 0; i < count(); ++i) {
+            scaled.push_back(midpoint_alone(shifted(start_->columns[j][i], -scales_[i])));
+        }
+        if (j < start_->slow) {
+            lengths_1.push_back(of_length_1(scaled));
+        }
+        old.push_back(std::move(scaled));
+    }
+    if (asked == start_->slow && has_inverse_below(lengths_1, modes_->fast, kept_inverse)) {
+        slow = lengths_1;
+        return true;
+    }
+    const ball_columns followed(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(start_->slow));
+    extend_orthonormal(slow, asked < start_->slow ? followed : lengths_1, std::min(asked, start_->slow), true);
+    extend_orthonormal(slow, modes_->slow, asked - slow.size(), true);
+    if (!has_inverse_below(slow, modes_->fast, usable_inverse)) {
+        slow = modes_->slow;
+    }
+    const auto back = inverse(of_columns(slow, modes_->fast));
+    if (!back) {
+        return false;
+    }
+    ball_columns errors;
+    std::size_t column = 0;
+    for (std::size_t b = 0; b < start_->blocks.size(); ++b) {
+        for (std::size_t k = 0; k < start_->blocks[b]; ++k) {
+            const std::vector<ball> parts = product(*back, old[column++]);
+            std::vector<ball> sum(count());
+            for (std::size_t i = 0; i < count(); ++i) {
+                for (std::size_t a = 0; a < asked; ++a) {
+                    sum[i] += slow[a][i] * parts[a];
+                }
+                sum[i] = midpoint_alone(sum[i] * start_->radii[b].exact());
+            }
+            errors.push_back(std::move(sum));
+        }
+    }
+    for (const auto& each : slow) {
+        errors.push_back(shifted(each, last_resort));
+    }
+    ball_columns along_errors;
+    extend_orthonormal(along_errors, std::move(errors), asked, true);
+    if (has_inverse_below(along_errors, modes_->fast, usable_inverse)) {
+        slow = std::move(along_errors);
+    }
+    return true;
+}
+
+// The solutions of s' = J s with these starts in the nodes, by the factors of Newton's matrix.
+std::optional<collocation_solver::columns_at_nodes> collocation_solver::slow_columns(const ball_columns& start) const {
+    columns_at_nodes result;
+    const auto n = static_cast<int>(count());
+    for (const auto& begin : start) {
+        std::vector<ball> now;
+        for (std::size_t k = 0; k < nodes_.size(); ++k) {
+            now.insert(now.end(), begin.begin(), begin.end());
+        }
+        for (int refined = 0; refined < most_refinements; ++refined) {
+            std::vector<ball> slopes;
+            for (std::size_t k = 0; k < nodes_.size(); ++k) {
+                for (std::size_t a = 0; a < count(); ++a) {
+                    slopes.push_back(
+                        midpoint_alone(inner_product(&jacobians_[k].entries[a * count()], 1, &now[k * count()], 1, n)));
+                }
+            }
+            std::vector<ball> rest;
+            for (std::size_t i = 0; i < nodes_.size(); ++i) {
+                for (std::size_t a = 0; a < count(); ++a) {
+                    const ball sum = inner_product(&nodes_.integrals().entries[i * nodes_.size()], 1, &slopes[a], n,
+                                                   static_cast<int>(nodes_.size()));
+                    rest.push_back(midpoint_alone(begin[a] + sum - now[i * count() + a]));
+                }
+            }
+            const double size = log_of(correct(rest)) * std::log10(2.);
+            if (!(size < 20)) {
+                return std::nullopt;
+            }
+            for (std::size_t i = 0; i < now.size(); ++i) {
+                now[i] = midpoint_alone(now[i] + rest[i]);
+            }
+            if (size < -digits_of_frame - 7) {
+                break;
+            }
+        }
+        result.push_back(std::move(now));
+    }
+    return result;
+}
+
+// Powers of x of the interpolant, without Chebyshev coefficients below 10^below of its largest one.
+ball_polynomial collocation_solver::interpolated(const std::vector<ball>& in_nodes, double below) const {
+    std::vector<ball> chebyshev;
+    std::vector<double> sizes;
+    double largest = -1e300;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        chebyshev.push_back(midpoint_alone(inner_product(&nodes_.coefficients().entries[k * nodes_.size()], 1,
+                                                         in_nodes.data(), 1, static_cast<int>(nodes_.size()))));
+        sizes.push_back(log_of(magnitude(chebyshev.back())) * std::log10(2.));
+        largest = std::max(largest, sizes.back());
+    }
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        kept = sizes[k] > std::min(0., largest) + below ? k + 1 : kept;
+    }
+    chebyshev.resize(kept);
+    auto result = nodes_.powers(chebyshev);
+    for (ball& each : result) {
+        each = midpoint_alone(each);
+    }
+    return result;
+}
+
+bool collocation_solver::interpolate_frame(const columns_at_nodes& slow, moving_frame& frame) const {
+    const std::size_t n = count();
+    std::vector<std::vector<ball>> columns(n * n);
+    std::vector<std::vector<ball>> back(n * n);
+    magnitude largest(1U);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        dense_matrix here(n, n);
+        for (std::size_t j = 0; j < n; ++j) {
+            for (std::size_t i = 0; i < n; ++i) {
+                here(i, j) = j < slow.size() ? slow[j][k * n + i] : modes_->fast[j - slow.size()][i];
+            }
+        }
+        const auto inverted = inverse(here);
+        if (!inverted) {
+            return false;
+        }
+        largest = std::max(largest, inverted->largest());
+        for (std::size_t i = 0; i < n * n; ++i) {
+            columns[i].push_back(here.entries[i]);
+            back[i].push_back(midpoint_alone(inverted->entries[i]));
+        }
+    }
+    const double below = -digits_of_frame - log_of(largest) * std::log10(2.);
+    for (std::size_t i = 0; i < n * n; ++i) {
+        if (i % n < slow.size()) {
+            frame.columns.push_back(interpolated(columns[i], below));
+        } else {
+            frame.columns.push_back({columns[i].front()});
+        }
+        frame.inverse.push_back(interpolated(back[i], below));
+    }
+    return true;
+}
+
+std::optional<tube_candidate> collocation_solver::candidate() {
+    tube_candidate result{on_, scales_, {}, {}};
+    {
+        const precision_scope scope(decimal_digits(accuracy_.product_bits));
+        const auto last = static_cast<int>(nodes_.size());
+        for (std::size_t c = 0; c < count(); ++c) {
+            std::vector<ball> chebyshev;
+            for (std::size_t l = 0; l <= nodes_.size(); ++l) {
+                chebyshev.push_back(inner_product(&nodes_.coefficients_of_integral().entries[l * nodes_.size()], 1,
+                                                  &slopes_[c], static_cast<int>(count()), last));
+            }
+            auto curve = nodes_.powers(chebyshev);
+            curve.front() += shifted(start_->centre[c], -scales_[c]);
+            for (ball& each : curve) {
+                each = midpoint_alone(each);
+            }
+            result.curve.push_back(std::move(curve));
+        }
+    }
+    const precision_scope few(decimal_digits(accuracy_.frame_bits));
+    compute_jacobians();
+    ball_columns begin;
+    if (!slow_start(begin)) {
+        return std::nullopt;
+    }
+    const auto slow = slow_columns(begin);
+    if (!slow || !interpolate_frame(*slow, result.frame)) {
+        return std::nullopt;
+    }
+    result.frame.slow = slow->size();
+    result.frame.blocks.assign(slow->size(), 1);
+    result.frame.blocks.insert(result.frame.blocks.end(), modes_->fast_blocks.begin(), modes_->fast_blocks.end());
+    return result;
+}
+
+}  // namespace libration::ode

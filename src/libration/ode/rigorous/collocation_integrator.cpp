@@ -1,0 +1,191 @@
+#include "libration/ode/rigorous/collocation_integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collocation_solver.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// Of the scale of the solution, what explicit steps are at most where they are far too short.
+constexpr long steps_of_smoothness = 32;
+constexpr int guide_steps_of_smoothness = 20;
+constexpr long double tolerance_of_smoothness = 1e-3L;
+constexpr long double decay_of_smoothness = 1e-6L;
+// How a length grows at most, and by how much it falls at least where a step was too long.
+constexpr double largest_growth = 3;
+constexpr double smallest_growth = 0.3;
+constexpr double safety = 0.9;
+constexpr int most_rejections = 60;
+// The accepted tail of an unknown is not asked to be so many decimal digits below its error set.
+constexpr double digits_below_set = 0;
+
+std::vector<long double> rounded_constants(const polynomial_map& map) {
+    const precision_scope scope(40);
+    std::vector<long double> result;
+    for (const number& each : map.constants()) {
+        result.push_back(as_long_double(constant_value<ball>::of(each)));
+    }
+    return result;
+}
+
+std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
+    const precision_scope scope(decimal_digits(bits));
+    std::vector<ball> result;
+    for (const number& each : map.constants()) {
+        result.push_back(constant_value<ball>::of(each));
+    }
+    return result;
+}
+
+}  // namespace
+
+struct collocation_integrator::parts {
+    parts(const lifted_system& of, long bits, int more_terms)
+        : map(of),
+          accuracy(collocation_accuracy::for_bits(bits, more_terms)),
+          constants(enclosed_constants(map, accuracy.product_bits)),
+          guide(map, rounded_constants(map)) {}
+
+    // What is costly, when the first step is made.
+    void make_ready() {
+        if (!nodes) {
+            nodes = std::make_unique<collocation_nodes>(accuracy.degree, accuracy.product_bits);
+            proof = std::make_unique<tube_proof>(map, accuracy.product_bits, accuracy.frame_bits);
+            solver = std::make_unique<collocation_solver>(map, guide, *nodes, accuracy, constants);
+        }
+    }
+
+    std::vector<magnitude> floors() const {
+        const auto lower = static_cast<long>((accuracy.accepted - digits_below_set) * std::log2(10.));
+        std::vector<magnitude> result;
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            result.push_back(set.reach(i).shifted(lower));
+        }
+        return result;
+    }
+
+    void change_length(double factor) {
+        next = exactly(as_double(next) * factor);
+        arb_set_round(next.handle(), next.handle(), bits_of_length);
+        next = midpoint_alone(next);
+    }
+
+    // Whether the step of the present length is proved; else the length is changed.
+    bool attempt() {
+        const step_interval on{time, next};
+        const auto ended = solver->solve(on, set, floors());
+        if (ended != collocation_solver::outcome::solved) {
+            change_length(ended == collocation_solver::outcome::too_long
+                              ? std::clamp(safety * solver->factor(), 0.15, safety)
+                              : 0.5);
+            return false;
+        }
+        const double factor = safety * solver->factor();
+        auto candidate = solver->candidate();
+        auto proved = candidate ? proof->tube(*candidate, set) : std::nullopt;
+        if (!proved) {
+            change_length(0.5);
+            return false;
+        }
+        tube = std::move(*proved);
+        const double memory = factor > 0.8 ? std::clamp(std::sqrt(grown), 1., 1.6) : 1.;
+        grown = std::clamp(factor * memory, smallest_growth, largest_growth);
+        return true;
+    }
+
+    static constexpr slong bits_of_length = 24;
+
+    polynomial_map map;
+    collocation_accuracy accuracy;
+    std::vector<ball> constants;
+    stiff_guide guide;
+    std::unique_ptr<collocation_nodes> nodes;
+    std::unique_ptr<tube_proof> proof;
+    std::unique_ptr<collocation_solver> solver;
+    ball time, next;
+    tube_set set;
+    std::optional<solution_tube> tube;
+    double grown = 1;
+    int without_fast = 0;
+};
+
+collocation_integrator::collocation_integrator(const lifted_system& of, long bits, int more_terms)
+    : parts_(std::make_unique<parts>(of, bits, more_terms)) {}
+collocation_integrator::~collocation_integrator() = default;
+
+bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<ball>& state,
+                                            const ball& length) const {
+    stiff_guide::request asked;
+    for (const ball& each : state) {
+        asked.start.push_back(as_long_double(each));
+        asked.floors.push_back(0);
+        if (asked.start.back() == 0 && arb_is_zero(each.handle()) == 0) {
+            return false;  // below the range of double
+        }
+    }
+    asked.time = as_long_double(time);
+    asked.length = as_long_double(length) * static_cast<long double>(steps_of_smoothness);
+    asked.tolerance = tolerance_of_smoothness;
+    asked.most_steps = guide_steps_of_smoothness;
+    if (!std::isfinite(asked.length) || asked.length == 0) {
+        return false;
+    }
+    const auto found = parts_->guide.states(asked, {1.0L});
+    // An unknown that decays needs steps in which it keeps its size.
+    const auto keeps_size = [&](std::size_t i) {
+        return std::fabs(found->front()[i]) >= decay_of_smoothness * std::fabs(asked.start[i]);
+    };
+    for (std::size_t i = 0; found && i < asked.start.size(); ++i) {
+        if (!std::isfinite(asked.start[i]) || (asked.start[i] != 0 && !keeps_size(i))) {
+            return false;
+        }
+    }
+    return found.has_value();
+}
+
+void collocation_integrator::begin(const ball& time, tube_set start, const ball& length) {
+    parts_->make_ready();
+    parts_->time = time;
+    parts_->set = std::move(start);
+    parts_->next = length;
+    parts_->change_length(1);
+    parts_->tube.reset();
+    parts_->grown = 1;
+    parts_->without_fast = 0;
+}
+
+bool collocation_integrator::prepare() {
+    for (int rejected = 0; !parts_->tube && rejected < most_rejections; ++rejected) {
+        if (parts_->attempt()) {
+            return true;
+        }
+        parts_->grown = 1;
+    }
+    return parts_->tube.has_value();
+}
+
+const ball& collocation_integrator::length() const { return parts_->tube->on.length; }
+
+std::vector<ball> collocation_integrator::values_at(const ball& distance) const {
+    const precision_scope scope(decimal_digits(parts_->accuracy.product_bits));
+    return parts_->tube->values_at(distance);
+}
+
+void collocation_integrator::step() {
+    parts& now = *parts_;
+    arb_add(now.time.handle(), now.time.handle(), now.tube->on.length.handle(), ARF_PREC_EXACT);
+    now.without_fast = now.tube->slow == now.map.size() ? now.without_fast + 1 : 0;
+    now.set = now.tube->end(now.accuracy.product_bits, now.accuracy.frame_bits);
+    now.tube.reset();
+    now.change_length(now.grown);
+}
+
+const ball& collocation_integrator::reached() const { return parts_->time; }
+const tube_set& collocation_integrator::set() const { return parts_->set; }
+int collocation_integrator::steps_without_fast_modes() const { return parts_->without_fast; }
+
+}  // namespace libration::ode

@@ -1,0 +1,291 @@
+#include "collocation_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libration/ode/ball/step_pieces.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr double log10_of_2 = 0.30102999566398120;
+constexpr int most_iterations = 40;
+constexpr int most_factorisations = 6;
+// log10 of what an iteration has to gain before the matrix is made anew, and of a start too far away.
+constexpr double gain_of_iteration = -4;
+constexpr double no_gain = -0.3;
+constexpr double diverged = 6;
+
+double log10_of(const magnitude& x) { return log_of(x) * log10_of_2; }
+
+// log10 of an unknown's decay within a step: beyond it the digits of its end suffer.
+constexpr double largest_decay = 2.4;
+
+}  // namespace
+
+collocation_accuracy collocation_accuracy::for_bits(long bits, int more_terms) {
+    collocation_accuracy result;
+    result.accepted = static_cast<double>(bits) * log10_of_2 - 5;
+    result.aimed = result.accepted + 4;
+    result.degree = std::max(24, static_cast<int>(1.6 * result.aimed)) + more_terms;
+    result.bits = static_cast<long>(result.aimed / log10_of_2) + 64;
+    result.frame_bits = 192 + 2L * result.degree;
+    result.product_bits = result.bits + 2L * result.degree + 64;
+    return result;
+}
+
+collocation_solver::collocation_solver(const polynomial_map& map, const stiff_guide& guide,
+                                       const collocation_nodes& nodes, const collocation_accuracy& accuracy,
+                                       const std::vector<ball>& constants)
+    : map_(map), guide_(guide), nodes_(nodes), accuracy_(accuracy), constants_(constants) {}
+
+collocation_solver::outcome collocation_solver::solve(const step_interval& on, const tube_set& start,
+                                                      const std::vector<magnitude>& floors) {
+    const precision_scope scope(decimal_digits(accuracy_.bits));
+    on_ = on;
+    start_ = &start;
+    modes_.reset();
+    factor_ = 0.5;
+    if (!guess(start, floors) || !factor_matrix()) {
+        return outcome::failed;
+    }
+    const outcome ended = iterate();
+    if (ended != outcome::solved) {
+        return ended;
+    }
+    compute_slopes();
+    return measure_tail() ? outcome::solved : outcome::too_long;
+}
+
+// Values in the nodes to a few digits, and the scales.
+bool collocation_solver::guess(const tube_set& start, const std::vector<magnitude>& floors) {
+    stiff_guide::request asked;
+    for (std::size_t i = 0; i < count(); ++i) {
+        asked.start.push_back(as_long_double(start.centre[i]));
+        asked.floors.push_back(as_long_double(floors[i].exact()));
+    }
+    const long double largest =
+        std::fabs(*std::ranges::max_element(asked.start, {}, [](long double y) { return std::fabs(y); }));
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (asked.start[i] == 0) {
+            asked.floors[i] = std::max(asked.floors[i], 1e-8L * largest);
+        }
+    }
+    asked.time = as_long_double(on_.start);
+    asked.length = as_long_double(on_.length);
+    std::vector<long double> parts;
+    for (const ball& each : nodes_.places()) {
+        parts.push_back((as_long_double(each) + 1) / 2);
+    }
+    const auto states = guide_.states(asked, parts);
+    if (!states) {
+        return false;
+    }
+    scales_.assign(count(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+        magnitude most = std::max(magnitude(start.centre[i]), floors[i]);
+        for (const auto& each : *states) {
+            most = std::max(most, magnitude(exactly(each[i])));
+        }
+        scales_[i] = most.is_zero() ? 0 : most.exponent();
+    }
+    values_.clear();
+    for (const auto& each : *states) {
+        for (std::size_t i = 0; i < count(); ++i) {
+            values_.push_back(shifted(exactly(each[i]), -scales_[i]));
+        }
+    }
+    return std::ranges::all_of(values_, [](const ball& each) { return is_finite(each); });
+}
+
+void collocation_solver::compute_jacobians() {
+    const precision_scope few(decimal_digits(accuracy_.frame_bits));
+    jacobians_.clear();
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        std::vector<ball> state;
+        for (std::size_t i = 0; i < count(); ++i) {
+            state.push_back(shifted(values_[k * count() + i], scales_[i]));
+        }
+        const ball time = on_.start + half() * (nodes_.places()[k] + 1);
+        const auto all = map_.in(number_ring<ball>{constants_, time}, state, true);
+        dense_matrix& j = jacobians_.emplace_back(count(), count());
+        for (std::size_t place = 0; place < all.entries.size(); ++place) {
+            const auto [row, column] = map_.places()[place];
+            j(row, column) = shifted(all.entries[place] * half(), scales_[column] - scales_[row]);
+        }
+        j.keep_midpoints();
+    }
+}
+
+void collocation_solver::compute_slopes() {
+    slopes_.clear();
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        std::vector<ball> state;
+        for (std::size_t i = 0; i < count(); ++i) {
+            state.push_back(shifted(values_[k * count() + i], scales_[i]));
+        }
+        const ball time = on_.start + half() * (nodes_.places()[k] + 1);
+        const auto f = map_.in(number_ring<ball>{constants_, time}, state, false).slopes;
+        for (std::size_t i = 0; i < count(); ++i) {
+            slopes_.push_back(midpoint_alone(shifted(f[i] * half(), -scales_[i])));
+        }
+    }
+}
+
+// The matrix 1 - S (x) B_k of Newton's method, B_k the Jacobian in node k in the basis of modes.
+bool collocation_solver::factor_matrix() {
+    compute_jacobians();
+    const precision_scope few(decimal_digits(accuracy_.frame_bits));
+    if (!modes_) {
+        modes_ = modes_of(jacobians_[nodes_.size() / 2], accuracy_.frame_bits);
+        if (!modes_) {
+            return false;
+        }
+        basis_ = modes_->basis();
+        auto back = inverse(basis_);
+        if (!back) {
+            return false;
+        }
+        to_basis_ = std::move(*back);
+        to_basis_.keep_midpoints();
+    }
+    const std::size_t n = count();
+    const std::size_t width = nodes_.size() * n;
+    std::vector<double> matrix(width * width, 0);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        const dense_matrix turned = product(to_basis_, product(jacobians_[k], basis_));
+        for (std::size_t a = 0; a < n; ++a) {
+            for (std::size_t c = 0; c < n; ++c) {
+                const double entry = as_double(turned(a, c));
+                for (std::size_t i = 0; entry != 0 && i < nodes_.size(); ++i) {
+                    matrix[(i * n + a) * width + k * n + c] =
+                        -nodes_.rounded_integrals()[i * nodes_.size() + k] * entry;
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < width; ++i) {
+        matrix[i * width + i] += 1;
+    }
+    return lu_.factor(matrix, width);
+}
+
+std::vector<ball> collocation_solver::residual() const {
+    std::vector<ball> result;
+    const auto n = static_cast<int>(count());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        for (std::size_t c = 0; c < count(); ++c) {
+            const ball sum = inner_product(&nodes_.integrals().entries[i * nodes_.size()], 1, &slopes_[c], n,
+                                           static_cast<int>(nodes_.size()));
+            const ball begin = shifted(start_->centre[c], -scales_[c]);
+            result.push_back(midpoint_alone(begin + sum - values_[i * count() + c]));
+        }
+    }
+    return result;
+}
+
+// The correction in place of the residual; its size.
+magnitude collocation_solver::correct(std::vector<ball>& residual) const {
+    const auto n = static_cast<int>(count());
+    std::vector<ball> turned;
+    magnitude most;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        for (std::size_t a = 0; a < count(); ++a) {
+            turned.push_back(inner_product(&to_basis_.entries[a * count()], 1, &residual[k * count()], 1, n));
+            most = std::max(most, magnitude::midpoint_of(turned.back()));
+        }
+    }
+    if (most.is_zero() || !most.is_finite()) {
+        return most;
+    }
+    const long exponent = most.exponent();
+    std::vector<double> right;
+    for (const ball& each : turned) {
+        right.push_back(as_double(shifted(each, -exponent)));
+    }
+    const std::vector<double> solved = lu_.solved(right);
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+        turned[i] = std::isfinite(solved[i]) ? shifted(exactly(solved[i]), exponent) : exactly(1e300);
+    }
+    magnitude size;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        for (std::size_t a = 0; a < count(); ++a) {
+            residual[k * count() + a] =
+                midpoint_alone(inner_product(&basis_.entries[a * count()], 1, &turned[k * count()], 1, n));
+            size = std::max(size, magnitude(residual[k * count() + a]));
+        }
+    }
+    return size;
+}
+
+collocation_solver::outcome collocation_solver::iterate() {
+    double last = 0;
+    int factorisations = 1;
+    for (int k = 0; k < most_iterations; ++k) {
+        compute_slopes();
+        std::vector<ball> step = residual();
+        const magnitude size = correct(step);
+        const double now = size.is_finite() ? log10_of(size) : diverged;
+        if (now >= diverged) {
+            return outcome::failed;
+        }
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            values_[i] = midpoint_alone(values_[i] + step[i]);
+        }
+        if (now < -accuracy_.accepted - 6) {
+            return outcome::solved;
+        }
+        if (k > 0 && now - last > gain_of_iteration) {
+            if (factorisations < most_factorisations) {
+                if (!factor_matrix()) {
+                    return outcome::failed;
+                }
+                ++factorisations;
+            } else if (now - last > no_gain) {
+                return outcome::failed;
+            }
+        }
+        last = now;
+    }
+    return outcome::failed;
+}
+
+// Whether the last Chebyshev coefficients are small enough and no unknown decays too far; the next length.
+bool collocation_solver::measure_tail() {
+    const auto last = nodes_.size();
+    double tail = -1e300;
+    std::size_t reached = 5;
+    double decay = 0;
+    for (std::size_t c = 0; c < count(); ++c) {
+        bool found = false;
+        for (std::size_t l = last; l >= 2; --l) {
+            const ball a = inner_product(&nodes_.coefficients_of_integral().entries[l * last], 1, &slopes_[c],
+                                         static_cast<int>(count()), static_cast<int>(last));
+            const double size = log10_of(magnitude::midpoint_of(a));
+            tail = l + 2 >= last ? std::max(tail, size) : tail;
+            found = found || size > -accuracy_.aimed;
+            reached = size > -accuracy_.aimed ? std::max(reached, l) : reached;
+            if (found && l + 2 < last) {
+                break;
+            }
+        }
+        const double begin = log10_of(magnitude(start_->centre[c]).shifted(-scales_[c]));
+        const double middle = log10_of(magnitude::midpoint_of(values_[last / 2 * count() + c]));
+        const double end = log10_of(magnitude::midpoint_of(values_[(last - 1) * count() + c]));
+        if (begin > -1 && middle < begin && end < middle) {
+            decay = std::max(decay, std::min(begin - end, 3 * (begin - middle)));
+        }
+    }
+    const double degree = accuracy_.degree;
+    factor_ = tail > -accuracy_.aimed
+                  ? std::pow(10., (-accuracy_.aimed - tail) / degree)
+                  : std::pow(10., accuracy_.aimed * (1. / static_cast<double>(reached) - 1. / degree));
+    if (decay > 0) {
+        factor_ = std::min(factor_, largest_decay / decay);
+    }
+    return tail <= -accuracy_.accepted && decay <= 2 * largest_decay;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,79 @@
+// An approximate solution over a step by collocation of high degree, and a frame that moves with it. No proof depends
+// on it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collocation_nodes.hpp"
+#include "fast_modes.hpp"
+#include "stiff_guide.hpp"
+#include "tube_proof.hpp"
+
+namespace libration::ode {
+
+/// What a run of collocation computes with.
+struct collocation_accuracy {
+    int degree = 0;
+    double accepted = 0;    ///< decimal digits: the last Chebyshev coefficients of an unknown, relative to its scale
+    double aimed = 0;       ///< what the length of steps aims at, some more
+    long bits = 0;          ///< of values in nodes
+    long frame_bits = 0;    ///< of frames
+    long product_bits = 0;  ///< of polynomials in powers of x
+
+    /// For values to so many bits.
+    static collocation_accuracy for_bits(long bits, int more_terms);
+};
+
+/// A step by Newton's method on the equations u(x_i) = u(-1) + sum_k S_ik f(u(x_k)): LU of the whole matrix in double, in
+/// a basis in which fast and slow modes of the middle of the step are apart, residuals in many digits.
+class collocation_solver {
+public:
+    collocation_solver(const polynomial_map& map, const stiff_guide& guide, const collocation_nodes& nodes,
+                       const collocation_accuracy& accuracy, const std::vector<ball>& constants);
+
+    enum class outcome { solved, too_long, failed };
+    /// From the set, scales of unknowns at least `floors`.
+    outcome solve(const step_interval& on, const tube_set& start, const std::vector<magnitude>& floors);
+    /// By how much the length is to change, for the next step or this one again.
+    double factor() const { return factor_; }
+    /// The curve and a frame, after `solved`; std::nullopt where no frame is found.
+    std::optional<tube_candidate> candidate();
+
+private:
+    using columns_at_nodes = std::vector<std::vector<ball>>;  // node after node the components, by columns
+
+    bool guess(const tube_set& start, const std::vector<magnitude>& floors);
+    bool factor_matrix();
+    void compute_jacobians();
+    void compute_slopes();
+    std::vector<ball> residual() const;
+    magnitude correct(std::vector<ball>& residual) const;
+    outcome iterate();
+    bool measure_tail();
+    bool slow_start(ball_columns& slow);
+    std::optional<columns_at_nodes> slow_columns(const ball_columns& start) const;
+    bool interpolate_frame(const columns_at_nodes& slow, moving_frame& frame) const;
+    ball_polynomial interpolated(const std::vector<ball>& in_nodes, double below) const;
+    std::size_t count() const { return map_.size(); }
+    ball half() const { return shifted(on_.length, -1); }
+
+    const polynomial_map& map_;
+    const stiff_guide& guide_;
+    const collocation_nodes& nodes_;
+    collocation_accuracy accuracy_;
+    const std::vector<ball>& constants_;
+    step_interval on_;
+    const tube_set* start_ = nullptr;
+    std::vector<long> scales_;
+    std::vector<ball> values_;  ///< scaled, node after node
+    std::vector<ball> slopes_;  ///< f times half of the length, scaled
+    std::vector<dense_matrix> jacobians_;
+    std::optional<divided_modes> modes_;
+    dense_matrix basis_, to_basis_;
+    real_lu<double> lu_;
+    double factor_ = 1;
+};
+
+}  // namespace libration::ode

@@ -1,0 +1,160 @@
+// Stiff equations over many time scales, by collocation with tubes of theorem K: closed forms, a conservation law, the
+// integrator of Taylor series, and starts that are balls.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/rigorous/growth.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_stiff_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+constexpr long bits = 200;
+
+// u = 1/(1/u(0) + t), and v tends to u^2 like exp(-1e8 t).
+const std::string closed = "u' = -u^2; v' = -1e8*(v - u^2) - 2*u^3; u(0) = 1; v(0) = ";
+
+explicit_system system_of(const std::string& text) { return explicit_system(parse(text)); }
+
+ball ball_of(const std::string& text) { return constant_value<ball>::of(parse_constant(text).constant()); }
+
+// Whether the ball contains the number, and is narrower than 10^-digits of it.
+bool encloses(const ball& found, const ball& truth, long digits) {
+    const ball most = abs(truth) * pow(ball(10), -digits);
+    return contains_zero(found - truth) && certainly_less(radius_of(found), most);
+}
+
+}  // namespace
+
+TEST_CASE("a stiff solution with a closed form is followed over ten orders of time", "[ode][proved]") {
+    const precision_scope scope(80);
+    for (const char* start : {"1", "2", "1 + 1e-30"}) {
+        CAPTURE(start);
+        const explicit_system system = system_of(closed + start);
+        proved_march march(system, bits);
+        for (const char* time : {"1/3", "1e3", "1e10"}) {
+            const auto state = march.at(parse_constant(time).constant());
+            REQUIRE(state);
+            const ball u = ball(1) / (ball(1) + ball_of(time));
+            CHECK(encloses((*state)[0], u, 30));
+            CHECK(encloses((*state)[1], u * u, 30));
+        }
+        CHECK(march.collocation_steps() > 0);
+        CHECK(march.steps() < 20'000);
+    }
+}
+
+// x = exp(-t), y = x + (y(0) - 1) exp(-1e6 t), backwards in time as well: t = -s.
+TEST_CASE("a linear stiff system has its closed form in both directions of time", "[ode][proved]") {
+    const precision_scope scope(80);
+    for (const int direction : {1, -1}) {
+        const std::string sign = direction > 0 ? "" : "-1*";
+        const explicit_system system =
+            system_of("x' = " + sign + "(-x); y' = " + sign + "(-1e6*(y - x) - x); x(0) = 1; y(0) = 3");
+        proved_march march(system, bits);
+        const auto state = march.at(number(rational(5 * direction)));
+        REQUIRE(state);
+        const ball x = exp(ball(-5));
+        CHECK(encloses((*state)[0], x, 30));
+        CHECK(encloses((*state)[1], x, 30));
+        CHECK(march.collocation_steps() > 0);
+    }
+}
+
+// x + y + z = 1 at all times; the sum of three enclosures that do not refer to it contains 1.
+TEST_CASE("Robertson's equations keep their sum to 1e11 and agree with Taylor series at the beginning",
+          "[ode][proved]") {
+    const precision_scope scope(80);
+    const explicit_system robertson = system_of(std::string(problem_text("robertson")));
+    proved_march march(robertson, bits);
+    for (const char* time : {"1/10", "40", "1e11"}) {
+        const auto state = march.at(parse_constant(time).constant());
+        REQUIRE(state);
+        const ball sum = (*state)[0] + (*state)[1] + (*state)[2];
+        CHECK(encloses(sum, ball(1), 40));
+        if (time == std::string("1/10")) {
+            proof_route taylor;
+            taylor.integrator = integrator_choice::taylor;
+            proved_march other(robertson, bits, {}, proved_march::usual_error_bits, taylor);
+            proof_route collocation;
+            collocation.integrator = integrator_choice::collocation;
+            proved_march third(robertson, bits, {}, proved_march::usual_error_bits, collocation);
+            const auto by_taylor = other.at(parse_constant(time).constant());
+            const auto by_collocation = third.at(parse_constant(time).constant());
+            REQUIRE(by_taylor);
+            REQUIRE(by_collocation);
+            CHECK(other.collocation_steps() == 0);
+            CHECK(third.collocation_steps() > 0);
+            for (std::size_t i = 0; i < 3; ++i) {
+                CHECK(contains_zero((*by_taylor)[i] - (*by_collocation)[i]));
+                CHECK(encloses((*by_collocation)[i], (*by_taylor)[i], 30));
+            }
+        }
+    }
+}
+
+// What a set of starts becomes contains what becomes of its points, also of those at its border.
+TEST_CASE("the tube of starts that are balls contains the solutions from shifted starts", "[ode][proved]") {
+    const precision_scope scope(80);
+    const ball width = pow(ball(10), -20L);
+    const std::vector<ball> start{enclose(ball(1), width), enclose(ball(1), width)};
+    proof_route route;
+    route.integrator = integrator_choice::collocation;
+    for (const char* time : {"1e-3", "1", "1e4"}) {
+        CAPTURE(time);
+        proved_march march(system_of(closed + "1"), start, bits, proved_march::usual_error_bits, {}, route);
+        const auto state = march.at(parse_constant(time).constant());
+        REQUIRE(state);
+        for (const int side : {-1, 1}) {
+            const ball shifted = ball(1) + width * ball(15 * side) / ball(16);
+            const ball u = shifted / (ball(1) + shifted * ball_of(time));
+            CHECK(arb_contains((*state)[0].handle(), u.handle()) != 0);
+            CHECK(certainly_less(radius_of((*state)[0]), width * ball(4)));
+        }
+    }
+}
+
+// r' = r grows like exp(t): from 1 to 2.2 in one unit of time is enough at its beginning and not at its end.
+TEST_CASE("affine radii have to grow fast enough at both ends", "[ode][proved]") {
+    const precision_scope scope(30);
+    comparison_system system;
+    system.diagonal = {ball(1)};
+    system.beside = {magnitude()};
+    system.defect = {magnitude()};
+    const auto radii = [](unsigned long first_tenths, unsigned long last_tenths) {
+        return affine_radii{{magnitude(first_tenths) / 10U}, {magnitude(last_tenths) / 10U}};
+    };
+    CHECK_FALSE(satisfies(system, radii(10, 22), 1));
+    CHECK_FALSE(satisfies(system, radii(10, 15), 1));
+    system.diagonal = {ball(1) / 2L};
+    CHECK(satisfies(system, radii(10, 22), 1));
+    system.diagonal = {ball(-1)};
+    CHECK_FALSE(
+        satisfies(system, radii(22, 10), 1));  // it decays to 0.81, but at its end only like 1 in a unit of time
+    CHECK(satisfies(system, radii(22, 22), 1));
+    const auto found = affine_growth(system, {magnitude(1U)}, 1);
+    REQUIRE(found);
+    CHECK(satisfies(system, *found, 1));
+}
+
+TEST_CASE("collocation is left alone where it is of no use", "[ode][proved]") {
+    for (const char* text : {"y' = -y; y(0) = 1", "y' = y; y(0) = 1", "x' = y; y' = -x; x(0) = 1; y(0) = 0",
+                             "x' = 10*(y-x); y' = x*(28-z)-y; z' = x*y-8/3*z; x(0)=1; y(0)=1; z(0)=1"}) {
+        CAPTURE(text);
+        proved_march march(system_of(text), bits);
+        REQUIRE(march.at(number(rational(20))));
+        CHECK(march.collocation_steps() == 0);
+    }
+}
+
+}  // namespace ode_proved_stiff_test
