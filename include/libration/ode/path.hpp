@@ -39,7 +39,7 @@ public:
     complex_path& operator=(const complex_path&) = delete;
 
     /// The unknowns and their lower derivatives at the end of the straight line from the last corner. Throws error if
-    /// the steps become too small before it: there must be no singularity on the path.
+    /// the steps become too small before it: the path must not meet a singularity.
     solution_state<complex> state_at(const complex& target) {
         const taylor_expansion<complex>* current = at_start_ ? &first_ : &corner_;
         complex centre = centre_;

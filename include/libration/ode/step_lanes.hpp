@@ -80,7 +80,7 @@ private:
     std::vector<lane_group> groups_;
     std::vector<transfer> states_;
     std::vector<transfer> transfers_;
-    std::vector<transfer> starts_;  // of each place
+    std::vector<transfer> starts_;  // of each position
     lane_rows rows_;
 };
 

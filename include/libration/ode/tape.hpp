@@ -19,7 +19,7 @@ enum class operation {
     scaled,       ///< a constant times a, or a numerator / denominator
     raised,       ///< a plus a constant
     by_variable,  ///< t a
-    delayed,      ///< a times a power of the series' variable, `shift`
+    delayed,      ///< a multiplied by the power `shift` of the series' variable
     product,      ///< a b
     square,       ///< a^2
     quotient,     ///< a / b

@@ -31,7 +31,7 @@ std::map<std::string, int> orders_of(const std::vector<equation>& equations) {
     return orders;
 }
 
-// Calls what throws with the number alone, and says whose number it is.
+// Calls an operation whose errors refer only to a number, and adds the name of the quantity to them.
 template <class Operation>
 auto named(const std::string& name, const place& at, const Operation& operation) {
     try {

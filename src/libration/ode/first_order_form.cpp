@@ -10,7 +10,7 @@ namespace {
 
 using state_places = std::map<std::string, std::pair<std::size_t, int>>;
 
-// Of each unknown: its first leaf, and its order.
+// For each unknown: its first leaf and its order.
 state_places states_of(const std::vector<unknown_function>& unknowns) {
     state_places states;
     std::size_t first = 0;

@@ -21,7 +21,7 @@ struct linear_form {
 
     bool is_free() const { return coefficients.empty(); }
 
-    /// Each coefficient and the rest by an operation.
+    /// Applies an operation to each coefficient and to the rest.
     template <class Operation>
     linear_form mapped(const Operation& operation) const {
         linear_form result{{}, operation(rest)};
@@ -125,7 +125,7 @@ private:
     node_values<linear_form> done_;
 };
 
-// Elimination: each step takes the simplest coefficient that may be divided by.
+// Elimination: the pivot of each step is the simplest coefficient by which division is possible.
 class elimination {
 public:
     elimination(std::vector<linear_form> rows, const std::vector<equation>& equations,
@@ -169,7 +169,7 @@ private:
         std::size_t row, column;
     };
 
-    // The first of the simplest: a constant without another coefficient in its row is as simple as it gets.
+    // The first of the simplest ones: a constant without another coefficient in its row is the simplest possible.
     choice pivot() const {
         std::optional<choice> best;
         int least = 0;

@@ -25,7 +25,7 @@ struct factored_form {
     expression rest;
 };
 
-// Takes the powers of s out of an expression.
+// Factors the powers of s out of an expression.
 class factoring {
 public:
     explicit factoring(start_values& values) : values_(values) {}
@@ -34,9 +34,9 @@ public:
         return done_.of(e, [this](const expression& each) { return made(each); });
     }
 
-    /// The least root in whose powers all powers of s are whole.
+    /// The least root for which all powers of s are integer powers of s^(1/root).
     int root() const { return root_; }
-    /// Whether s was met at all: what cannot be evaluated may be a quotient of its powers.
+    /// Whether s occurred at all: an expression that cannot be evaluated may be a quotient of its powers.
     bool has_met_powers() const { return met_; }
 
     void note(const rational& exponent) {
@@ -120,7 +120,7 @@ private:
     bool met_ = false;
 };
 
-// How far behind coefficient n the newest coefficient is that can be known before y_n is.
+// The lag behind n of the newest coefficient that can be computed before y_n.
 long lag_of(const expression& whole, int root) {
     node_values<long> done;
     return done.of(whole, [&](const expression& e) {
@@ -149,7 +149,7 @@ long lag_of(const expression& whole, int root) {
     });
 }
 
-// Finds the weights of one right side, f in terms of s.
+// Finds the weights of one right-hand side, f in terms of s.
 std::vector<std::vector<number>> weights_of(const expression& f, int order,
                                             const std::vector<unknown_function>& unknowns, factoring& factors,
                                             start_values& values) {

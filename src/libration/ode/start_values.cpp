@@ -20,7 +20,7 @@ bool is_whole(const number& x) {
 
 }  // namespace
 
-// The values are in the domains, or folding would have thrown; what is left are the branch points.
+// The values are in the domains, or folding would have thrown; only branch points remain to be checked.
 void start_values::require_analytic(const expression& e, const number& argument) {
     if (e.kind() == node_kind::power) {
         const number& exponent = e.right().constant();
@@ -52,7 +52,7 @@ number start_values::of_leaf(const expression& leaf) const {
 
 number start_values::of_operation(const expression& e) const {
     if (e.kind() == node_kind::power && e.left().kind() == node_kind::parameter && e.right().constant().sign() > 0) {
-        return {};  // s^r, which stands for a power of the series' variable
+        return {};  // s^r, which represents a power of the series' variable
     }
     const number& left = done_.at(e.left());
     require_analytic(e, left);

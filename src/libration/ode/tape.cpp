@@ -14,7 +14,7 @@ namespace {
 constexpr int largest_stride = 12;
 constexpr int last_resonance = 4096;
 
-// (n/root)(n/root - 1) .. (n/root - q + 1) - sum weights of one unknown: 0 where its coefficient n is free.
+// (n/root)(n/root - 1) .. (n/root - q + 1) - sum weights of one unknown: 0 if its coefficient n is free.
 rational indicial_factor(const std::vector<number>& weights, int order, int root, int n, const std::string& name) {
     rational falling = 1;
     rational factor = 0;

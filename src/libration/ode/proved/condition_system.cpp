@@ -11,9 +11,9 @@ namespace libration::ode {
 
 namespace {
 
-constexpr const char* name_of_condition = "the condition";  // no name that can be typed
+constexpr const char* name_of_condition = "the condition";  // not a name that can be typed
 
-// With the leaves replaced by what `values` has for them, and the variable by `time`.
+// The expression with the leaves replaced by `values`, and the variable by `time`.
 expression with_leaves(const expression& e, const first_order_form& form, const std::vector<expression>& values,
                        const expression& time) {
     return replaced(e, [&](const expression& leaf) -> std::optional<expression> {

@@ -1,4 +1,4 @@
-// A way through the complex plane of time, disc by disc.
+// A path in the complex t-plane, disc by disc.
 #pragma once
 
 #include <memory>
@@ -10,21 +10,21 @@
 
 namespace libration::ode {
 
-// Of a radius: paths go so far in one step.
+// The length of a step of a path relative to the radius, times 2^15.
 inline constexpr unsigned long path_part = 19'660;  // 0.6 of 2^15
-// Besides one a bit; where the discs have nine tenths of the radius it takes one in two bits.
+// The maximum number of discs in addition to one per bit; discs of nine tenths of the radius need one per two bits.
 inline constexpr long most_path_discs = 60;
 
 inline bool certainly_not_zero(const complex_ball& z) { return !contains_zero(z.re) || !contains_zero(z.im); }
 
-// A march by discs, each a step inside the one before.
+// Continuation by discs, each centred inside the previous one.
 class disc_path {
 public:
     explicit disc_path(const complex_flow& flow) : flow_(flow), now_(std::make_unique<complex_disc>(flow)) {}
     disc_path(const complex_flow& flow, complex_set from)
         : flow_(flow), now_(std::make_unique<complex_disc>(flow, std::move(from))) {}
 
-    // In steps of 0.6 of a radius; each(disc, offset) sees every one.
+    // In steps of 0.6 of a radius; each(disc, offset) is called for every step.
     template <class Each>
     void go_to(const complex_ball& target, const Each& each) {
         for (;;) {

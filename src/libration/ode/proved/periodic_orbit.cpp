@@ -15,7 +15,7 @@ namespace {
 constexpr long first_bits = 128;
 constexpr int most_returns = 12;
 
-// F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its start.
+// F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its initial value.
 class closing {
 public:
     closing(const explicit_system& system, const first_order_form& form, std::size_t held, const proof_route& route)
@@ -81,7 +81,7 @@ std::size_t fastest(const first_order_form& form) {
     return best;
 }
 
-// The time of the return that comes nearest to the start.
+// The time of the return closest to the initial point.
 number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held) {
     const auto start = start_of(form);
     const auto rising = form.slopes_at(start, ball(0))[held];

@@ -22,13 +22,13 @@ constexpr long first_root_bits = 160;
 constexpr int most_root_steps = 60;
 constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
-// So many of them may fail for another reason than too few digits, each with half as many bits more: the derivative has
-// the same few bits in all of them.
+// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more: the
+// derivative has the same low precision in all of them.
 constexpr int most_failed_proofs = 5;
 
 [[noreturn]] void refuse_root(const std::string& reason) { throw error(error_kind::undecided, "solution", "", reason); }
 
-// Near the inverse of the midpoint: exact numbers, no enclosure. Nothing where it is singular.
+// An approximate inverse of the midpoint: exact numbers, not an enclosure; std::nullopt if it is singular.
 std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
     const auto size = static_cast<slong>(a.size());
     arb_mat_t from;
@@ -119,7 +119,7 @@ private:
         refuse_root("does not settle by Newton's method: give a nearer first guess");
     }
 
-    // One step; its length relative to x.
+    // Performs one step; returns its length relative to x.
     magnitude improve(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const long error_bits = std::max(proved_march::usual_error_bits, bits / 2 + 48);
@@ -141,7 +141,7 @@ private:
         return longest;
     }
 
-    // The test of Krawczyk, and the digits of what it proves.
+    // Krawczyk's test, and the digits of the proved solution.
     std::optional<std::vector<proved_decimal>> proved(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);

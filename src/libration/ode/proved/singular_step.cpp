@@ -15,7 +15,7 @@ namespace libration::ode {
 
 namespace {
 
-// The step is at most 2^-bits_a_power of the proved radius.
+// The step is at most 2^-bits_a_power times the proved radius.
 constexpr long bits_a_power = 3;
 constexpr int more_powers = 24;
 
@@ -92,8 +92,8 @@ singular_series::singular_series(const explicit_system& system, long bits, int d
     tail_ = tail_of(of_, expansion_, degree + route.more_terms);
 }
 
-// |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 where its
-// quotients (n+1)/(n+1-l) |s|/rho are at most 1 from there on.
+// |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 if its quotients
+// (n+1)/(n+1-l) |s|/rho are at most 1 from there on.
 magnitude singular_series::bound(std::size_t unknown, const magnitude& distance, unsigned long derivative) const {
     const auto first = static_cast<unsigned long>(tail_.degree) + 1;
     const ball longest = tail_.radius.exact() * magnitude(first + 1 - derivative).exact();
@@ -148,7 +148,7 @@ namespace {
 
 std::string variation_of(const std::string& name) { return "variation of " + name; }
 
-// The system with the derivative of its solution by start number l of unknown k beside it.
+// The system together with the derivative of its solution with respect to initial value l of unknown k.
 equation_system with_variation(const explicit_system& system, std::size_t k, std::size_t l) {
     equation_system made;
     made.variable = system.variable();
@@ -175,7 +175,7 @@ equation_system with_variation(const explicit_system& system, std::size_t k, std
     return made;
 }
 
-// The derivatives by that start at a distance; nothing where the equation fixes it.
+// The derivatives with respect to that initial value at a distance; std::nullopt if the equation fixes it.
 std::optional<std::vector<ball>> varied_state(const explicit_system& given, std::size_t k, std::size_t l,
                                               const ball& distance, long bits, const proof_route& route) {
     const explicit_system system(with_variation(given, k, l));

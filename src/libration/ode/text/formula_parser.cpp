@@ -46,7 +46,7 @@ private:
         refuse(text_of(words_, 0, words_.size()), end.at, "ends where a number or a name is missing: write one");
     }
 
-    // What cannot follow an operand.
+    // Reports a token that cannot follow an operand.
     [[noreturn]] void refuse_next() const {
         const token& word = words_[next_];
         if (at_operand() && next_ > 0) {
@@ -72,7 +72,7 @@ private:
         }
     }
 
-    // An operation of constants may have no value.
+    // Operations on constants may have no value.
     template <class Operation>
     expression folded(const place& at, const Operation& operation) const {
         try {
@@ -142,7 +142,7 @@ private:
         return raised;
     }
 
-    // pi or deg directly behind a number, in values.
+    // pi or deg directly after a number, in values.
     std::optional<expression> unit_behind() {
         if (role_ == formula_role::equation || next_ >= last_ || words_[next_].kind != token_kind::name ||
             !words_[next_].touches) {

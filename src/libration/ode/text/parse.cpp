@@ -19,7 +19,7 @@ bool is_symbol(const token& word, char c) { return word.kind == token_kind::symb
 
 std::string whole(const statement& words) { return text_of(words, 0, words.size()); }
 
-// The place of =, of which a statement has one.
+// The index of the only = of a statement.
 std::size_t equals_of(const statement& words) {
     const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
     const auto found = std::ranges::find_if(words, is_equals);
@@ -103,7 +103,7 @@ public:
 
     const std::vector<statement>& statements() const { return all_; }
 
-    // left - right.
+    // left - right of an equation.
     expression difference(const statement& words) const {
         const std::size_t equals = equals_of(words);
         return formula(words, 0, equals) - formula(words, equals + 1, words.size());
@@ -123,7 +123,7 @@ public:
 
     equation_system& result() { return result_; }
 
-    // The parameters that stand in their definition alone.
+    // The parameters that occur only in their definition.
     std::vector<std::string> unused() const {
         std::map<std::string_view, int> times;
         for (const statement& words : all_) {
@@ -231,7 +231,7 @@ private:
     std::set<std::string> defined_;
 };
 
-// A parameter that a problem does not have.
+// Reports a parameter that is not in the problem.
 [[noreturn]] void refuse_parameter(const definition& of, const equation_system& system) {
     std::vector<std::string> own;
     std::ranges::transform(system.parameters, std::back_inserter(own), &definition::name);

@@ -14,7 +14,7 @@ namespace {
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool goes_on_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// The text from left to right.
+// Reads the text from left to right.
 class reader {
 public:
     explicit reader(std::string_view text) : rest_(text) {}
@@ -112,7 +112,7 @@ private:
         return rest_.size() - tail.size();
     }
 
-    // Where a comma parts the arguments of a function.
+    // Whether a comma separates the arguments of a function here.
     bool in_parentheses() const {
         const auto count = [this](char c) { return std::ranges::count(words_, c, &token::symbol); };
         return count('(') > count(')');
