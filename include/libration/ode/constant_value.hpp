@@ -35,7 +35,8 @@ struct constant_value<rational> {
         const auto q = x.fraction();
         if (!q) {
             throw error(error_kind::argument, "problem", "",
-                        "has a number that is no fraction, or a start where a function is none: choose another scalar");
+                        "has a number that is not a fraction, or a function whose value at the initial point is not "
+                        "one: choose another scalar");
         }
         return *q;
     }

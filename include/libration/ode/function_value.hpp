@@ -51,7 +51,7 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
         } else {
             throw error(error_kind::argument, "problem", "",
                         "needs " + std::string(each::name) +
-                            " of a coefficient, which this scalar does not have: choose another");
+                            " of a coefficient, which is not available in this scalar: choose another");
         }
     });
 }

@@ -26,8 +26,8 @@ equation_system system_of(const F& right, const std::vector<std::string>& unknow
     const auto slopes = right(variable(), std::as_const(y));
     if (slopes.size() != y.size() || starts.size() != y.size()) {
         throw error(error_kind::argument, "system", "",
-                    "has " + std::to_string(y.size()) + " unknowns, " + std::to_string(starts.size()) + " starts and " +
-                        std::to_string(slopes.size()) + " right sides");
+                    "has " + std::to_string(y.size()) + " unknowns, " + std::to_string(starts.size()) +
+                        " initial values and " + std::to_string(slopes.size()) + " right-hand sides");
     }
     equation_system system;
     for (std::size_t i = 0; i < y.size(); ++i) {

@@ -184,7 +184,7 @@ expression parameter(const std::string& name) {
 expression derivative(const expression& of, int order) {
     if (of.kind() != node_kind::unknown || order < 0) {
         throw error(error_kind::argument, "expression", "",
-                    "has no derivative here: derivatives are written of unknowns, at least of order 0");
+                    "has no derivative here: write derivatives of unknowns, of order at least 0");
     }
     return unknown(of.name(), of.derivative() + order);
 }

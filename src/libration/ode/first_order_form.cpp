@@ -30,7 +30,7 @@ expression in_states(const expression& e, const state_places& states, const std:
         const auto& [first, order] = found->second;
         if (leaf.derivative() >= order) {
             refuse(primed(leaf.name(), leaf.derivative()), {},
-                   "is no part of the state in a condition: write what the equation has for it");
+                   "is not part of the state in a condition: replace it by its right-hand side");
         }
         return leaves[first + static_cast<std::size_t>(leaf.derivative())];
     });

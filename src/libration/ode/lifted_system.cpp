@@ -276,8 +276,8 @@ void require_polynomial_form(const explicit_system& of) {
             const auto x = values.refusal_of(e.left()) ? std::nullopt : values.value_of(e.left()).fraction();
             if (x && *x == points.points[static_cast<std::size_t>(i)]) {
                 refuse("", {},
-                       std::string("starts where it ") + points.reason +
-                           ", so that its values are not proved: choose another start");
+                       std::string("has an initial point where it ") + points.reason +
+                           ", so that its values are not proved: choose another initial point");
             }
         }
         return true;
@@ -311,7 +311,7 @@ bool has_entire_solutions(const explicit_system& of) {
 
 lifted_system lifted(const explicit_system& of) {
     if (of.singular()) {
-        refuse("", {}, "starts where its equation is singular, which is not proved: choose another start");
+        refuse("", {}, "has a singular initial point, which is not supported by proofs: choose another initial point");
     }
     require_polynomial_form(of);
     return lifting(of).result();

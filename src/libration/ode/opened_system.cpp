@@ -20,7 +20,7 @@ std::string parameter_for_start(equation_system& made, const std::string& name, 
             return parameter_name;
         }
     }
-    refuse(name, {}, "is no start of the problem: choose one of its own");
+    refuse(name, {}, "is not an initial value of the problem: choose one that is");
 }
 
 class opening {
@@ -37,7 +37,7 @@ public:
         for (const std::string& each : names_) {
             const definition* const found = made_.parameter_of(each);
             if (found == nullptr) {
-                refuse(each, {}, "is no parameter and no start of the problem: choose one of its own");
+                refuse(each, {}, "is neither a parameter nor an initial value of the problem: choose one that is");
             }
             values_.push_back(with_values(found->value, made_).constant());
         }

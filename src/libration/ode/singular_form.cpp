@@ -42,9 +42,9 @@ public:
     void note(const rational& exponent) {
         const integer whole = lcm(integer(root_), denominator(exponent));
         if (whole > largest_root) {
-            throw error(
-                error_kind::argument, "problem", "",
-                "has powers of the distance from the start with denominators beyond " + std::to_string(largest_root));
+            throw error(error_kind::argument, "problem", "",
+                        "has powers of the distance from the initial point with denominators above " +
+                            std::to_string(largest_root));
         }
         root_ = whole.convert_to<int>();
     }
@@ -108,8 +108,9 @@ private:
             return {inner.exponent / 2, sqrt(inner.rest)};
         }
         if (inner.exponent < 0) {
-            throw error(error_kind::argument, "problem", "",
-                        "has a function of what may be infinite at the start: choose another start");
+            throw error(
+                error_kind::argument, "problem", "",
+                "has a function whose argument may be infinite at the initial point: choose another initial point");
         }
         return {0, with_argument(e, joined(inner))};
     }
@@ -191,13 +192,13 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
         const expression scaled = power == 0 ? forms[i].rest : distance_power(power) * forms[i].rest;
         if (power < 0 || lag_of(scaled, result.root) > 0) {
             refuse(highest, {},
-                   "is irregular singular at the start, where a factor of the highest derivative vanishes too fast for "
-                   "a power series: choose another start");
+                   "is irregular singular at the initial point, where a factor of the highest derivative vanishes too "
+                   "fast for a power series: choose another initial point");
         }
         if (const auto reason = values.refusal_of(scaled)) {
-            refuse(
-                highest, {},
-                "cannot be expanded at the start, because its right-hand side " + *reason + ": choose another start");
+            refuse(highest, {},
+                   "cannot be expanded about the initial point, because its right-hand side " + *reason +
+                       ": choose another initial point");
         }
         result.right.push_back({scaled, weights_of(in_distance[i], unknowns[i].order, unknowns, factors, values)});
     }

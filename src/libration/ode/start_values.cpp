@@ -25,7 +25,7 @@ void start_values::require_analytic(const expression& e, const number& argument)
     if (e.kind() == node_kind::power) {
         const number& exponent = e.right().constant();
         if (!is_whole(exponent) && is_zero(argument)) {
-            refuse_value("takes a power of 0 that is not whole");
+            refuse_value("takes a non-integer power of 0");
         }
         return;
     }
@@ -67,7 +67,7 @@ number start_values::of_operation(const expression& e) const {
         case node_kind::unknown:
         case node_kind::parameter: break;
     }
-    throw std::logic_error("a leaf is no operation");
+    throw std::logic_error("a leaf is not an operation");
 }
 
 number start_values::computed(const expression& e) const {

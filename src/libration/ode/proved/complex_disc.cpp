@@ -283,7 +283,7 @@ complex_ball complex_disc::integral(std::size_t unknown, const complex_ball& off
                                     const ball& scale, int power) const {
     if (singular_) {
         throw error(error_kind::argument, "offset", "",
-                    "is on a way from a singular start, along which nothing is integrated");
+                    "is on a path from a singular initial point, along which integrals are not available");
     }
     const precision_scope few(decimal_digits(complex_flow::usual_error_bits));
     const complex_ball distance = exact_difference(offset, set_.offset);

@@ -140,7 +140,7 @@ std::optional<std::vector<moved_value>> dependence::moved(const proved_march& ma
     const ball t = constant_value<ball>::of(time);
     if (open_->open.system.singular() && contains_zero(t - constant_value<ball>::of(open_->open.system.point()))) {
         throw error(error_kind::undecided, "time", "",
-                    "is that of a singular start, where no condition numbers are proved: choose times behind it");
+                    "is a singular initial point, where condition numbers are not proved: choose times after it");
     }
     const given_numbers given(open_->open);
     const ball_matrix flow = march.derivative_at(t);

@@ -48,7 +48,7 @@ std::vector<std::size_t> places_in(const explicit_system& whole, const explicit_
 
 condition_system with_condition(const explicit_system& system, const expression& g) {
     if (system.singular()) {
-        throw std::logic_error("a condition as an unknown needs a start that is not singular");
+        throw std::logic_error("a condition as an unknown needs a nonsingular initial point");
     }
     const first_order_form form(system);
     const expression value = form.in_leaves(g);

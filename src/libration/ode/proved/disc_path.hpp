@@ -41,13 +41,12 @@ public:
                 next = exact_midpoint(now_->about().offset + rest * part);
             }
             if (++discs_ > most_path_discs + flow_.bits()) {
-                throw error(
-                    error_kind::undecided, "problem", "",
-                    "is not followed to a singularity: the proved discs become too small before it; where a sum "
-                    "such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
+                throw error(error_kind::undecided, "problem", "",
+                            "cannot be followed to a singularity: the proved discs become too small before it; if a "
+                            "sum such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
             }
             if (!certainly_within(exact_difference(next, now_->about().offset), now_->radius())) {
-                throw precision_exhausted("a step below the rounding of its place");
+                throw precision_exhausted("a step below the rounding of its position");
             }
             each(*now_, next);
             const ball modulus = upper_bound(sqrt(ball(next.re * next.re + next.im * next.im)));

@@ -39,7 +39,7 @@ event_search::event_search(const explicit_system& system, const expression& g, l
 void event_search::require_no_event_before_first_step(const ball& start) {
     if (direction_ < 0) {
         throw error(error_kind::argument, "problem", "",
-                    "starts where its equation is singular, behind which alone events are searched");
+                    "has a singular initial point, and events are searched only after it");
     }
     expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
     for (const ball& each : march_.before()) {
@@ -48,7 +48,7 @@ void event_search::require_no_event_before_first_step(const ball& start) {
     sign_ = known_sign(values.of(g_));
     if (sign_ == 0) {
         throw error(error_kind::undecided, "event", "",
-                    "is not excluded within the first step from the start, where the equation is singular");
+                    "is not excluded within the first step from the initial point, where the equation is singular");
     }
 }
 

@@ -106,7 +106,7 @@ ball_matrix inverse(const std::vector<column>& q) {
         norm = std::max(norm, row);
     }
     if (!(norm <= magnitude(1U) / 4U)) {
-        throw precision_exhausted("a frame of errors");
+        throw precision_exhausted("an error set");
     }
     const ball error = widened(ball(0), norm * magnitude(4U) / 3U);
     ball_matrix result(size);
@@ -173,7 +173,7 @@ error_frame error_frame::image(const ball_matrix& map, const std::vector<magnitu
         for (std::size_t j = 0; j < size(); ++j) {
             result.columns_[j][i] = dot(map[i], columns_[j]);
             if (!is_finite(result.columns_[j][i])) {
-                throw precision_exhausted("a map of errors");
+                throw precision_exhausted("an error map");
             }
             result.added_[i] += magnitude(map[i][j]) * added_[j];
         }

@@ -76,7 +76,8 @@ std::size_t fastest(const first_order_form& form) {
         }
     }
     if (most.is_zero()) {
-        throw error(error_kind::argument, "problem", "", "starts at rest, where no orbit goes: choose another start");
+        throw error(error_kind::argument, "problem", "",
+                    "is at rest at the initial point, where there is no periodic orbit: choose another initial point");
     }
     return best;
 }
@@ -120,7 +121,7 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
             throw error(error_kind::argument, "problem", system.variable(),
-                        "stands in the equation: periodic orbits are those of autonomous ones");
+                        "occurs in the equation: periodic orbits require an autonomous system");
         }
     }
     std::vector<number> guess = form.starts;

@@ -109,7 +109,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
                        route);
     const auto values = march.at(time);
     if (!values && march.end() == march_end::precision) {
-        throw precision_exhausted("the way to the point");
+        throw precision_exhausted("the path to the point");
     }
     if (!values) {
         throw error(error_kind::undecided, "point", "",
@@ -263,7 +263,7 @@ coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& 
 coefficient_list<rational> exact_coefficients(const coefficient_request& request) {
     if (!request.about_start()) {
         throw error(error_kind::argument, "point", "",
-                    "is no point for fractions, which a solution has at its start alone");
+                    "is not a point for fractions, which a solution has only at its initial point");
     }
     const tape made = tape::about_start(request.system);
     require_room<rational>(made, request.order);

@@ -177,12 +177,12 @@ private:
         const std::string reached = reached_text(search.march().reached());
         switch (search.end()) {
             case search_end::time:
-                refused("is not before that time: " + std::to_string(events_.size()) + " were found");
+                refused("is not found before that time: " + std::to_string(events_.size()) + " were found");
                 break;
             case search_end::horizon:
                 refused("is not found within " + std::to_string(search.march().steps()) + " steps, from time " +
                         bound_text(exact_midpoint(constant_value<ball>::of(system_.point())), MPFR_RNDN) + " up to " +
-                        reached + ": search up to a time that you give, or with a larger horizon");
+                        reached + ": give an end of the search, or a larger horizon");
                 break;
             case search_end::steps:
                 refused("is not reached: the solution is proved to exist up to " + reached +

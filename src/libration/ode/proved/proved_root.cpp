@@ -95,14 +95,14 @@ public:
                 bits_.raise_to(bits + bits / 2, "solution", "");
             }
         }
-        refuse_root("is not proved at any precision: it may not be alone there");
+        refuse_root("is not proved at any precision: it may not be isolated");
     }
 
 private:
     enclosed_map at(const std::vector<ball>& x, long bits, long error_bits) {
         auto map = f_(x, bits, error_bits);
         if (!map) {
-            refuse_root("is not reached with " + std::to_string(bits) + " bits: give a nearer first guess");
+            refuse_root("is not reached with " + std::to_string(bits) + " bits: try a better initial guess");
         }
         return *std::move(map);
     }
@@ -116,7 +116,7 @@ private:
                 return;
             }
         }
-        refuse_root("does not settle by Newton's method: give a nearer first guess");
+        refuse_root("is not found, since Newton's method did not converge: try a better initial guess");
     }
 
     // Performs one step; returns its length relative to x.
@@ -132,7 +132,7 @@ private:
         magnitude longest;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             if (!is_finite(step[i])) {
-                refuse_root("is lost by Newton's method: give a nearer first guess");
+                refuse_root("is lost by Newton's method: try a better initial guess");
             }
             x_[i] = exact_midpoint(x_[i] - step[i]);
             longest =

@@ -138,7 +138,7 @@ std::string shown_place(const found_singularity& found) {
 
 [[noreturn]] void refuse_loop(const explicit_system& system, const found_singularity& found) {
     refuse_proof("is not proved to have a singularity of " + first_order_form(system).names[found.unknown] + " near " +
-                 shown_place(found) + ": no change or integral of it round that point is told from 0");
+                 shown_place(found) + ": no change or integral of it around that point is distinguished from 0");
 }
 
 }  // namespace
@@ -262,7 +262,8 @@ long find_upper_bound(const explicit_system& system, long digits, const proof_ro
         const singularity_map map = singularities_of(system, request);
         if (map.all.empty()) {
             refuse_proof("has no upper bound of its radius: no singularity was found within " +
-                         shown_number(mpfr(map.within)) + " of its start, which does not prove that there is none");
+                         shown_number(mpfr(map.within)) +
+                         " of its initial point, which does not prove that there is none");
         }
         const precision_scope scope(static_cast<int>(request.digits) + 20);
         result.nearest = map.all.front();

@@ -102,7 +102,7 @@ private:
             first += static_cast<std::size_t>(each.order);
         }
         refuse(primed(condition.unknown, condition.derivative), {},
-               "is no part of the state in a condition: choose an unknown or a lower derivative");
+               "is not part of the state in a condition: choose an unknown or a lower derivative");
     }
 
     opened_system open_;

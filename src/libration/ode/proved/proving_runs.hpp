@@ -59,7 +59,7 @@ inline std::optional<std::vector<ball>> state_at(proved_march& march, const expl
         }
         if (arb_is_negative(constant_value<ball>::of(gone).handle()) != 0) {
             throw error(error_kind::argument, "time", text_of_time(time),
-                        "is before the start, where the equation is singular: choose times behind it");
+                        "is before the initial point, where the equation is singular: choose times after it");
         }
     }
     return march.at(time);

@@ -30,7 +30,8 @@ complex_ball unit_at(const ball& turn) {
     return result;
 }
 
-constexpr const char* too_small_discs = "the discs become too small: a singularity is near, or the bits do not suffice";
+constexpr const char* too_small_discs =
+    "the discs become too small: a singularity is near, or the precision is insufficient";
 
 // A polar cell r1 <= |z| <= r2, arguments 2 pi t1 .. 2 pi t2; all exact.
 struct polar_cell {
@@ -58,7 +59,7 @@ public:
             found.covered = found.complete ? rho_ : nearest_missing_;
             found.reason = reason_;
         } catch (const precision_exhausted&) {
-            found.reason = "the start has no proved radius with so many bits";
+            found.reason = "the initial point has no proved radius with so many bits";
             found.covered = ball(0);
         }
         found.discs = std::move(made_);
@@ -179,7 +180,7 @@ private:
                 way = std::move(made);
             }
         } catch (const precision_exhausted&) {
-            reason_ = "the bits do not suffice near a singularity";
+            reason_ = "the precision is insufficient near a singularity";
             return false;
         }
         reason_ = too_small_discs;

@@ -20,16 +20,16 @@ constexpr long bits_a_power = 3;
 constexpr int more_powers = 24;
 
 [[noreturn]] void refuse_start(const std::string& why) {
-    throw error(error_kind::argument, "problem", "", "starts where its equation is singular, " + why);
+    throw error(error_kind::argument, "problem", "", "has a singular initial point " + why);
 }
 
 void require_polynomials(const tape& of) {
     if (of.root() != 1) {
-        refuse_start("with powers of a root of the distance, which is not proved: choose another start");
+        refuse_start("with powers of a root of the distance, which is not proved: choose another initial point");
     }
     for (const tape_state& each : of.states()) {
         if (each.derivative > 1) {
-            refuse_start("with second derivatives, which is not proved: choose another start");
+            refuse_start("with second derivatives, which is not proved: choose another initial point");
         }
     }
     using enum operation;
@@ -53,7 +53,8 @@ void require_polynomials(const tape& of) {
             case function:
             case primitive:
             case companion:
-                refuse_start("with more than products of its unknowns, which is not proved: choose another start");
+                refuse_start(
+                    "with more than products of its unknowns, which is not proved: choose another initial point");
         }
     }
 }
@@ -80,7 +81,7 @@ tail_bound tail_of(const tape& of, const taylor_expansion<ball>& expansion, int 
     if (bound) {
         return *bound;
     }
-    throw precision_exhausted("the first step from a singular start");
+    throw precision_exhausted("the first step from a singular initial point");
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ magnitude singular_series::bound(std::size_t unknown, const magnitude& distance,
     const auto first = static_cast<unsigned long>(tail_.degree) + 1;
     const ball longest = tail_.radius.exact() * magnitude(first + 1 - derivative).exact();
     if (!certainly_less(distance.exact() * magnitude(first + 1).exact(), longest)) {
-        throw precision_exhausted("a derivative near the edge of the disc about a singular start");
+        throw precision_exhausted("a derivative near the edge of the disc about a singular initial point");
     }
     magnitude result = tail_.error[unknown] * pow(distance / tail_.radius, first - derivative);
     for (unsigned long j = 0; j < derivative; ++j) {
@@ -216,7 +217,7 @@ ball_matrix derivative_beyond_start(const explicit_system& system, const ball& d
             if (!column && system.starts()[k][l].sign() != 0) {
                 throw error(error_kind::undecided, "problem", "",
                             "fixes " + primed(system.unknowns()[k].name, static_cast<int>(l)) +
-                                " at its singular start, so that nothing is proved of how it depends on that");
+                                " at its singular initial point, so that the dependence on it cannot be proved");
             }
             for (std::size_t i = 0; i < size; ++i) {
                 result[i].push_back(column ? (*column)[i] : ball(0));

@@ -107,7 +107,7 @@ private:
     static void require_step(long steps, double radius) {
         if (steps > most_walk_steps || !(radius > 0)) {
             throw error(error_kind::undecided, "problem", "",
-                        "is not followed to a singularity: the steps become too small");
+                        "cannot be followed to a singularity: the steps become too small");
         }
     }
 

@@ -79,7 +79,7 @@ private:
         }
         if (made.kind == token_kind::name && length + static_cast<std::size_t>(made.primes) > longest_name) {
             refuse(std::string(rest_.substr(0, length)), at_,
-                   "has more than " + std::to_string(longest_name) + " characters, primes among them: choose another");
+                   "has more than " + std::to_string(longest_name) + " characters, including primes: choose another");
         }
         made.text = rest_.substr(0, length);
         advance(length + static_cast<std::size_t>(made.primes));
@@ -99,7 +99,7 @@ private:
         try {
             const auto number = take_number(tail);
             if (!number) {
-                refuse(".", at_, "is no number: write digits");
+                refuse(".", at_, "is not a number: write digits");
             }
             made.kind = token_kind::numeral;
             made.value = number->value();
@@ -133,13 +133,13 @@ private:
         }
         const std::string shown = c > ' ' && c < '\x7f' ? std::string(1, c) : std::string("\\") + "?";
         switch (c) {
-            case ',': refuse(shown, at_, "is no part of a problem: write a point in decimals and ; between statements");
-            case '\'': refuse(shown, at_, "stands behind no name: write primes directly behind an unknown, as f''");
+            case ',': refuse(shown, at_, "is not expected: write a decimal point, and ; between statements");
+            case '\'': refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
             case '[':
-            case '{': refuse(shown, at_, "is no parenthesis here: write (");
+            case '{': refuse(shown, at_, "is not a parenthesis here: write (");
             case '<':
-            case '>': refuse(shown, at_, "is no equation: write =");
-            default: refuse(shown, at_, "is no part of a problem: write names, numbers, + - * / ^ ( ) = and ;");
+            case '>': refuse(shown, at_, "is not an equation: write =");
+            default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");
         }
     }
 
