@@ -1,4 +1,4 @@
-// The number of bits from run to run, for the digits that the last run did not prove.
+// Adapts the number of bits from run to run to the digits that the last run did not prove.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ inline constexpr long most_bits = 1'000'000;
 
 inline long bits_of_digits(long digits) { return digits * 3322 / 1000 + 4; }
 
-/// The time up to which a solution is proved to exist, rounded towards the start.
+/// The time up to which a solution is proved to exist, rounded towards the initial point.
 inline std::string proved_reach_text(const ball& reached, bool forward) {
     const precision_scope scope(20);
     const mpfr bound = midpoint_of(forward ? lower_bound(reached) : upper_bound(reached));

@@ -95,8 +95,8 @@ inline std::vector<std::string> names_of_state(const explicit_system& system) {
     return names;
 }
 
-/// Runs from the start through all times, each with more bits than the one before, until every digit is proved or no
-/// run proves more.
+/// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
+/// or no run proves more.
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch,

@@ -104,7 +104,7 @@ public:
         search_ = made_search(rotation_);
     }
 
-    // All distances are from the start, in the units of the whole system.
+    // All distances are from the initial point, in the units of the whole system.
     double first_radius() const { return in_time(search_->first_radius()); }
     void search(double within) { search_->search(in_units(within)); }
     long points() const { return search_->points(); }

@@ -88,7 +88,7 @@ std::vector<complex_number<double>> singularity_search::values_at(const point& o
     return values;
 }
 
-// Behind a branch point, as seen from the start, the plane is cut.
+// The plane is cut behind each branch point, as seen from the initial point.
 bool singularity_search::crosses_cut(const plane_point& from, const plane_point& to) const {
     return std::ranges::any_of(found_, [&](const candidate& each) {
         if (each.single_valued) {
