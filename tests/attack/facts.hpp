@@ -12,7 +12,7 @@ struct refusal_facts {
     std::optional<std::string> none_up_to;    ///< "is not found within N steps, from time T up to X"
     std::optional<std::string> lies_above;    ///< "lies in [A, B]"
     std::optional<std::string> lies_below;
-    std::optional<long> found;                   ///< "is not before that time: K were found"
+    std::optional<long> found;                   ///< "is not found before that time: K were found"
     std::optional<std::string> nothing_within;   ///< "shows no singularity within X"
     std::optional<std::string> radius_at_least;  ///< "of at most U and at least L, both proved"
     std::optional<std::string> radius_at_most;

@@ -92,13 +92,13 @@ TEST_CASE("deep, long and broken texts are refused with the limit", "[command][b
     check_refused(y_is("y*1" + repeated("0", 50'000) + "y"), {"multiplies without *"});
     check_refused(y_is("1e99999999*y"), {"is beyond the range 1e-100000 .. 1e100000"});
     check_refused(y_is("2^(2^60)*y"), {"is beyond the range 1e-100000 .. 1e100000"});
-    check_refused(y_is("y \xff"), {"is no part of a problem"});
+    check_refused(y_is("y \xff"), {"is not allowed in a problem"});
     check_refused({"period", "--energy", "1" + repeated("+1", 60'000)}, {"--energy", "is longer than 100000"});
     check_refused({"period", "--energy", repeated("(", 90'000)}, {"--energy", "more than 100 deep"});
     check_refused({"period", "--energy", "pi" + repeated("*pi", 300)}, {"--energy", "more than 200 products"});
     const temporary_folder folder;
     write_file(folder, "nul.ode", std::string("y' = y; y(0) = 1\0", 17));
-    check_refused({"coefficients", "--order", "1", "--problem", "./nul.ode"}, {"is no part of a problem"}, folder);
+    check_refused({"coefficients", "--order", "1", "--problem", "./nul.ode"}, {"is not allowed in a problem"}, folder);
 }
 
 TEST_CASE("a row that no proof reaches leaves the others their verdicts", "[command][bounded work]") {

@@ -256,7 +256,7 @@ TEST_CASE("events that are found are printed also where others are not", "[comma
     const auto some = run_libration(reference + words{"--until", "y = 1/2", "--before", "1", "--count", "2"});
     CHECK(some.exit_code == 1);
     CHECK(some.out.find("\n0.52359877559829887308,") != std::string::npos);
-    CHECK(some.err.find("event '2' is not before that time: 1 were found") != std::string::npos);
+    CHECK(some.err.find("event '2' is not found before that time: 1 were found") != std::string::npos);
     const auto none = run_libration(reference + words{"--until", "y = 2", "--horizon", "10"});
     CHECK(none.exit_code == 1);
     CHECK(none.out.empty());

@@ -94,53 +94,49 @@ TEST_CASE("factors of the variable are singular starts", "[ode][explicit_system]
 
 TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
     const std::vector<std::pair<std::string, std::string>> wrong{
-        {"y'' = y; y(0) = 1", "problem 'y'' has no start: add y'(0) = number"},
+        {"y'' = y; y(0) = 1", "problem 'y'' has no initial value: add y'(0) = number"},
         {"y' = y; y(0) = 1; y(1) = 2",
-         "problem 'y' at line 1, column 19 starts at another point than y: give all starts at one point"},
-        {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two starts: give it one"},
+         "problem 'y' at line 1, column 19 has another initial point than y: give all initial values at one point"},
+        {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two initial values: give it only one"},
         {"y' = y; y(0) = 1; y'(0) = 1",
-         "problem 'y'' at line 1, column 19 has no start of its own, for the equations give it: leave it out"},
+         "problem 'y'' at line 1, column 19 has no free initial value, since the equations determine it: leave it out"},
         {"y' = y; z(0) = 1",
-         "problem 'z(0) = 1' at line 1, column 9 is a start of no unknown: add an equation with z'"},
+         "problem 'z(0) = 1' at line 1, column 9 is not an initial value of an unknown: add an equation with z'"},
         {"y' = y; y(0) = a; a = b; b = 2*a",
          "problem 'a' at line 1, column 19 needs itself: a -> b -> a: give one of them a number"},
         {"sin(y'') = y; y(0) = 0; y'(0) = 0",
-         "problem 'y''' at line 1, column 1 is the highest derivative and stands in a function: make the equation "
+         "problem 'y''' at line 1, column 1 is the highest derivative and occurs in a function: make the equation "
          "explicit, by solving for it or by differentiating"},
         {"y'^2 = y; y(0) = 1",
-         "problem 'y'' at line 1, column 1 is the highest derivative and stands in a power: make the equation "
+         "problem 'y'' at line 1, column 1 is the highest derivative and occurs in a power: make the equation "
          "explicit, by solving for it or by differentiating"},
         {"y'*y' = y; y(0) = 1",
-         "problem 'y'' at line 1, column 1 is the highest derivative and stands in a product with another highest "
+         "problem 'y'' at line 1, column 1 is the highest derivative and occurs in a product with another highest "
          "derivative: make the equation explicit, by solving for it or by differentiating"},
         {"x' + y' = 1; x' + y' = t; x(0) = 0; y(0) = 0",
-         "problem 'equation 2' at line 1, column 14 has no highest derivative of its own: use its derivative in its "
-         "place"},
-        {"x' = y'; x(0) = 0; y(0) = 0", "problem has 1 equations for 2 unknowns (x, y): give as many of both"},
+         "problem 'equation 2' at line 1, column 14 has no separate highest derivative: use its derivative instead"},
+        {"x' = y'; x(0) = 0; y(0) = 0", "problem has 1 equations for 2 unknowns (x, y): give the same number of both"},
         {"y' = log(y); y(0) = 0",
-         "problem 'y'' cannot be expanded at the start, because its right-hand side takes the logarithm of a number "
-         "that is not "
-         "positive: choose another start"},
+         "problem 'y'' cannot be expanded about the initial point, because its right-hand side takes the logarithm of "
+         "a number that is not positive: choose another initial point"},
         {"y' = sqrt(y); y(0) = 0",
-         "problem 'y'' cannot be expanded at the start, because its right-hand side takes the root of 0: choose "
-         "another start"},
+         "problem 'y'' cannot be expanded about the initial point, because its right-hand side takes the root of 0: "
+         "choose another initial point"},
         {"y' = y^(1/3); y(0) = 0",
-         "problem 'y'' cannot be expanded at the start, because its right-hand side takes a power of 0 that is not "
-         "whole: choose "
-         "another start"},
+         "problem 'y'' cannot be expanded about the initial point, because its right-hand side takes a non-integer "
+         "power of 0: choose another initial point"},
         {"y' = asin(y); y(0) = 1",
-         "problem 'y'' cannot be expanded at the start, because its right-hand side takes acos or asin of 1 or -1, "
-         "where they have no "
-         "series: choose another start"},
+         "problem 'y'' cannot be expanded about the initial point, because its right-hand side takes acos or asin of 1 "
+         "or -1, where they have no series: choose another initial point"},
         {"R*R'' + 1 = 0; R(0) = 0; R'(0) = 1",
-         "problem 'R''' cannot be expanded at the start, because its right-hand side divides by zero: choose another "
-         "start"},
+         "problem 'R''' cannot be expanded about the initial point, because its right-hand side divides by zero: "
+         "choose another initial point"},
         {"t^2*y' = y - t; y(0) = 0",
-         "problem 'y'' is irregular singular at the start, where a factor of the highest derivative vanishes too fast "
-         "for a power series: choose another start"},
+         "problem 'y'' is irregular singular at the initial point, where a factor of the highest derivative vanishes "
+         "too fast for a power series: choose another initial point"},
         {"t^3*y'' = y; y(0) = 0; y'(0) = 0",
-         "problem 'y''' is irregular singular at the start, where a factor of the highest derivative vanishes too fast "
-         "for a power series: choose another start"},
+         "problem 'y''' is irregular singular at the initial point, where a factor of the highest derivative vanishes "
+         "too fast for a power series: choose another initial point"},
     };
     for (const auto& [text, told] : wrong) {
         INFO(text);

@@ -45,7 +45,7 @@ TEST_CASE("a functor is the equation that it computes", "[ode][functor]") {
 
 TEST_CASE("a functor with another number of right sides is refused", "[ode][functor]") {
     CHECK_THROWS_WITH(system_of(driven_pendulum(), {"x", "v"}, {1}),
-                      Catch::Contains("2 unknowns, 1 starts and 2 right sides"));
+                      Catch::Contains("2 unknowns, 1 initial values and 2 right-hand sides"));
 }
 
 }  // namespace ode_functor_test

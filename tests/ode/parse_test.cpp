@@ -125,9 +125,10 @@ TEST_CASE("parameters and starts are changed one at a time", "[ode][parse]") {
     CHECK_THROWS_WITH(changed(parse("f' = f; f(0) = 1"), "k = 1"),
                       Catch::Contains("is not a parameter of this problem, which has none: leave it out"));
     CHECK_THROWS_WITH(changed(system, "f''(0) = 1"),
-                      "problem 'f''' at line 1, column 1 has no start in this problem: choose one of its own");
-    CHECK_THROWS_WITH(changed(system, "f'' = f"),
-                      "problem 'f'' = f' at line 1, column 1 is no parameter and no start: write k = 1 or f(0) = 1");
+                      "problem 'f''' at line 1, column 1 has no initial value in this problem: choose one that has");
+    CHECK_THROWS_WITH(
+        changed(system, "f'' = f"),
+        "problem 'f'' = f' at line 1, column 1 is neither a parameter nor an initial value: write k = 1 or f(0) = 1");
     CHECK(parse_constant("3pi/4").constant().plain()->coefficient == rational(3, 4));
     CHECK_THROWS_WITH(
         parse_constant("y"),
@@ -142,7 +143,7 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' = y(t); y(0) = 1", "problem 'y(t)' at line 1, column 6 has an argument: write y"},
         {"y'(t) = y; y(0) = 1", "problem 'y'(t)' at line 1, column 1 has an argument: write y'"},
         {"y' = y, y(0) = 1",
-         "problem ',' at line 1, column 7 is no part of a problem: write a point in decimals and ; between statements"},
+         "problem ',' at line 1, column 7 is not expected: write a decimal point, and ; between statements"},
         {"y' = k*y\ny(0) = 1\nk = 1/2pi",
          "problem 'k = 1/2pi' at line 3, column 6 is ambiguous: write parentheses, as 1/(2*pi) or (1/2)*pi"},
         {"y' = k*y; y(0) = 1; k = 1/2T",
@@ -153,13 +154,13 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
          "problem 't' at line 1, column 1 is the independent variable: choose another name, or `variable x`"},
         {"n' = 1; n(0) = 0", "problem 'n' at line 1, column 1 is the name of a column of tables: choose another"},
         {"sin' = 1",
-         "problem 'sin'' at line 1, column 1 is the derivative of a function: write primes behind unknowns alone"},
-        {"y' = sin y; y(0) = 0", "problem 'sin' at line 1, column 6 is a function without ( behind it: write sin(...)"},
+         "problem 'sin'' at line 1, column 1 is the derivative of a function: write primes only after unknowns"},
+        {"y' = sin y; y(0) = 0", "problem 'sin' at line 1, column 6 is a function without ( after it: write sin(...)"},
         {"y' = Sin(y); y(0) = 0",
-         "problem 'Sin' at line 1, column 6 is no function: write * for a product, or one of " + function_names()},
+         "problem 'Sin' at line 1, column 6 is not a function: write * for a product, or one of " + function_names()},
         {"y' = erf(y, 1); y(0) = 1", "problem 'erf' at line 1, column 6 has one argument: write erf(x)"},
         {"y' = bessel_j(y); y(0) = 1",
-         "problem 'bessel_j' at line 1, column 6 has two arguments, its order and where: write bessel_j(0, x)"},
+         "problem 'bessel_j' at line 1, column 6 has two arguments, its order and its argument: write bessel_j(0, x)"},
         {"y' = bessel_j(0, y, 1); y(0) = 1",
          "problem 'bessel_j' at line 1, column 6 has two arguments: write bessel_j(0, x)"},
         {"y' = bessel_j(y, 1); y(0) = 1",
@@ -179,10 +180,9 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' = y + 1); y(0) = 1", "problem ')' at line 1, column 11 closes nothing: add a ("},
         {"y' = y +; y(0) = 1",
          "problem 'y' = y +' at line 1, column 8 ends where a number or a name is missing: write one"},
-        {"y' = y*/2; y(0) = 1",
-         "problem '/' at line 1, column 8 stands where a number or a name is missing: write one"},
-        {"y' == y; y(0) = 1", "problem 'y' == y' at line 1, column 1 has more than one =: write a statement each"},
-        {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is no equation: write one with ="},
+        {"y' = y*/2; y(0) = 1", "problem '/' at line 1, column 8 is not a number or a name: write one"},
+        {"y' == y; y(0) = 1", "problem 'y' == y' at line 1, column 1 has more than one =: write separate statements"},
+        {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is not an equation: write one with ="},
         {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of =: write both sides"},
         {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero: choose another number"},
         {"y' = log(-1)*y; y(0) = 1",
@@ -190,11 +190,12 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
          "another number"},
         {"y' = y; y(0) = y'",
          "problem 'y(0) = y'' at line 1, column 16 has a value that is not constant: give a number or parameters"},
-        {"y' = y; k = 1; k = 2; y(0) = 1", "problem 'k = 2' at line 1, column 16 gives k a second value: give it one"},
+        {"y' = y; k = 1; k = 2; y(0) = 1",
+         "problem 'k = 2' at line 1, column 16 gives k a second value: give it only one"},
         {"y' = $; y(0) = 1",
-         "problem '$' at line 1, column 6 is no part of a problem: write names, numbers, + - * / ^ ( ) = and ;"},
+         "problem '$' at line 1, column 6 is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;"},
         {"y' = y; y(0) = 1 '",
-         "problem ''' at line 1, column 18 stands behind no name: write primes directly behind an unknown, as f''"},
+         "problem ''' at line 1, column 18 does not follow a name: write primes directly after an unknown, as f''"},
         {"# nothing", "problem has no equation: write one, as y' = y"},
         {"y' = 1e1000000; y(0) = 1",
          "problem '1e1000000; y(0) = 1' at line 1, column 6 is beyond the range 1e-100000 .. 1e100000: choose another "
@@ -215,7 +216,7 @@ TEST_CASE("deep and long texts are refused before they cost anything", "[ode][pa
     const std::string name(201, 'a');
     CHECK(refusal_of(name + "' = 1") ==
           "problem '" + std::string(60, 'a') +
-              "...' at line 1, column 1 has more than 200 characters, primes among them: choose another");
+              "...' at line 1, column 1 has more than 200 characters, including primes: choose another");
     CHECK(refusal_of("y" + std::string(200, '\'') + " = 1").find("has more than 200 characters") != std::string::npos);
 }
 

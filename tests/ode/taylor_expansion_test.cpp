@@ -195,19 +195,19 @@ TEST_CASE("singular starts that have no series are told so", "[ode][taylor_expan
         CHECK_THROWS_WITH(tape::about_start(system), told);
     };
     refused("t*y'' + 2*y' + t*y^3 = 0; y(0) = 1; y'(0) = 1",
-            "problem 'y' has no power series with this start, for the equation contradicts y'(t0), or a logarithm is "
-            "in it: choose another start");
+            "problem 'y' has no power series with these initial values, since the equation contradicts y'(t0), or "
+            "the solution has a logarithm: choose another initial point");
     refused("y' = 1/t; y(0) = 1",
-            "problem 'y' has no power series with this start, for the equation contradicts y(t0), or a logarithm is in "
-            "it: choose another start");
+            "problem 'y' has no power series with these initial values, since the equation contradicts y(t0), or "
+            "the solution has a logarithm: choose another initial point");
     refused("t*y' = y; y(0) = 0",
-            "problem 'y' has no unique series at the start, for the equation leaves the coefficient of power 1 free, "
-            "or has none: choose another start");
+            "problem 'y' has no unique series at the initial point, since the equation leaves the coefficient of power "
+            "1 free, or has no solution: choose another initial point");
     refused("t*y'' + sqrt(2)*y' + t*y = 0; y(0) = 1; y'(0) = 0",
-            "problem 'y' has an indicial equation whose numbers are no fractions: give parameters as fractions");
-    CHECK_THROWS_WITH(
-        series_about_start<rational>("y' = exp(y); y(0) = 1", 4),
-        "problem has a number that is no fraction, or a start where a function is none: choose another scalar");
+            "problem 'y' has an indicial equation whose numbers are not fractions: give parameters as fractions");
+    CHECK_THROWS_WITH(series_about_start<rational>("y' = exp(y); y(0) = 1", 4),
+                      "problem has a number that is not a fraction, or a function whose value at the initial point is "
+                      "not one: choose another scalar");
     CHECK_THROWS_WITH(series_about_start<rational>("y' = y; y(0) = 1", -1), "order '-1' of a series is negative");
 }
 

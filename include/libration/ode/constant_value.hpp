@@ -11,9 +11,9 @@
 
 namespace libration::ode {
 
-/// The number in R: as a fraction where R holds fractions alone (throws error for what is none); in a scalar within
-/// half a unit in the last place and 2^-64 of it, on proved scalars an enclosure; complex numbers with imaginary part
-/// 0.
+/// The number in R: exact if R contains only fractions (throws error for a number that is not a fraction); in a scalar
+/// within half a unit in the last place and 2^-64 of it, on proved scalars an enclosure; complex numbers have imaginary
+/// part 0.
 template <field R>
 struct constant_value {
     static R of(const number& x) {
@@ -35,7 +35,8 @@ struct constant_value<rational> {
         const auto q = x.fraction();
         if (!q) {
             throw error(error_kind::argument, "problem", "",
-                        "has a number that is no fraction, or a start where a function is none: choose another scalar");
+                        "has a number that is not a fraction, or a function whose value at the initial point is not "
+                        "one: choose another scalar");
         }
         return *q;
     }

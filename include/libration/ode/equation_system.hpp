@@ -1,4 +1,4 @@
-// Differential equations as they are written: equations, starts, parameters, and what is known to check a solution by.
+// Differential equations as written: equations, initial values, parameters, and known facts to check a solution with.
 #pragma once
 
 #include <map>
@@ -9,16 +9,16 @@
 
 namespace libration::ode {
 
-/// Where something stands in a text; line 0 for what was built in C++.
+/// A position in a text; line 0 for objects built in C++.
 struct place {
     int line = 0;
     int column = 0;
 };
 
-/// The text, cut behind 60 characters: what messages repeat of it.
+/// The text, truncated after 60 characters, for quotation in messages.
 std::string beginning_of(const std::string& text);
 
-/// Throws error: problem 'what', its beginning, at line 1, column 2 reason.
+/// Throws error: problem 'what' (truncated), at line 1, column 2 reason.
 [[noreturn]] void refuse(const std::string& what, const place& at, const std::string& reason);
 
 /// left = right.
@@ -28,7 +28,7 @@ struct equation {
     place at = {};
 };
 
-/// The value of an unknown, or of a derivative of it, at a point; both constant, parameters allowed.
+/// The initial value of an unknown, or of a derivative of it, at a point; both are constant and may contain parameters.
 struct start {
     expression of;
     expression point;
@@ -43,41 +43,41 @@ struct definition {
     place at = {};
 };
 
-/// Differential equations in any order and of any order, as text (parse.hpp) or C++ gives them:
+/// Differential equations in any sequence and of any order, from text (parse.hpp) or C++:
 ///     const auto f = ode::unknown("f");
 ///     ode::equation_system blasius;
 ///     blasius.add(derivative(f, 3) + f * derivative(f, 2) / 2);
 ///     blasius.begin(f, 0).begin(derivative(f), 0).begin(derivative(f, 2), 1);
-/// Nothing is checked here: explicit_system does.
+/// Nothing is checked here: explicit_system does that.
 struct equation_system {
     std::string variable = "t";
     std::vector<equation> equations;
     std::vector<start> starts;
     std::vector<definition> parameters;
-    std::vector<equation> invariants;  ///< constant along a solution: the left side; the right one is 0
-    std::vector<definition> exact;     ///< the unknown of this name in closed form
+    std::vector<equation> invariants;  ///< constant along a solution: the left-hand side; the right-hand side is 0
+    std::vector<definition> exact;     ///< the closed form of the unknown of this name
 
     /// left = right.
     equation_system& add(const expression& left, const expression& right = 0);
     /// of(point) = value.
     equation_system& begin(const expression& of, const expression& value, const expression& point = 0);
-    /// A parameter, or another value of it.
+    /// Adds a parameter, or changes its value.
     equation_system& set(const std::string& name, const expression& value);
 
-    /// The unknowns in the order in which the equations name them.
+    /// The unknowns in the order of their first occurrence in the equations.
     std::vector<std::string> unknowns() const;
-    /// The parameter, or nothing.
+    /// The parameter, or null.
     const definition* parameter_of(const std::string& name) const;
 };
 
-/// The values of the parameters of a system, each computed once, in which they may depend on each other at any depth.
+/// The values of the parameters of a system, each computed once; they may depend on each other at any depth.
 class parameter_values {
 public:
-    /// The system has to outlive it. In place of the parameters named in `open` stand these expressions.
+    /// The system must outlive this object. Parameters named in `open` are replaced by these expressions.
     explicit parameter_values(const equation_system& system, std::map<std::string, expression> open = {});
 
     /// The expression with every parameter replaced by its exact value. Throws error for a parameter without a value
-    /// and for parameters that need each other in a circle.
+    /// and for parameters that depend on each other cyclically.
     expression in(const expression& e);
 
 private:
@@ -100,7 +100,7 @@ private:
     std::vector<opened_definition> open_;
 };
 
-/// The same for a single expression. Throws error as parameter_values::in().
+/// The same for a single expression. Throws error like parameter_values::in().
 expression with_values(const expression& e, const equation_system& system);
 
 }  // namespace libration::ode

@@ -1,5 +1,5 @@
-// Expressions in the independent variable, unknown functions, their derivatives, parameters and exact constants: what
-// differential equations are written in. Text and the operators of C++ make the same objects.
+// Expressions in the independent variable, unknown functions, their derivatives, parameters and exact constants, of
+// which differential equations consist. Text and the operators of C++ create the same objects.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace libration::ode {
 
-/// An exact constant: a fraction, a multiple of pi, a formula of such.
+/// An exact constant: a fraction, a multiple of pi, or a formula of such numbers.
 using number = libration::expression;
 
 /// re + i im.
@@ -21,14 +21,14 @@ struct complex_constant {
     number im;
 };
 
-/// What a node of an expression is.
+/// The kind of a node of an expression.
 enum class node_kind { constant, variable, unknown, parameter, sum, product, quotient, power, function };
 
-/// An immutable expression, cheap to copy: a node that shares what is below it. Constants are folded exactly as they
-/// meet (x + 0, 1*x, 0*x, x^1, x - x, 2*(3*x)); nothing else is simplified. A constant factor stands on the left, a
-/// constant summand on the right, a division by a constant is a product with its inverse, and a - b is a + (-1)*b.
-/// Operations of constants throw libration::error as those of numbers do: a division by an exact 0, a function outside
-/// its domain.
+/// An immutable expression, cheap to copy: a node that shares its subexpressions. Constants are folded exactly during
+/// construction (x + 0, 1*x, 0*x, x^1, x - x, 2*(3*x)); nothing else is simplified. A constant factor is the left
+/// operand, a constant summand the right one, a division by a constant is a product with its inverse, and a - b is a +
+/// (-1)*b. Operations on constants throw libration::error as those on numbers do: a division by an exact 0, a function
+/// outside its domain.
 class expression {
 public:
     /// 0.
@@ -38,20 +38,21 @@ public:
     expression(const number& value);
 
     node_kind kind() const;
-    /// Of a constant.
+    /// The value of a constant.
     const number& constant() const;
-    /// Of an unknown or a parameter.
+    /// The name of an unknown or a parameter.
     const std::string& name() const;
-    /// The order of the derivative of an unknown: 0 for itself.
+    /// The order of the derivative of an unknown: 0 for the unknown itself.
     int derivative() const;
-    /// Of a function.
+    /// The kind of a function.
     function_kind function() const;
     /// The operands: the argument of a function is the left one, base and exponent of a power are left and right.
     const expression& left() const;
     const expression& right() const;
-    /// Whether it is a function with an order, right(): a constant, or parameters that are given values later.
+    /// Whether it is a function with an order, right(), which is a constant or contains parameters whose values are set
+    /// later.
     bool has_order() const;
-    /// The order; 0 for a function without one. Throws error while parameters are in it.
+    /// The order; 0 for a function without one. Throws error if it contains parameters.
     rational order() const;
 
     /// Whether the variable, an unknown, a parameter occurs in it.
@@ -60,14 +61,14 @@ public:
     bool has_parameters() const;
     /// Whether neither the variable nor an unknown occurs.
     bool is_constant() const { return !has_variable() && !has_unknowns(); }
-    /// Whether it is this fraction.
+    /// Whether it is this integer.
     bool is(int n) const;
-    /// The fraction that it is, where it is one.
+    /// Its value if it is a fraction; std::nullopt otherwise.
     std::optional<rational> fraction() const;
 
-    /// Equal for equal forms, and for few others.
+    /// Equal for equal forms; collisions of other forms are rare.
     std::size_t hash() const;
-    /// The same for copies of one object alone.
+    /// The same only for copies of one object.
     const void* identity() const { return node_.get(); }
 
     expression operator-() const;
@@ -75,12 +76,13 @@ public:
     friend expression operator-(const expression& a, const expression& b) { return a + -b; }
     friend expression operator*(const expression& a, const expression& b);
     friend expression operator/(const expression& a, const expression& b);
-    /// base^exponent. Throws error where the exponent is not constant.
+    /// base^exponent. Throws error if the exponent is not constant.
     friend expression pow(const expression& base, const expression& exponent);
     friend expression apply(function_kind f, const expression& x);
-    /// Of constant order. Throws error for an order that is not a fraction, and for a function without one.
+    /// A function of constant order. Throws error for an order that is not a fraction, and for a function without an
+    /// order.
     friend expression apply(function_kind f, const expression& order, const expression& x);
-    /// Whether both are written alike.
+    /// Whether both are structurally equal.
     friend bool same_form(const expression& a, const expression& b);
 
     friend expression variable();
@@ -97,14 +99,14 @@ private:
     std::shared_ptr<const node> node_;
 };
 
-/// The function of a node, and its order, of another argument.
+/// The function of a node, with its order, applied to another argument.
 expression with_argument(const expression& function, const expression& x);
 
 /// The independent variable, whatever its name.
 expression variable();
-/// The unknown function of this name, or a derivative of it.
+/// The unknown function of this name, or one of its derivatives.
 expression unknown(const std::string& name, int derivative = 0);
-/// The constant of this name.
+/// The parameter of this name.
 expression parameter(const std::string& name);
 /// The derivative of an unknown, or of a derivative of it. Throws error for any other expression.
 expression derivative(const expression& of, int order = 1);
@@ -151,20 +153,21 @@ inline expression bessel_k(const rational& order, const expression& x) {
     return apply(function_kind::bessel_k, expression(order), x);
 }
 
-/// Calls seen(leaf) for the variable, the unknowns and the parameters in an expression, from left to right; for copies
-/// of one object once.
+/// Calls seen(leaf) for the variable, the unknowns and the parameters in an expression, from left to right; only once
+/// for copies of one object.
 void each_leaf(const expression& e, const std::function<void(const expression& leaf)>& seen);
 
-/// What stands in place of a leaf (variable, unknown, parameter); nothing where it stays.
+/// The replacement of a leaf (variable, unknown, parameter); std::nullopt if the leaf is unchanged.
 using replacement = std::function<std::optional<expression>(const expression& leaf)>;
 
-/// The expression with its leaves replaced, what is shared replaced once.
+/// The expression with its leaves replaced; shared subexpressions are replaced once.
 expression replaced(const expression& in, const replacement& by);
 
-/// d e / d leaf, all other leaves held: the leaf is the variable, an unknown or one of its derivatives, a parameter.
+/// d e / d leaf with all other leaves fixed; the leaf is the variable, an unknown or one of its derivatives, or a
+/// parameter.
 expression partial(const expression& e, const expression& leaf);
 
-/// The name with a prime for each derivative: f''.
+/// The name with one prime per derivative: f''.
 std::string primed(const std::string& name, int derivative);
 
 }  // namespace libration::ode

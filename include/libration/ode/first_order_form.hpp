@@ -1,5 +1,4 @@
-// A system as one of first order, in leaves of its own: what events, periodic orbits and condition numbers are written
-// in.
+// A system as one of first order, in separate leaves: the form used for events, periodic orbits and condition numbers.
 #pragma once
 
 #include <string>
@@ -13,12 +12,12 @@ namespace libration::ode {
 struct first_order_form {
     explicit first_order_form(const explicit_system& system);
 
-    /// An expression in the unknowns of the system. Throws error for a derivative that is no part of the state.
+    /// An expression in the unknowns of the system. Throws error for a derivative that is not part of the state.
     expression in_leaves(const expression& e) const;
     /// The derivative of an expression in leaves along the solution.
     expression slope_of(const expression& e) const;
 
-    /// The system itself in leaves, without starts: for expansions about points that are given with their states.
+    /// The system itself in leaves, without initial values: for expansions about points given with their states.
     explicit_system about_points(const number& point) const {
         return explicit_system::first_order(leaves, slopes, point);
     }
@@ -38,7 +37,7 @@ struct first_order_form {
     }
 
     std::vector<expression> leaves;
-    /// What they stand for.
+    /// The unknowns and derivatives that they represent.
     std::vector<expression> given;
     std::vector<expression> slopes;
     std::vector<std::string> names;
@@ -48,8 +47,8 @@ private:
     std::vector<unknown_function> unknowns_;
 };
 
-/// What the polynomial form of a system is made of, from which its solution goes on: the system itself, or that in
-/// leaves where its start is singular.
+/// The system from which the polynomial form is derived to continue a solution: the system itself, or its first-order
+/// form in leaves if its initial point is singular.
 explicit_system beyond_start(const explicit_system& system);
 
 }  // namespace libration::ode

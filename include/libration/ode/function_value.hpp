@@ -1,4 +1,4 @@
-// Functions of one number in the ring of the coefficients.
+// Values of functions of one argument in the ring of the coefficients.
 #pragma once
 
 #include <concepts>
@@ -10,20 +10,20 @@
 
 namespace libration::ode {
 
-/// A function that FLINT has: then balls have it too, and by them every scalar.
+/// A function that FLINT provides: it is then available for balls, and through them for every scalar.
 template <class F>
 concept function_of_flint = requires {
     &F::template complex_ball<int>;
 };
 
-/// f(x) rounded in T by MPFR or from a ball, within a unit in the last place; not a number outside the domain. Throws
-/// error for a function that needs FLINT in a program without it.
+/// f(x) rounded in T by MPFR or from a ball, within one unit in the last place; NaN outside the domain. Throws error
+/// for a function that needs FLINT in a program built without it.
 template <rounding_scalar T>
 requires std::same_as<wide_t<T>, mpfr> T value_by_balls(function_kind f, const rational* order, const T& x) {
     return convert<T>(function::rounded_value(f, order, widen(x), static_cast<long>(digits<T>())));
 }
 
-/// The same of complex numbers, relative to the whole value.
+/// The same for complex numbers, with the error relative to the modulus of the value.
 template <rounding_scalar T>
 requires std::same_as<wide_t<T>, mpfr> complex_number<T> value_by_balls(function_kind f, const rational* order,
                                                                         const complex_number<T>& z) {
@@ -32,8 +32,8 @@ requires std::same_as<wide_t<T>, mpfr> complex_number<T> value_by_balls(function
     return {convert<T>(value[0]), convert<T>(value[1])};
 }
 
-/// f(x), of this order where f has one, for the value x of an argument at an expansion point. Throws error where R has
-/// no such function.
+/// f(x), of this order if f has one, for the value x of an argument at an expansion point. Throws error if f is not
+/// available in R.
 template <field R>
 R function_value(function_kind f, const R& x, const rational* order = nullptr) {
     return function::with_function(f, [&](auto of) -> R {
@@ -51,7 +51,7 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
         } else {
             throw error(error_kind::argument, "problem", "",
                         "needs " + std::string(each::name) +
-                            " of a coefficient, which this scalar does not have: choose another");
+                            " of a coefficient, which is not available in this scalar: choose another");
         }
     });
 }

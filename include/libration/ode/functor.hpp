@@ -1,4 +1,4 @@
-// A system y' = f(t, y) whose right side is a function of C++ for any type of number.
+// A system y' = f(t, y) whose right-hand side is a C++ function template over the number type.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace libration::ode {
 
-/// unknowns[i]' = right(t, y)[i], unknowns[i](point) = starts[i]. `right` takes T and std::vector<T> and returns what
-/// has size() and elements, for T = expression as well as for the T of any integrator: it is called once, and its
-/// operations become those of the tape. What depends on values, as an if, cannot be in it. Throws error where the
-/// numbers of unknowns, starts and right sides differ.
+/// unknowns[i]' = right(t, y)[i], unknowns[i](point) = starts[i]. `right` accepts T and std::vector<T> and returns an
+/// object with size() and elements, for T = expression as well as for the T of any integrator: it is called once, and
+/// its operations become those of the tape. It cannot contain branches that depend on values, such as an if. Throws
+/// error if the numbers of unknowns, initial values and right-hand sides differ.
 template <class F>
 equation_system system_of(const F& right, const std::vector<std::string>& unknowns,
                           const std::vector<expression>& starts, const expression& point = 0) {
@@ -26,8 +26,8 @@ equation_system system_of(const F& right, const std::vector<std::string>& unknow
     const auto slopes = right(variable(), std::as_const(y));
     if (slopes.size() != y.size() || starts.size() != y.size()) {
         throw error(error_kind::argument, "system", "",
-                    "has " + std::to_string(y.size()) + " unknowns, " + std::to_string(starts.size()) + " starts and " +
-                        std::to_string(slopes.size()) + " right sides");
+                    "has " + std::to_string(y.size()) + " unknowns, " + std::to_string(starts.size()) +
+                        " initial values and " + std::to_string(slopes.size()) + " right-hand sides");
     }
     equation_system system;
     for (std::size_t i = 0; i < y.size(); ++i) {

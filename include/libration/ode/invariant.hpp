@@ -1,4 +1,4 @@
-// What stays constant along a solution, as a check of it.
+// Invariants of a solution, used to check it.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,13 @@
 
 namespace libration::ode {
 
-/// The invariants that a system states, at states of its solution, beside those of its start. Errors: rounding in R.
+/// The invariants declared by a system, at states of its solution, compared with the initial ones. Errors: rounding in
+/// R.
 template <field R>
 class invariants {
 public:
-    /// Throws error where the system states none, or its right sides or the invariants have no values at the start.
+    /// Throws error if the system declares no invariant, or if its right-hand sides or invariants have no values at the
+    /// initial point.
     explicit invariants(const explicit_system& system)
         : points_(tape::about_points(system, system.invariants())), there_(points_, highest(points_)) {
         if (system.invariants().empty()) {
@@ -31,7 +33,7 @@ public:
         at_start_ = at(constant_value<R>::of(system.point()), start);
     }
 
-    /// Their values.
+    /// The values of the invariants.
     std::vector<R> at(const R& time, const solution_state<R>& state) {
         there_.about(time, state);
         std::vector<R> values;
@@ -41,7 +43,7 @@ public:
         return values;
     }
 
-    /// The largest change of one of them since the start.
+    /// The largest change of any invariant since the initial point.
     auto drift(const R& time, const solution_state<R>& state) {
         const auto now = at(time, state);
         auto largest = size_of(R(now[0] - at_start_[0]));

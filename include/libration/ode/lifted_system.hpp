@@ -1,4 +1,4 @@
-// Any system as a polynomial one of first order, by more unknowns: what the bounds of ode/proved/ are for.
+// The polynomial form of a system, of first order with additional unknowns: the bounds of ode/proved/ apply to it.
 #pragma once
 
 #include <cstddef>
@@ -14,45 +14,46 @@
 
 namespace libration::ode {
 
-/// The unknowns that an expression depends on, with its derivatives by them.
+/// The unknowns that an expression depends on, with its derivatives with respect to them.
 using gradient = std::vector<std::pair<std::size_t, expression>>;
 
 /// y' = f(t, y), f polynomial. The first unknowns are those of the given system with their lower derivatives, in order;
-/// each of the others is a function of those before it: e = exp u has e' = e u', any function the derivative that its file says; q = 1/u
-/// has q' = -q^2 u', l = log u has l' = q u', p = u^(-1/b) has p' = -(1/b) p^(b+1) u', any other power p' = r p q u'.
-/// The solution of the given system is part of the solution of this one as long as that exists: 1/u, log u and powers
-/// need u != 0.
+/// each of the others is a function of those before it: e = exp u has e' = e u', any function the derivative given in
+/// its file; q = 1/u has q' = -q^2 u', l = log u has l' = q u', p = u^(-1/b) has p' = -(1/b) p^(b+1) u', any other
+/// power p' = r p q u'. The solution of the given system is part of the solution of this one as long as the latter
+/// exists: 1/u, log u and powers need u != 0.
 struct lifted_system {
     explicit_system system;
-    /// How many unknowns are given ones.
+    /// Number of given unknowns.
     std::size_t given = 0;
-    /// What the others are, in unknowns before them and the variable.
+    /// Definitions of the others, in the unknowns before them and the variable.
     std::vector<expression> added;
-    /// Their derivatives by those.
+    /// Their derivatives with respect to those.
     std::vector<gradient> gradients;
-    /// unknown(k) is the leaf of unknown k.
+    /// leaves[k] is the leaf of unknown k.
     std::vector<expression> leaves;
 };
 
-/// Throws error where the start is singular: such a system has no polynomial form about it.
+/// Throws error if the initial point is singular: the system has no polynomial form about it.
 lifted_system lifted(const explicit_system& of);
 
-/// The same for paths in the complex plane of time: where a function of several values was added (a logarithm, a root,
-/// an inverse function), everything counts as given, and goes along the path instead of being computed again from an
-/// argument that may have gone round a branch point.
+/// The same for paths in the complex t-plane: if a multivalued function was added (a logarithm, a root, an inverse
+/// function), every unknown counts as given and is continued along the path instead of being recomputed from an
+/// argument that may have gone around a branch point.
 lifted_system lifted_for_paths(const explicit_system& of);
 
-/// Whether every solution is analytic in the whole plane, by its form: the right sides of each strongly connected
-/// component are of degree 1 in its own unknowns, with coefficients that are polynomials, exponentials, sines and cosines
-/// of the variable and of the unknowns of components before it, which are entire functions of it by themselves.
+/// Whether every solution is analytic in the whole plane by the form of the equations: the right-hand sides of each
+/// strongly connected component are of degree 1 in its own unknowns, with coefficients that are polynomials,
+/// exponentials, sines and cosines of the variable and of the unknowns of preceding components, which are themselves
+/// entire functions of it.
 bool has_entire_solutions(const explicit_system& of);
 
-/// The lifted system with the derivatives of its unknowns by the given ones at some point, column after column behind
-/// the unknowns: v_ij' = sum_k df_i/dy_k v_kj.
+/// The polynomial form with the derivatives of its unknowns with respect to the given ones at some point, column by
+/// column after the unknowns: v_ij' = sum_k df_i/dy_k v_kj.
 explicit_system with_variations(const lifted_system& of);
 
 /// The value of an expression for values of its unknowns y_k = leaves[k] and of the variable, in any field; on balls an
-/// enclosure. Throws error where R has a function not.
+/// enclosure. Throws error if a function is not available in R.
 template <field R>
 class expression_values {
 public:
@@ -62,7 +63,7 @@ public:
         }
     }
 
-    /// The next unknown, in order.
+    /// Appends the value of the next unknown.
     void push_back(const R& value) { values_.push_back(value); }
     const std::vector<R>& values() const { return values_; }
 
@@ -91,7 +92,7 @@ private:
         return function_value<R>(e.function(), done_.at(e.left()), &order);
     }
 
-    // Whole powers by products, so that any base will do.
+    // Integer powers by products, so that any base is possible.
     R raised(const expression& e) {
         const R& base = done_.at(e.left());
         const auto exponent = e.right().fraction();
@@ -111,7 +112,7 @@ private:
     node_values<R> done_;
 };
 
-/// All unknowns of the lifted system from the given ones at a time, in any field; on balls enclosures.
+/// All unknowns of the polynomial form from the given ones at a time, in any field; on balls enclosures.
 template <field R>
 std::vector<R> lifted_values(const lifted_system& of, const R& time, const std::vector<R>& given) {
     expression_values<R> values(of.leaves, time);
@@ -124,7 +125,7 @@ std::vector<R> lifted_values(const lifted_system& of, const R& time, const std::
     return values.values();
 }
 
-/// The same and, column after column, their derivatives by the given ones.
+/// The same and, column by column, their derivatives with respect to the given ones.
 template <field R>
 std::vector<R> varied_values(const lifted_system& of, const R& time, const std::vector<R>& given) {
     std::vector<R> result = lifted_values(of, time, given);

@@ -1,5 +1,5 @@
-// Walks over expressions of any depth: an explicit stack in place of recursion, and each node once, however often it is
-// shared.
+// Traversal of expressions of any depth: an explicit stack instead of recursion; each node is visited once, however
+// often it is shared.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace libration::ode {
 
-/// At most two expressions, null where there are fewer.
+/// At most two expressions; null pointers if there are fewer.
 using operand_pair = std::array<const expression*, 2>;
 
-/// The operands of a node: none of a constant or a leaf, the argument of a function, otherwise left and right.
+/// The operands of a node: none for a constant or a leaf, the argument for a function, otherwise left and right.
 inline operand_pair operands_of(const expression& e) {
     switch (e.kind()) {
         case node_kind::constant:
@@ -32,7 +32,7 @@ inline operand_pair operands_of(const expression& e) {
     return {&e.left(), &e.right()};
 }
 
-/// Nodes are the same where they are copies of one object.
+/// Nodes are the same if they are copies of one object.
 struct same_object {
     struct hash {
         std::size_t operator()(const expression& e) const { return std::hash<const void*>()(e.identity()); }
@@ -41,7 +41,7 @@ struct same_object {
         bool operator()(const expression& a, const expression& b) const { return a.identity() == b.identity(); }
     };
 };
-/// Nodes are the same where same_form() says so.
+/// Nodes are the same if same_form() returns true.
 struct same_expression {
     struct hash {
         std::size_t operator()(const expression& e) const { return e.hash(); }
@@ -53,15 +53,15 @@ struct same_expression {
     };
 };
 
-/// Values of the nodes of expressions, each computed once for those that are the same; the nodes are kept alive, so that
-/// identities stay theirs. Memory: one entry for each node.
+/// Values of the nodes of expressions, computed once for nodes that are the same; the nodes are kept alive, so that
+/// their identities remain unique. Memory: one entry per node.
 template <class Value, class Same = same_object>
 class node_values {
 public:
-    /// The value of e. `compute(node)` is called for each node below e that has no value yet, the operands of a node
-    /// before it, the left one first, and reads their values by at(), or by another call of() that returns them without
-    /// further depth. `operands(node)` are the expressions below a node whose values `compute` reads. What `compute`
-    /// throws passes; values that were found before stay. References stay valid.
+    /// The value of e. `compute(node)` is called for each node below e that has no value yet, after its operands, the
+    /// left one first, and reads their values by at(), or by another call of of() that returns them without further
+    /// depth. `operands(node)` are the subexpressions of a node whose values `compute` reads. Exceptions of `compute`
+    /// propagate; values already computed are kept. References remain valid.
     template <class Compute, class Operands>
     const Value& of(const expression& e, const Compute& compute, const Operands& operands) {
         if (const Value* const known = find(e)) {
@@ -92,7 +92,7 @@ public:
         return of(e, compute, operands_of);
     }
 
-    /// The value of an expression that has one.
+    /// The value of an expression that has been computed.
     const Value& at(const expression& e) const { return done_.at(e); }
 
 private:

@@ -1,4 +1,4 @@
-// Differential equations as text and in C++, and their Taylor series in any scalar.
+// Differential equations from text and C++, and their Taylor series over any scalar.
 #pragma once
 
 #include "libration/ode/equation_system.hpp"

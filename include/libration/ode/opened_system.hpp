@@ -1,4 +1,5 @@
-// Numbers of a problem as unknowns of it: what its solutions depend on besides time.
+// Systems with free parameters: numbers of a problem as additional unknowns, on which its solutions depend besides
+// time.
 #pragma once
 
 #include <string>
@@ -8,23 +9,23 @@
 
 namespace libration::ode {
 
-/// A system some of whose parameters and starts are open: each is an unknown function that does not change and stands
-/// among the unknowns where the equations name it first.
+/// A system with free parameters and initial values: each is a constant unknown function, listed among the unknowns at
+/// its first occurrence in the equations.
 struct opened_system {
     explicit_system system;
-    /// The open numbers as they are given.
+    /// The given values of the free numbers.
     std::vector<number> values;
-    /// starts[k] is the start of unknown or lower derivative k, in order, by the leaves.
+    /// starts[k] is the initial value of unknown or lower derivative k, in order, in terms of the leaves.
     std::vector<expression> starts;
-    /// leaves[i] stands for open number i.
+    /// leaves[i] represents free number i.
     std::vector<expression> leaves;
 };
 
-/// Names are of parameters, or of starts, as f''(0). Throws error for others, and where the equation needs a number as
-/// a constant, such as an exponent.
+/// Names are those of parameters, or of initial values such as f''(0). Throws error for other names, and if the
+/// equation requires the number to be constant, such as an exponent.
 opened_system opened(const equation_system& given, const std::vector<std::string>& names);
 
-/// The equations of these unknowns and of what they depend on; all open numbers keep their leaves.
+/// The equations of these unknowns and of those that they depend on; all free numbers keep their leaves.
 opened_system closed_part(const opened_system& of, const std::vector<std::string>& unknowns);
 
 }  // namespace libration::ode

@@ -1,4 +1,4 @@
-// The solution at points of the complex plane of time, continued along polygons from the start.
+// The solution at points of the complex t-plane, continued along polygonal paths from the initial point.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace libration::ode {
 
-/// The continuation of the solution from the start along straight lines from corner to corner, and from the last to any
-/// point: which branch that is, is decided by the singularities that stand between two such ways. Steps of R/e^2
+/// The continuation of the solution from the initial point along straight lines from corner to corner, and from the
+/// last corner to any point. The branch is determined by the singularities between such paths. Steps of R/e^2
 /// (taylor_step), so that none reaches a singularity. Errors as those of taylor_march; nothing is proved.
 template <rounding_scalar T>
 class complex_path {
@@ -19,7 +19,7 @@ public:
     using complex = complex_number<T>;
     static constexpr long most_steps = 1'000'000;
 
-    /// Goes to the last of the corners. Throws error as state_at does.
+    /// Continues to the last of the corners. Throws error like state_at.
     explicit complex_path(const explicit_system& system, const std::vector<complex>& corners = {})
         : start_(tape::about_start(system)),
           points_(tape::about_points(system)),
@@ -38,8 +38,8 @@ public:
     complex_path(const complex_path&) = delete;
     complex_path& operator=(const complex_path&) = delete;
 
-    /// The unknowns and their lower derivatives at the end of the straight line from the last corner. Throws error
-    /// where the steps become too small before: no singularity may stand on the way.
+    /// The unknowns and their lower derivatives at the end of the straight line from the last corner. Throws error if
+    /// the steps become too small before it: the path must not meet a singularity.
     solution_state<complex> state_at(const complex& target) {
         const taylor_expansion<complex>* current = at_start_ ? &first_ : &corner_;
         complex centre = centre_;
@@ -109,7 +109,7 @@ private:
     bool at_start_ = true;
 };
 
-/// The states at the ends of ways that have these corners in common. Throws error as complex_path does.
+/// The states at the ends of paths with these corners in common. Throws error like complex_path.
 template <rounding_scalar T>
 std::vector<solution_state<complex_number<T>>> states_along(const explicit_system& system,
                                                             const std::vector<complex_constant>& corners,

@@ -1,5 +1,5 @@
-// The steps of a tape with the places of their arrays, for fixed scalars of the hardware about any point: there the
-// search for them would take as long as the sums.
+// The steps of a tape with the addresses of their arrays, for hardware scalars about any point: looking the arrays up
+// would take as long as the sums there.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace libration::ode {
 
-/// sum_{k=first}^{last} a_k b_{n-k} in four partial sums, which do not wait for each other.
+/// sum_{k=first}^{last} a_k b_{n-k} in four independent partial sums.
 template <std::floating_point R>
 R sum_in_fours(const R* a, const R* b, int n, int first, int last) {
     std::array<R, 4> sums{R(0), R(0), R(0), R(0)};
@@ -36,8 +36,8 @@ R square_in_fours(const R* a, int n, int first) {
     return n % 2 == 0 && n >= 2 * first ? half + half + a[n / 2] * a[n / 2] : half + half;
 }
 
-/// The steps of a tape whose step i has its coefficients at arrays + i length; the tape and the arrays have to stay
-/// where they are. In double those that do the same run in lanes.
+/// The steps of a tape whose step i has its coefficients at arrays + i length; the tape and the arrays must not move.
+/// In double, steps with the same operation run in lanes.
 template <class R>
 class placed_steps {
 public:
@@ -47,8 +47,8 @@ public:
                  const std::vector<std::vector<int>>& states);
 
     bool empty() const { return states_.empty(); }
-    /// Coefficient n of all steps from those below and those of the unknowns; otherwise(i) computes that of step i
-    /// where it takes more than sums.
+    /// Coefficient n of all steps from the lower ones and those of the unknowns; otherwise(i) computes that of step i
+    /// if it requires more than sums.
     template <class Otherwise>
     void run(int n, const Otherwise& otherwise);
     /// Coefficient n + 1 of the unknowns and their lower derivatives.
@@ -65,11 +65,11 @@ private:
         R* result;
         const R* a;
         const R* b;
-        R* behind;    // what the next step holds
+        R* behind;    // array of the next step
         R factor;     // the constant, or the numerator over a denominator
-        int divisor;  // of multiples, where it is not 1
+        int divisor;  // for multiples, if it is not 1
         function_kind function;
-        const R* derivative;  // of a primitive
+        const R* derivative;  // for a primitive
     };
     struct state {
         R* here;
@@ -86,7 +86,7 @@ private:
     }
 
     std::vector<step> steps_;
-    std::vector<std::size_t> place_of_;  // of each step of the tape among these
+    std::vector<std::size_t> place_of_;  // index of each step of the tape among these
     std::vector<state> states_;
     step_lanes lanes_;
 };
@@ -175,7 +175,7 @@ bool placed_steps<R>::computed(const step& each, int n) {
     return n > 0 && computed_from_first(each, n);
 }
 
-// What has a value of its own at n = 0.
+// Operations whose coefficient at n = 0 is computed separately.
 template <class R>
 bool placed_steps<R>::computed_from_first(const step& each, int n) {
     const R* const a = each.a;

@@ -1,4 +1,4 @@
-// The solution of any system from its start to any time, by Taylor series in steps of adaptive length.
+// The solution of any system from its initial point to any time, by Taylor series in steps of adaptive length.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace libration::ode {
 
-/// The order ln(1/epsilon)/2 that costs least with steps of R/e^2, rounded up, and two more [JorbaZou2005].
+/// The order ln(1/epsilon)/2 of least cost for steps of R/e^2, rounded up, plus two [JorbaZou2005].
 constexpr int taylor_order(int bits) { return static_cast<int>((34658L * bits) / 100'000) + 3; }
 
 /// mantissa 2^exponent.
@@ -31,13 +31,13 @@ struct coefficient_size {
     long exponent = 0;
 };
 
-/// How accurate the steps of a march are to be: the last term of each is about 2^-bits of the size of the solution.
+/// The accuracy of the steps of an integration: the last term of each is about 2^-bits of the size of the solution.
 struct step_accuracy {
     int bits = 0;
     int order = 1;
 
-    /// With the order that costs least: taylor_order where products of series take the time, as they do in mpfr; some
-    /// more, and longer steps with it, in a fixed scalar, where what is done once a coefficient takes as long.
+    /// With the order of least cost: taylor_order if products of series dominate, as they do in mpfr; a somewhat larger
+    /// order, and longer steps with it, in a fixed scalar, where the work done once per coefficient takes as long.
     template <class T>
     static step_accuracy of(int bits) {
         return {bits, scalar_traits<T>::fixed ? bits * 11 / 20 : taylor_order(bits)};
@@ -45,24 +45,25 @@ struct step_accuracy {
 };
 
 /// The least of (size / |c_n|)^(1/n) / e^2 over the last coefficients: R/e^2, at which they fall below epsilon times
-/// the size of the solution, within a factor of 2^(2/n); mantissa 0 where they all are 0. The same for every scalar.
+/// the size of the solution, within a factor of 2^(2/n); mantissa 0 if they are all 0. The same for every scalar.
 step_length taylor_step(long size, const std::vector<coefficient_size>& last);
-/// The same with R 2^(-bits/order) in place of R/e^2.
+/// The same with R 2^(-bits/order) instead of R/e^2.
 step_length taylor_step(long size, const std::vector<coefficient_size>& last, const step_accuracy& accuracy);
 
-/// A march through real time in the arithmetic of T. Errors: some epsilon of the largest component a step, grown by the
-/// flow; nothing is proved. A step ends where the next expansion begins; between, the polynomial is the solution (dense
-/// output), so that the times asked for do not change it.
+/// An integration in real time in the arithmetic of T. Errors: some epsilon of the largest component per step,
+/// amplified by the flow; nothing is proved. A step ends where the next expansion begins; in between, the polynomial is
+/// the solution (dense output), so that it does not depend on the requested times.
 template <rounding_scalar T>
 class taylor_march {
 public:
     static constexpr long most_steps = 10'000'000;
 
-    /// Throws error where the start has no series (tape::about_start). A fast product serves at many digits.
+    /// Throws error if there is no series at the initial point (tape::about_start). A fast product is useful at many
+    /// digits.
     explicit taylor_march(const explicit_system& system, const series::block_product<T>* fast = nullptr)
         : taylor_march(system, step_accuracy{0, taylor_order(digits<T>())}, fast) {}
 
-    /// With steps of a chosen accuracy, less than that of the scalar: shorter series and longer steps. 0 bits stand for
+    /// With steps of a chosen accuracy, less than that of the scalar: shorter series and longer steps. 0 bits mean
     /// steps of R/e^2.
     taylor_march(const explicit_system& system, const step_accuracy& accuracy,
                  const series::block_product<T>* fast = nullptr)
@@ -76,12 +77,12 @@ public:
         restart();
     }
 
-    /// The unknowns and their lower derivatives at time t, forwards or backwards. Throws error where the steps become
-    /// too small before: there is a singularity near.
+    /// The unknowns and their lower derivatives at time t, forwards or backwards. Throws error if the steps become too
+    /// small before t: there is a singularity near.
     const solution_state<T>& advance_to(const T& t) {
         const int forward = t < origin_ ? -1 : 1;
         if (way_ != 0 && (forward != way_ || T((t - centre_) * way_) < 0)) {
-            restart();  // before the centre, or on the other side of the start
+            restart();  // before the centre, or on the other side of the initial point
         }
         for (long steps = 0; !reaches(t); ++steps) {
             way_ = forward;
@@ -92,9 +93,9 @@ public:
         return state_;
     }
 
-    /// Steps that have begun so far.
+    /// Number of steps begun so far.
     long steps() const { return steps_; }
-    /// The length of the current one; 0 where the series is a polynomial and holds everywhere.
+    /// The length of the current step; 0 if the series is a polynomial, which is valid everywhere.
     const T& length() const { return length_; }
 
 private:
@@ -121,7 +122,7 @@ private:
         ++steps_;
     }
 
-    // The length of the step from the last coefficients, of which a symmetry may have left out some.
+    // Computes the length of the step from the last coefficients, some of which a symmetry may have omitted.
     void measure(int root) {
         const tape& of = at_start_ ? start_ : points_;
         const int order = current().order();
@@ -186,13 +187,13 @@ private:
     solution_state<T> state_;
 };
 
-/// What was computed of a solution at a list of times.
+/// The computed part of a solution at a list of times.
 template <class R>
 struct partial_states {
-    /// At each time in order the unknowns with their lower derivatives; an unknown that does not reach the time has no
-    /// values there.
+    /// At each time, in order, the unknowns with their lower derivatives; an unknown that does not reach the time has
+    /// no values there.
     std::vector<solution_state<R>> states;
-    /// Why values are missing, where some are.
+    /// The reason for missing values, if any are missing.
     std::optional<error> missing;
 
     /// Whether every unknown has values at time i.
@@ -201,8 +202,8 @@ struct partial_states {
     }
 };
 
-/// The states at times in any order: one march forwards through those from the start on, one backwards, each as far as
-/// its steps lead.
+/// The states at times in any order: one integration forwards through those from the initial point on, one backwards,
+/// each as far as its steps lead.
 template <rounding_scalar T>
 partial_states<T> march_as_far_as_possible(const explicit_system& system, const std::vector<number>& times,
                                            const series::block_product<T>* fast = nullptr) {
@@ -242,7 +243,7 @@ partial_states<T> march_as_far_as_possible(const explicit_system& system, const 
     return result;
 }
 
-/// The same where every time is reached. Throws as taylor_march::advance_to does.
+/// The same if every time is reached. Throws like taylor_march::advance_to.
 template <rounding_scalar T>
 std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times,
                                              const series::block_product<T>* fast = nullptr) {

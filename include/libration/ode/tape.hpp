@@ -1,4 +1,5 @@
-// The right sides of a system as a list of elementary operations, without a scalar in it: what taylor_expansion runs.
+// The right-hand sides of a system as a scalar-independent list of elementary operations, which taylor_expansion
+// executes.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace libration::ode {
 
-/// What a step of a tape computes, coefficient by coefficient; a and b are its operands.
+/// The operation of a step of a tape, coefficient by coefficient; a and b are its operands.
 enum class operation {
     constant,     ///< one of the constants of the tape
     variable,     ///< t = t0 + s; on a singular tape s itself, a power of the series' variable
@@ -18,25 +19,25 @@ enum class operation {
     scaled,       ///< a constant times a, or a numerator / denominator
     raised,       ///< a plus a constant
     by_variable,  ///< t a
-    delayed,      ///< a times a power of the series' variable, `shift`
+    delayed,      ///< a multiplied by the power `shift` of the series' variable
     product,      ///< a b
     square,       ///< a^2
     quotient,     ///< a / b
     slope,        ///< the derivative of a by the series' variable, one degree behind
     square_root,  ///< sqrt a
     power,        ///< a^r, r a constant, b the slope of a
-    function,     ///< f(a) by a recurrence of its own (function/NAME.hpp), b the slope of a
-    primitive,    ///< f(a) as the primitive of its derivative, a step behind, times b, the slope of a
-    companion     ///< filled by a step before
+    function,     ///< f(a) by a separate recurrence (function/NAME.hpp), b the slope of a
+    primitive,    ///< f(a) as the primitive of its derivative, a later step, times b, the slope of a
+    companion     ///< filled by an earlier step
 };
 
-/// What kernels an operation needs.
+/// The kernels that an operation needs.
 enum class operation_group {
-    linear,        ///< one operation of a field for each coefficient
+    linear,        ///< one field operation per coefficient
     convolution,   ///< sums of products of coefficients, or the slope
-    function,      ///< a function with a value of its own at the start
-    odd_function,  ///< a function that keeps an even one beside it
-    none           ///< filled by a step before
+    function,      ///< a function whose value at the expansion point is computed separately
+    odd_function,  ///< a function that is computed together with an even one
+    none           ///< filled by an earlier step
 };
 
 constexpr operation_group group_of(operation kind) {
@@ -71,40 +72,40 @@ struct tape_step {
     operation kind = operation::constant;
     int left = -1;
     int right = -1;
-    int constant = -1;  ///< index of a constant: a factor, an exponent, the order of a function
+    int constant = -1;  ///< index of a constant: a factor, an exponent or the order of a function
     int numerator = 1;  ///< of scaled without a constant
     int denominator = 1;
     int shift = 0;
     function_kind function = function_kind::exp;  ///< of functions, companions and square roots
-    int derivative = -1;                          ///< of a primitive: the step of f'(a), which is behind this one
-    bool odd = false;                             ///< whether an odd function keeps an even one beside it
+    int derivative = -1;                          ///< of a primitive: the step of f'(a), which is after this one
+    bool odd = false;                             ///< whether an odd function is computed together with an even one
     /// At step n of the recurrence coefficient n - lag is computed.
     int lag = 0;
-    /// Whether that coefficient depends on the newest ones of the unknowns.
+    /// Whether that coefficient depends on the newest coefficients of the unknowns.
     bool newest = false;
-    /// Coefficients may be non-zero for degrees = residue modulo the stride of the tape alone.
+    /// Coefficients may be nonzero only for degrees = residue modulo the stride of the tape.
     int residue = 0;
-    /// The value at the start, where it is known exactly.
+    /// The value at the initial point if it is known exactly.
     std::optional<number> centre = {};
 };
 
-/// Where a derivative of an unknown stands on the tape.
+/// The step of a derivative of an unknown on the tape.
 struct tape_state {
     int unknown = 0;
     int derivative = 0;
     int step = 0;
 };
 
-/// The steps in an order in which operands come first; common subexpressions and constants stand once, products of
-/// constants are folded exactly, whole and half powers are products and roots.
+/// The steps in an order in which operands come first; common subexpressions and constants occur once, products of
+/// constants are folded exactly, integer and half-integer powers are products and roots.
 class tape {
 public:
-    /// For expansions about any point where the right sides have values, the start among them if it is not singular.
-    /// Expressions in the variable, the unknowns and their lower derivatives may be watched beside (watched()).
+    /// For expansions about any point where the right-hand sides have values, including a nonsingular initial point.
+    /// Expressions in the variable, the unknowns and their lower derivatives may be computed in addition (watched()).
     static tape about_points(const explicit_system& of, const std::vector<expression>& watched = {});
-    /// For the expansion about the start. A symmetry of the start under t -> t exp(2 pi i/p), seen from its exact
-    /// zeros, leaves out all coefficients but every p-th (stride). On a singular start s^q y^(q) stands for y^(q).
-    /// Throws error where the equation has no power series there or does not determine it.
+    /// For the expansion about the initial point. A symmetry of the initial values under t -> t exp(2 pi i/p), found
+    /// from their exact zeros, leaves only every p-th coefficient (stride). At a singular initial point s^q y^(q)
+    /// replaces y^(q). Throws error if the equation has no power series there or does not determine it.
     static tape about_start(const explicit_system& of);
 
     const std::vector<tape_step>& steps() const { return steps_; }
@@ -112,19 +113,19 @@ public:
     const std::vector<tape_state>& states() const { return states_; }
     /// The step of the highest derivative of each unknown.
     const std::vector<int>& outputs() const { return outputs_; }
-    /// The steps of the watched expressions.
+    /// The steps of the observed expressions.
     const std::vector<int>& watched() const { return watched_; }
     /// The orders of the unknowns.
     const std::vector<int>& orders() const { return orders_; }
-    /// Modulo which an unknown has a residue, and that.
+    /// The modulus of the residues of the unknowns, and the residue of an unknown.
     int stride() const { return stride_; }
     int residue_of(int unknown) const { return residues_[static_cast<std::size_t>(unknown)]; }
-    /// t0 and the starts of explicit_system.
+    /// t0 and the initial values of explicit_system.
     const number& point() const { return point_; }
     const std::vector<std::vector<number>>& starts() const { return starts_; }
-    /// Whether s^q y^(q) stands for y^(q).
+    /// Whether s^q y^(q) replaces y^(q).
     bool is_singular() const { return singular_; }
-    /// Series go in powers of s^(1/root).
+    /// Series are in powers of s^(1/root).
     int root() const { return root_; }
     /// weights()[i][k][l] as in scaled_right_side.
     const std::vector<std::vector<std::vector<number>>>& weights() const { return weights_; }

@@ -19,34 +19,35 @@
 
 namespace libration::ode {
 
-/// The values of unknowns and their lower derivatives at a point: [unknown][derivative].
+/// The values of the unknowns and their lower derivatives at a point: [unknown][derivative].
 template <field R>
 using solution_state = std::vector<std::vector<R>>;
 
-/// The series about one point: coefficient n of each step of the tape from those below, by the kernels of series/, and
-/// y^(j)_{n+1} = y^(j+1)_n/(n + 1). Over fractions exact, on balls an enclosure of each coefficient, else rounded as
-/// the kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a symmetry of
-/// the start (tape::about_start) divides that by its square. With a fast product of whole sequences (blocked_sums.hpp;
-/// ode/ball/fast_product.hpp) about O(N) for each such step. The arrays are made once and serve any number of points.
+/// The series about one point: coefficient n of each step of the tape from the lower ones, by the kernels of series/,
+/// and y^(j)_{n+1} = y^(j+1)_n/(n + 1). Exact over fractions, an enclosure of each coefficient on balls, otherwise
+/// rounded as the kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a
+/// symmetry of the initial values (tape::about_start) divides that by its square. With a fast product of whole
+/// sequences (blocked_sums.hpp; ode/ball/fast_product.hpp) about O(N) for each such step. The arrays are allocated once
+/// and can be used for any number of points.
 template <field R>
 class taylor_expansion {
 public:
-    /// Up to the power N >= 0 of each unknown. Throws error for N < 0, and for constants that R does not hold. The tape
-    /// and the product have to outlive this.
+    /// Up to the power N >= 0 of each unknown. Throws error for N < 0, and for constants that R cannot represent. The
+    /// tape and the product must outlive this object.
     taylor_expansion(const tape& of, int order, const series::block_product<R>* fast = nullptr);
 
-    /// About the start of the system. A tape made by tape::about_start, or by tape::about_points where that is the
-    /// same. Throws error where R has a function or a value of the start not.
+    /// Expands about the initial point of the system. The tape must be made by tape::about_start, or by
+    /// tape::about_points if that is the same. Throws error if a function or an initial value is not available in R.
     void about_start();
-    /// About another point, which may be complex, from the state there. Not for a singular tape.
+    /// Expands about another point, which may be complex, from the state there. Not for a singular tape.
     void about(const R& point, const solution_state<R>& state);
 
     int order() const { return order_; }
     /// Coefficient n = 0 .. N of (t - t0)^(n/root), all zero before the first call of about.
     const R* coefficients(int unknown) const { return array(states_[static_cast<std::size_t>(unknown)][0]); }
-    /// Of y^(q), or of s^q y^(q) on a singular tape, as far as they were needed.
+    /// Coefficients of y^(q), or of s^q y^(q) on a singular tape, as far as they were needed.
     const R* right_side(int unknown) const { return array(tape_->outputs()[static_cast<std::size_t>(unknown)]); }
-    /// Of the derivative of an unknown below its order; not for a singular tape.
+    /// Coefficients of a derivative of an unknown below its order; not for a singular tape.
     const R* coefficients(int unknown, int derivative) const {
         return array(states_[static_cast<std::size_t>(unknown)][static_cast<std::size_t>(derivative)]);
     }
@@ -54,12 +55,12 @@ public:
         const R* const first = coefficients(unknown);
         return series::power_series<R>(std::vector<R>(first, first + order_ + 1));
     }
-    /// Of a step of the tape, likewise; not in double, where steps may stand in lanes instead.
+    /// Coefficients of a step of the tape, likewise; not in double, where they may be in lanes instead.
     const R* of_step(int step) const requires(!std::same_as<R, double>) { return array(step); }
-    /// Of a watched expression, as far as the right sides were needed.
+    /// Coefficients of an observed expression, as far as the right-hand sides were needed.
     const R* watched(int which) const { return array(tape_->watched()[static_cast<std::size_t>(which)]); }
     /// The polynomials of degree N of the unknowns and of their lower derivatives, by Horner's rule, at a distance from
-    /// the point; where the root is not 1, not at 0, and by the principal value of the root.
+    /// the point; if the root is not 1, at nonzero distances only, and by the principal value of the root.
     solution_state<R> at(const R& distance) const;
 
 private:
@@ -89,7 +90,7 @@ private:
 
     const tape* tape_;
     int order_;
-    int stride_ = 1;  // of the tape about the start, 1 elsewhere
+    int stride_ = 1;  // of the tape about the initial point, 1 elsewhere
     bool exact_ = false;
     std::size_t length_;
     std::vector<R> constants_;
@@ -97,7 +98,7 @@ private:
     std::vector<std::vector<int>> states_;  // steps of the derivatives of each unknown
     std::vector<R> arrays_;
     series::blocked_sums<R> sums_;
-    placed_steps<R> placed_;  // in fixed scalars of the hardware, about any other point than the start
+    placed_steps<R> placed_;  // in hardware scalars, about any point except the initial one
     R point_ = R(0);
 };
 
@@ -131,7 +132,7 @@ taylor_expansion<R>::taylor_expansion(const tape& of, int order, const series::b
     arrays_.assign(of.steps().size() * length_, R(0));
 }
 
-// Leaves nothing of an expansion about another point where a symmetry skips coefficients.
+// Removes remainders of an expansion about another point if a symmetry skips coefficients.
 template <field R>
 void taylor_expansion<R>::clear() {
     const R zero(0);
@@ -182,9 +183,9 @@ bool taylor_expansion<R>::due(const tape_step& step, int n) const {
         return !exact_ || step.residue >= 0 || (is_function(step.kind) && step.kind != operation::square_root);
     }
     if (step.kind == operation::slope) {
-        --n;  // one degree behind
+        --n;  // lags by one degree
     }
-    const bool pair = step.odd;  // keeps an even one beside it
+    const bool pair = step.odd;  // is computed together with an even one
     return (step.residue >= 0 && n % stride_ == step.residue) || (pair && n % stride_ == 0);
 }
 
@@ -231,7 +232,7 @@ void taylor_expansion<R>::run_placed(int steps_until) requires std::floating_poi
     }
 }
 
-// y_n and what it means in the derivatives, whose index n - l root has to exist where it is not 0.
+// y_n and the corresponding coefficients of the derivatives, whose index n - l root must exist if y_n is nonzero.
 template <field R>
 void taylor_expansion<R>::set_newest(int unknown, int n, const R& value) {
     const int root = tape_->root();
@@ -249,7 +250,8 @@ void taylor_expansion<R>::set_newest(int unknown, int n, const R& value) {
     }
 }
 
-// y_{k,n} from (n/root)(n/root - 1) .. y_n - sum weights (n/root) .. y_n = coefficient n of the right side without y_n.
+// y_{k,n} from (n/root)(n/root - 1) .. y_n - sum weights (n/root) .. y_n = coefficient n of the right-hand side without
+// y_n.
 template <field R>
 R taylor_expansion<R>::solved(int unknown, int n) const {
     const auto k = static_cast<std::size_t>(unknown);
@@ -361,7 +363,7 @@ R taylor_expansion<R>::multiple(const tape_step& s, const R& a) const {
     return s.denominator == 1 ? result : R(result / s.denominator);
 }
 
-// f(x_0), or the exact value at the start.
+// f(x_0), or the exact value at the initial point.
 template <field R>
 R taylor_expansion<R>::centre(const tape_step& s) const {
     if (exact_ && s.centre) {
@@ -373,7 +375,7 @@ R taylor_expansion<R>::centre(const tape_step& s) const {
     return function_value<R>(s.function, array(s.left)[0], &order);
 }
 
-// The values that only the functions themselves know.
+// The values that are specific to the functions themselves.
 template <field R>
 void taylor_expansion<R>::set_centre(const tape_step& s, int index) {
     R& value = array(index)[0];
@@ -395,7 +397,7 @@ void taylor_expansion<R>::set_centre(const tape_step& s, int index) {
     }
 }
 
-// And those of what the recurrence of a function keeps beside it.
+// The values of the companions that the recurrence of a function needs.
 template <field R>
 template <class F>
 void taylor_expansion<R>::set_kept(const tape_step& s, int index) {
@@ -476,7 +478,7 @@ solution_state<R> taylor_expansion<R>::at(const R& distance) const {
     solution_state<R> result;
     result.reserve(states_.size());
     if constexpr (std::is_floating_point_v<R>) {
-        if (!tape_->is_singular()) {  // the series of the derivatives are there
+        if (!tape_->is_singular()) {  // the series of the derivatives are available
             for (const auto& of_unknown : states_) {
                 auto& values = result.emplace_back();
                 values.reserve(of_unknown.size());

@@ -12,7 +12,7 @@
 
 namespace libration::ode {
 
-/// Adds to the states of a system those of one of its independent subsystems.
+/// Adds the states of an independent subsystem to those of the whole system.
 template <class R>
 void add_part(partial_states<R>& whole, partial_states<R> part, const closed_subsystem& of) {
     for (std::size_t i = 0; i < part.states.size(); ++i) {
@@ -25,21 +25,21 @@ void add_part(partial_states<R>& whole, partial_states<R> part, const closed_sub
     }
 }
 
-/// The states at times in any order, each value with `digits` correct digits: two marches (taylor_march) that differ in
-/// precision and in order agree to them; as many digits more are taken as the flow loses. Nothing is proved. Unknowns
-/// that do not influence each other are integrated separately, each as far as its steps lead. A value that is exactly 0
-/// at a time that is not the start has no digits, and takes long (agreed_values). Throws error of the kind undecided
-/// where no precision within the limits does. A fast product of whole sequences (ode/ball/fast_product.hpp) serves
-/// beyond some hundred digits.
+/// The states at times in any order, each value with `digits` correct digits: two integrations (taylor_march) that
+/// differ in precision and in order agree to them, with as many additional digits as the flow loses. Nothing is proved.
+/// Unknowns that do not influence each other are integrated separately, each as far as its steps lead. A value that is
+/// exactly 0 at a time that is not the start has no digits, and takes long (agreed_values). Throws error of the kind
+/// undecided if no precision within the limits suffices. A fast product of whole sequences (ode/ball/fast_product.hpp)
+/// is useful beyond some hundred digits.
 partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
                                         const series::block_product<mpfr>* fast = nullptr);
 
-/// The same where nothing is missing; throws what is.
+/// The same if nothing is missing; otherwise throws the reason.
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const series::block_product<mpfr>* fast = nullptr);
 
-/// The states in a scalar of fixed precision, as accurate as one march is; unknowns that do not influence each other
-/// are integrated separately.
+/// The states in a scalar of fixed precision, with the accuracy of one integration; unknowns that do not influence each
+/// other are integrated separately.
 template <rounding_scalar T>
 partial_states<T> part_of_march(const explicit_system& system, const std::vector<number>& times) {
     partial_states<T> whole;
@@ -50,10 +50,10 @@ partial_states<T> part_of_march(const explicit_system& system, const std::vector
     return whole;
 }
 
-/// The states at points of the complex plane of time, each by the same corners and then straight to it (complex_path):
-/// two such ways that differ in precision and in order agree to `digits` digits of each part (agreed_complex_values).
-/// Nothing is proved. Throws error where a point is not reached, and of the kind undecided where no precision within
-/// the limits does.
+/// The states at points of the complex t-plane, each along the same corners and then straight to it (complex_path): two
+/// such continuations that differ in precision and in order agree to `digits` digits of each part
+/// (agreed_complex_values). Nothing is proved. Throws error if a point is not reached, and of the kind undecided if no
+/// precision within the limits suffices.
 std::vector<solution_state<complex_number<mpfr>>> trajectory_along(const explicit_system& system,
                                                                    const std::vector<complex_constant>& corners,
                                                                    const std::vector<complex_constant>& times,

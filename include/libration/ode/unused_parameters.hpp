@@ -1,4 +1,4 @@
-// What the text of a problem defines and does not use.
+// Parameters that the text of a problem defines but does not use.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace libration::ode {
 
-/// The parameters of a text (parse.hpp) that stand in their definition alone, in alphabetical order. Throws error for
-/// what is not a statement.
+/// The parameters of a text (parse.hpp) that occur only in their definition, in alphabetical order. Throws error for
+/// text that is not a statement.
 std::vector<std::string> unused_parameters(std::string_view text);
 
 }  // namespace libration::ode

@@ -29,7 +29,7 @@ std::vector<std::size_t> unknowns_in(const expression& e, const std::map<std::st
     return found;
 }
 
-// Tarjan's algorithm with a stack of its own: chains of unknowns may be long. A component is complete when the search
+// Tarjan's algorithm with an explicit stack: chains of unknowns may be long. A component is complete when the search
 // leaves its first unknown, after all components that it depends on.
 class depth_first_search {
 public:
@@ -102,7 +102,7 @@ private:
     std::size_t count_ = 0;
 };
 
-// All unknowns that can be reached, ascending.
+// All reachable unknowns, ascending.
 std::vector<std::size_t> reached_from(std::size_t first, const std::vector<std::vector<std::size_t>>& edges) {
     std::vector<bool> seen(edges.size(), false);
     std::vector<std::size_t> reached{first};

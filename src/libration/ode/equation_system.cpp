@@ -98,9 +98,9 @@ expression parameter_values::substituted(const expression& e) const {
     });
 }
 
-// Depth first without recursion: each definition in `open_` needs the one behind it.
+// Depth first without recursion: each definition in `open_` needs the one after it.
 void parameter_values::find(const std::string& name) {
-    for (const opened_definition& each : open_) {  // of a call that threw
+    for (const opened_definition& each : open_) {  // left by a call that threw
         definitions_.at(each.of->name).open = false;
     }
     open_.clear();

@@ -31,7 +31,7 @@ std::map<std::string, int> orders_of(const std::vector<equation>& equations) {
     return orders;
 }
 
-// Calls what throws with the number alone, and says whose number it is.
+// Calls an operation whose errors refer only to a number, and adds the name of the quantity to them.
 template <class Operation>
 auto named(const std::string& name, const place& at, const Operation& operation) {
     try {
@@ -85,9 +85,9 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
         }
         singular_ = singular_form(unknowns_, right_, point_, values);
         if (!singular_) {
-            refuse(
-                primed(unknowns_[i].name, unknowns_[i].order), {},
-                "cannot be expanded at the start, because its right-hand side " + *reason + ": choose another start");
+            refuse(primed(unknowns_[i].name, unknowns_[i].order), {},
+                   "cannot be expanded about the initial point, because its right-hand side " + *reason +
+                       ": choose another initial point");
         }
         break;
     }
@@ -130,7 +130,7 @@ void explicit_system::read_unknowns(const equation_system& given) {
         names += unknowns_.size() > most_named_unknowns ? ", ..." : "";
         refuse("", {},
                "has " + std::to_string(given.equations.size()) + " equations for " + std::to_string(unknowns_.size()) +
-                   " unknowns (" + names + "): give as many of both");
+                   " unknowns (" + names + "): give the same number of both");
     }
 }
 
@@ -146,22 +146,22 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
         const number at = named(name, each.at, [&] { return parameters.in(each.point).constant(); });
         if (first != nullptr && !same_number(at, point_)) {
             refuse(name, each.at,
-                   "starts at another point than " + primed(first->of.name(), first->of.derivative()) +
-                       ": give all starts at one point");
+                   "has another initial point than " + primed(first->of.name(), first->of.derivative()) +
+                       ": give all initial values at one point");
         }
         first = first == nullptr ? &each : first;
         point_ = at;
         const auto which = places.find(each.of.name());
         if (which == places.end()) {
-            refuse(name, each.at, "is a start of no unknown: leave it out");
+            refuse(name, each.at, "is not an initial value of an unknown: leave it out");
         }
         auto& of_unknown = found[which->second];
         const auto order = static_cast<std::size_t>(each.of.derivative());
         if (order >= of_unknown.size()) {
-            refuse(name, each.at, "has no start of its own, for the equations give it: leave it out");
+            refuse(name, each.at, "has no free initial value, since the equations determine it: leave it out");
         }
         if (of_unknown[order]) {
-            refuse(name, each.at, "has two starts: give it one");
+            refuse(name, each.at, "has two initial values: give it only one");
         }
         of_unknown[order] = named(name, each.at, [&] { return parameters.in(each.value).constant(); });
     }
@@ -170,7 +170,7 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
         for (std::size_t j = 0; j < found[i].size(); ++j) {
             if (!found[i][j]) {
                 const std::string name = primed(unknowns_[i].name, static_cast<int>(j));
-                refuse(name, {}, "has no start: add " + name + "(0) = number");
+                refuse(name, {}, "has no initial value: add " + name + "(0) = number");
             }
             values.push_back(*found[i][j]);
         }

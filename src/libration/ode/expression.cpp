@@ -30,8 +30,8 @@ struct expression::node {
     std::size_t hash = 0;
 };
 
-// Operands whose last owner goes are released one by one by the outermost destructor of the thread, so that the depth of
-// an expression needs no stack. Without memory for the list they are released recursively.
+// Operands whose last owner is destroyed are released one by one by the outermost destructor of the thread, so that
+// deep expressions need no stack. If there is no memory for the list they are released recursively.
 expression::node::~node() {
     thread_local std::vector<std::shared_ptr<const node>>* open = nullptr;
     if (left.node_ == nullptr) {
@@ -90,7 +90,8 @@ expression::expression(node&& made) {
 }
 
 expression::expression() {
-    // For each thread: another one would wait for ever for a thread that a failure of GMP keeps in here.
+    // Thread-local: with a shared object, other threads would wait indefinitely for a thread that a failure of GMP
+    // keeps in here.
     thread_local const expression zero{number()};
     node_ = zero.node_;
 }
@@ -131,7 +132,7 @@ bool expression::is(int n) const {
     return q && *q == n;
 }
 
-// Pairs that were compared are not compared again: expressions with shared parts would take exponential time.
+// Pairs already compared are not compared again: otherwise expressions with shared parts would take exponential time.
 bool same_form(const expression& a, const expression& b) {
     using node_pair = std::pair<const expression::node*, const expression::node*>;
     if (a.node_ == b.node_ || a.hash() != b.hash()) {
@@ -183,7 +184,7 @@ expression parameter(const std::string& name) {
 expression derivative(const expression& of, int order) {
     if (of.kind() != node_kind::unknown || order < 0) {
         throw error(error_kind::argument, "expression", "",
-                    "has no derivative here: derivatives are written of unknowns, at least of order 0");
+                    "has no derivative here: write derivatives of unknowns, of order at least 0");
     }
     return unknown(of.name(), of.derivative() + order);
 }
@@ -305,7 +306,7 @@ expression with_argument(const expression& function, const expression& x) {
 
 namespace {
 
-// The derivative of f(x) by x, f(x) being at hand.
+// The derivative of f(x) with respect to x, given f(x).
 expression slope_of(const expression& e) {
     return function::with_function(e.function(), [&](auto of) -> expression {
         using each = decltype(of);
@@ -317,7 +318,7 @@ expression slope_of(const expression& e) {
     });
 }
 
-// The derivative of a node from those of its operands, `by_right` null where it has one.
+// The derivative of a node from those of its operands; `by_right` is null if it has only one.
 expression derived(const expression& e, const expression& by_left, const expression* by_right) {
     const expression& a = e.left();
     switch (e.kind()) {

@@ -10,7 +10,7 @@ namespace {
 
 using state_places = std::map<std::string, std::pair<std::size_t, int>>;
 
-// Of each unknown: its first leaf, and its order.
+// For each unknown: its first leaf and its order.
 state_places states_of(const std::vector<unknown_function>& unknowns) {
     state_places states;
     std::size_t first = 0;
@@ -30,7 +30,7 @@ expression in_states(const expression& e, const state_places& states, const std:
         const auto& [first, order] = found->second;
         if (leaf.derivative() >= order) {
             refuse(primed(leaf.name(), leaf.derivative()), {},
-                   "is no part of the state in a condition: write what the equation has for it");
+                   "is not part of the state in a condition: replace it by its right-hand side");
         }
         return leaves[first + static_cast<std::size_t>(leaf.derivative())];
     });

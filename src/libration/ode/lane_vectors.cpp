@@ -1,6 +1,6 @@
-// Highway compiles what stands between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each set of instructions
-// that this kind of processor may have, by including this file again. It is compiled without contraction of products
-// and sums, so that all of them round alike.
+// Highway compiles the code between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once per instruction set of this
+// architecture, by including this file again. It is compiled without contraction of products and sums, so that all
+// instruction sets round alike.
 #include "libration/ode/lane_vectors.hpp"
 
 #include <cstddef>
@@ -32,7 +32,7 @@ private:
     std::size_t length_;
 };
 
-// sum_{k=first}^{last} a_k b_{n-k} in four partial sums, which do not wait for each other.
+// sum_{k=first}^{last} a_k b_{n-k} in four independent partial sums.
 HWY_INLINE vector sum_of_products(const column& a, const column& b, int n, int first, int last) {
     const doubles d;
     vector s0 = hn::Zero(d);
@@ -85,10 +85,10 @@ HWY_INLINE vector coefficient(const lane_group& of, const lane_rows& rows, std::
         case operation::primitive:
         case operation::companion: break;
     }
-    return hn::Zero(d);  // has_lanes() leaves these out
+    return hn::Zero(d);  // excluded by has_lanes()
 }
 
-// From all over row n to one place.
+// Gathers scattered elements of row n into contiguous ones.
 HWY_INLINE void gather(lane_rows& rows, std::ptrdiff_t indices, std::size_t place, std::size_t lanes, int n) {
     const doubles d;
     const hn::RebindToSigned<doubles> whole;

@@ -1,4 +1,4 @@
-// Coefficient n of the series of groups of steps, in the widest vectors that the processor has.
+// Coefficient n of the series of groups of steps, using the widest SIMD vectors available.
 #pragma once
 
 #include <span>
@@ -7,10 +7,10 @@
 
 namespace libration::ode {
 
-/// Rows are padded so far behind each group.
+/// Rows are padded by this number after each group.
 inline constexpr std::size_t widest_vector = 8;
 
-/// n > 0. Sums as sum_in_fours (placed_steps.hpp) does, each lane for itself.
+/// n > 0. Sums like sum_in_fours (placed_steps.hpp), separately in each lane.
 void run_lanes(std::span<const lane_group> groups, lane_rows& rows, int n);
 
 }  // namespace libration::ode

@@ -82,7 +82,7 @@ private:
     }
     expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }
 
-    // Of an expression in the given unknowns.
+    // The polynomial form of an expression in the given unknowns.
     expression polynomial(const expression& e) {
         return done_.of(e, [this](const expression& each) {
             return each.kind() == node_kind::unknown ? given_.at(primed(each.name(), each.derivative()))
@@ -90,7 +90,7 @@ private:
         });
     }
 
-    // Of an expression in leaves.
+    // The polynomial form of an expression in leaves.
     expression in_leaves(const expression& e) {
         node_values<expression> done;
         return done.of(e, [&](const expression& each) { return converted(each, done); });
@@ -111,7 +111,7 @@ private:
         return e;
     }
 
-    // u^(a/b) with p = u^(-1/b) is u^k p^(b k - a), k the least whole number >= 0 that is not below a/b.
+    // u^(a/b) with p = u^(-1/b) is u^k p^(b k - a), k the least integer >= max(0, a/b).
     expression power_of(const expression& u, const expression& exponent) {
         if (u.is_constant()) {
             return pow(u, exponent);
@@ -144,12 +144,12 @@ private:
         });
     }
 
-    // The derivative of unknown k along the solution, in unknowns.
+    // The derivative of unknown k along the solution, in terms of the unknowns.
     expression slope_of(std::size_t k) {
         slopes_.resize(std::max(slopes_.size(), leaves_.size()));
         if (!slopes_[k]) {
             const std::size_t given = leaves_.size() - added_.size();
-            // Copies, for a slope may add unknowns, and the lists move.
+            // Copies, because a slope may add unknowns, which reallocates the lists.
             const expression definition = added_[k - given];
             const expression leaf = leaves_[k];
             const expression made = slope(definition, leaf);
@@ -206,20 +206,20 @@ function::analytic_form form_of(const expression& e) {
     });
 }
 
-// A function with one value for each of its argument; square roots are powers here.
+// Whether a function is single-valued; square roots are powers here.
 bool has_one_value(const expression& e) {
     return e.kind() == node_kind::quotient ||
            (e.kind() == node_kind::function && form_of(e) != function::analytic_form::several_values);
 }
 
-// Of the variable, where its unknowns are entire.
+// Whether it is entire in the variable, if its unknowns are.
 bool is_entire(const expression& whole) {
     node_values<bool> done;
     return done.of(whole, [&](const expression& e) {
         switch (e.kind()) {
             case node_kind::sum:
             case node_kind::product: return done.at(e.left()) && done.at(e.right());
-            case node_kind::quotient: return false;  // one by a constant is a product
+            case node_kind::quotient: return false;  // a division by a constant is a product
             case node_kind::power: {
                 const auto exponent = e.right().fraction();
                 return done.at(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
@@ -235,7 +235,7 @@ bool is_entire(const expression& whole) {
     });
 }
 
-// In the leaves that are the own ones of a component; the others are entire functions of the variable by themselves.
+// Linear in the leaves of the component itself; the others are entire functions of the variable by themselves.
 template <class IsOwn>
 bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is_own) {
     std::vector<expression> own;
@@ -256,7 +256,7 @@ bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is
         right, [&](const expression& leaf) { return is_own(leaf) ? std::optional(expression(0)) : std::nullopt; }));
 }
 
-// Points where a function has a series, and a derivative that divides by its argument.
+// Points where a function has a series but its derivative divides by its argument.
 function::singular_points points_without_form(function_kind f) {
     return function::with_function(f, [](auto of) {
         if constexpr (requires { of.without_polynomial_form; }) {
@@ -276,8 +276,8 @@ void require_polynomial_form(const explicit_system& of) {
             const auto x = values.refusal_of(e.left()) ? std::nullopt : values.value_of(e.left()).fraction();
             if (x && *x == points.points[static_cast<std::size_t>(i)]) {
                 refuse("", {},
-                       std::string("starts where it ") + points.reason +
-                           ", so that its values are not proved: choose another start");
+                       std::string("has an initial point where it ") + points.reason +
+                           ", so that its values are not proved: choose another initial point");
             }
         }
         return true;
@@ -311,7 +311,7 @@ bool has_entire_solutions(const explicit_system& of) {
 
 lifted_system lifted(const explicit_system& of) {
     if (of.singular()) {
-        refuse("", {}, "starts where its equation is singular, which is not proved: choose another start");
+        refuse("", {}, "has a singular initial point, which is not supported by proofs: choose another initial point");
     }
     require_polynomial_form(of);
     return lifting(of).result();

@@ -21,7 +21,7 @@ struct linear_form {
 
     bool is_free() const { return coefficients.empty(); }
 
-    /// Each coefficient and the rest by an operation.
+    /// Applies an operation to each coefficient and to the rest.
     template <class Operation>
     linear_form mapped(const Operation& operation) const {
         linear_form result{{}, operation(rest)};
@@ -115,7 +115,7 @@ private:
     [[noreturn]] void refuse_form(const expression& e, const std::string& where) {
         const expression& t = targets_[done_.at(e).coefficients.begin()->first];
         refuse(primed(t.name(), t.derivative()), of_.at,
-               "is the highest derivative and stands in " + where +
+               "is the highest derivative and occurs in " + where +
                    ": make the equation explicit, by solving for it or by differentiating");
     }
 
@@ -125,7 +125,7 @@ private:
     node_values<linear_form> done_;
 };
 
-// Elimination: each step takes the simplest coefficient that may be divided by.
+// Elimination: the pivot of each step is the simplest coefficient by which division is possible.
 class elimination {
 public:
     elimination(std::vector<linear_form> rows, const std::vector<equation>& equations,
@@ -169,7 +169,7 @@ private:
         std::size_t row, column;
     };
 
-    // The first of the simplest: a constant without another coefficient in its row is as simple as it gets.
+    // The first of the simplest ones: a constant without another coefficient in its row is the simplest possible.
     choice pivot() const {
         std::optional<choice> best;
         int least = 0;
@@ -217,13 +217,13 @@ private:
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             if (!used_[i] && rows_[i].is_free()) {
                 refuse("equation " + std::to_string(i + 1), equations_[i].at,
-                       "has no highest derivative of its own: use its derivative in its place");
+                       "has no separate highest derivative: use its derivative instead");
             }
         }
         for (std::size_t i = 0; i < targets_.size(); ++i) {
             if (!row_of_[i]) {
                 refuse(primed(targets_[i].name(), targets_[i].derivative()), {},
-                       "does not come out of the equations: add one that determines it");
+                       "is not determined by the equations: add one that determines it");
             }
         }
         refuse("", {}, "has equations that depend on each other: give independent ones");

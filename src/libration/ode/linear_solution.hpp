@@ -1,4 +1,4 @@
-// The highest derivatives out of equations that are linear in them.
+// Solves equations that are linear in the highest derivatives for these.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace libration::ode {
 
-/// Whether a coefficient may be divided by at the start.
+/// Whether a coefficient is nonzero at the initial point, so that division by it is possible.
 using nonzero_test = std::function<bool(const expression&)>;
 
-/// targets[i] = result[i], free of the targets. Throws error where an equation is not linear in them, or where they do
-/// not come out of the equations.
+/// targets[i] = result[i], free of the targets. Throws error if an equation is not linear in them, or if the equations
+/// do not determine them.
 std::vector<expression> linear_solution(const std::vector<equation>& equations, const std::vector<expression>& targets,
                                         const nonzero_test& may_divide);
 

@@ -10,7 +10,7 @@ namespace libration::ode {
 
 namespace {
 
-// f''(0) = value becomes f''(0) = a parameter of that value.
+// Replaces f''(0) = value by f''(0) = a parameter of that value.
 std::string parameter_for_start(equation_system& made, const std::string& name, std::size_t index) {
     for (start& each : made.starts) {
         if (name.starts_with(primed(each.of.name(), each.of.derivative()) + "(")) {
@@ -20,7 +20,7 @@ std::string parameter_for_start(equation_system& made, const std::string& name, 
             return parameter_name;
         }
     }
-    refuse(name, {}, "is no start of the problem: choose one of its own");
+    refuse(name, {}, "is not an initial value of the problem: choose one that is");
 }
 
 class opening {
@@ -37,7 +37,7 @@ public:
         for (const std::string& each : names_) {
             const definition* const found = made_.parameter_of(each);
             if (found == nullptr) {
-                refuse(each, {}, "is no parameter and no start of the problem: choose one of its own");
+                refuse(each, {}, "is neither a parameter nor an initial value of the problem: choose one that is");
             }
             values_.push_back(with_values(found->value, made_).constant());
         }
@@ -75,7 +75,7 @@ private:
         return in_starts.in(at->value);
     }
 
-    // Parameters by their values, the open ones by what stands for them.
+    // Parameters by their values, the free ones by the expressions that represent them.
     template <class For>
     parameter_values values_with(const For& stands_for) const {
         std::map<std::string, expression> open;

@@ -41,15 +41,17 @@ void require_consistent(const tape& made, const explicit_system& of) {
             }
             if (!vanishes(R(left - right[n]), R(abs(left) + abs(right[n]) + R(1)))) {
                 refuse(unknown.name, {},
-                       "has no power series with this start, for the equation contradicts " +
-                           primed(unknown.name, n / root) + "(t0), or a logarithm is in it: choose another start");
+                       "has no power series with these initial values, since the equation contradicts " +
+                           primed(unknown.name, n / root) +
+                           "(t0), or the solution has a logarithm: choose another initial point");
             }
         }
         for (const tape_state& state : made.states()) {
             for (int n = 1; state.unknown == static_cast<int>(i) && n < root * state.derivative; ++n) {
                 if (n % root != 0 && !vanishes(y[n], R(1))) {
-                    refuse(primed(unknown.name, state.derivative), {},
-                           "is infinite at the start and in the equations: choose another start");
+                    refuse(
+                        primed(unknown.name, state.derivative), {},
+                        "is infinite at the initial point and occurs in the equations: choose another initial point");
                 }
             }
         }

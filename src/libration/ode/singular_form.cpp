@@ -25,7 +25,7 @@ struct factored_form {
     expression rest;
 };
 
-// Takes the powers of s out of an expression.
+// Factors the powers of s out of an expression.
 class factoring {
 public:
     explicit factoring(start_values& values) : values_(values) {}
@@ -34,17 +34,17 @@ public:
         return done_.of(e, [this](const expression& each) { return made(each); });
     }
 
-    /// The least root in whose powers all powers of s are whole.
+    /// The least root for which all powers of s are integer powers of s^(1/root).
     int root() const { return root_; }
-    /// Whether s was met at all: what cannot be evaluated may be a quotient of its powers.
+    /// Whether s occurred at all: an expression that cannot be evaluated may be a quotient of its powers.
     bool has_met_powers() const { return met_; }
 
     void note(const rational& exponent) {
         const integer whole = lcm(integer(root_), denominator(exponent));
         if (whole > largest_root) {
-            throw error(
-                error_kind::argument, "problem", "",
-                "has powers of the distance from the start with denominators beyond " + std::to_string(largest_root));
+            throw error(error_kind::argument, "problem", "",
+                        "has powers of the distance from the initial point with denominators above " +
+                            std::to_string(largest_root));
         }
         root_ = whole.convert_to<int>();
     }
@@ -108,8 +108,9 @@ private:
             return {inner.exponent / 2, sqrt(inner.rest)};
         }
         if (inner.exponent < 0) {
-            throw error(error_kind::argument, "problem", "",
-                        "has a function of what may be infinite at the start: choose another start");
+            throw error(
+                error_kind::argument, "problem", "",
+                "has a function whose argument may be infinite at the initial point: choose another initial point");
         }
         return {0, with_argument(e, joined(inner))};
     }
@@ -120,7 +121,7 @@ private:
     bool met_ = false;
 };
 
-// How far behind coefficient n the newest coefficient is that can be known before y_n is.
+// The lag behind n of the newest coefficient that can be computed before y_n.
 long lag_of(const expression& whole, int root) {
     node_values<long> done;
     return done.of(whole, [&](const expression& e) {
@@ -149,7 +150,7 @@ long lag_of(const expression& whole, int root) {
     });
 }
 
-// Finds the weights of one right side, f in terms of s.
+// Finds the weights of one right-hand side, f in terms of s.
 std::vector<std::vector<number>> weights_of(const expression& f, int order,
                                             const std::vector<unknown_function>& unknowns, factoring& factors,
                                             start_values& values) {
@@ -191,13 +192,13 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
         const expression scaled = power == 0 ? forms[i].rest : distance_power(power) * forms[i].rest;
         if (power < 0 || lag_of(scaled, result.root) > 0) {
             refuse(highest, {},
-                   "is irregular singular at the start, where a factor of the highest derivative vanishes too fast for "
-                   "a power series: choose another start");
+                   "is irregular singular at the initial point, where a factor of the highest derivative vanishes too "
+                   "fast for a power series: choose another initial point");
         }
         if (const auto reason = values.refusal_of(scaled)) {
-            refuse(
-                highest, {},
-                "cannot be expanded at the start, because its right-hand side " + *reason + ": choose another start");
+            refuse(highest, {},
+                   "cannot be expanded about the initial point, because its right-hand side " + *reason +
+                       ": choose another initial point");
         }
         result.right.push_back({scaled, weights_of(in_distance[i], unknowns[i].order, unknowns, factors, values)});
     }

@@ -1,4 +1,4 @@
-// Right sides with factors (t - t0)^r about a start t0.
+// Right-hand sides with factors (t - t0)^r about an initial point t0.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace libration::ode {
 
-/// The scaled right sides of y_i^(q_i) = right[i] about the point; nothing where no power of t - t0 stands in them.
-/// Throws error where the start is irregular.
+/// The scaled right-hand sides of y_i^(q_i) = right[i] about the point; std::nullopt if they contain no power of t -
+/// t0. Throws error if the initial point is irregular singular.
 std::optional<singular_start> singular_form(const std::vector<unknown_function>& unknowns,
                                             const std::vector<expression>& right, const number& point,
                                             start_values& values);

@@ -20,12 +20,12 @@ bool is_whole(const number& x) {
 
 }  // namespace
 
-// The values are in the domains, or folding would have thrown; what is left are the branch points.
+// The values are in the domains, or folding would have thrown; only branch points remain to be checked.
 void start_values::require_analytic(const expression& e, const number& argument) {
     if (e.kind() == node_kind::power) {
         const number& exponent = e.right().constant();
         if (!is_whole(exponent) && is_zero(argument)) {
-            refuse_value("takes a power of 0 that is not whole");
+            refuse_value("takes a non-integer power of 0");
         }
         return;
     }
@@ -52,7 +52,7 @@ number start_values::of_leaf(const expression& leaf) const {
 
 number start_values::of_operation(const expression& e) const {
     if (e.kind() == node_kind::power && e.left().kind() == node_kind::parameter && e.right().constant().sign() > 0) {
-        return {};  // s^r, which stands for a power of the series' variable
+        return {};  // s^r, which represents a power of the series' variable
     }
     const number& left = done_.at(e.left());
     require_analytic(e, left);
@@ -67,7 +67,7 @@ number start_values::of_operation(const expression& e) const {
         case node_kind::unknown:
         case node_kind::parameter: break;
     }
-    throw std::logic_error("a leaf is no operation");
+    throw std::logic_error("a leaf is not an operation");
 }
 
 number start_values::computed(const expression& e) const {

@@ -1,4 +1,4 @@
-// Values of expressions at a start, exactly.
+// Exact values of expressions at an initial point.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,19 @@
 
 namespace libration::ode {
 
-/// What a leaf is at the start: the variable or an unknown; nothing for what has no value there.
+/// The value of a leaf at the initial point: the variable or an unknown; std::nullopt if it has no value there.
 using leaf_value = std::function<std::optional<number>(const expression& leaf)>;
 
-/// Evaluates expressions at a start and refuses what is not analytic there.
+/// Evaluates expressions at an initial point and rejects those that are not analytic there.
 class start_values {
 public:
     explicit start_values(leaf_value of_leaf) : of_leaf_(std::move(of_leaf)) {}
 
-    /// Why the expression is not analytic at the start ("takes the root of 0"); nothing where it is.
+    /// The reason why the expression is not analytic at the initial point ("takes the root of 0"); std::nullopt if it
+    /// is.
     std::optional<std::string> refusal_of(const expression& e);
 
-    /// The value of an expression that is analytic there. Throws error for any other.
+    /// The value of an expression that is analytic there. Throws error for any other expression.
     number value_of(const expression& e);
 
 private:
@@ -35,7 +36,7 @@ private:
     node_values<number, same_expression> done_;
 };
 
-/// The values that the starts of a system give to t, s = 0 and the unknowns; the system has to outlive them.
+/// The values of t, s = 0 and the unknowns at the initial point of a system, which must outlive the result.
 leaf_value leaves_at_start(const explicit_system& of);
 
 }  // namespace libration::ode

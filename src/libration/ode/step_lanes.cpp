@@ -15,7 +15,7 @@ namespace libration::ode {
 
 namespace {
 
-// From as many in a group on, on average, lanes cost less than one step after the other.
+// The average number of steps in a group from which lanes cost less than single steps.
 constexpr std::size_t least_lanes = 3;
 constexpr std::size_t most_lanes = 16;
 
@@ -45,14 +45,14 @@ bool has_lanes(const tape_step& step) {
 
 std::vector<int> operands_of(const tape_step& step) {
     std::vector<int> operands;
-    if (step.kind != operation::state) {  // whose places name an unknown and a derivative
+    if (step.kind != operation::state) {  // whose operands are an unknown and a derivative
         std::ranges::copy_if(std::array{step.left, step.right}, std::back_inserter(operands),
                              [](int each) { return each >= 0; });
     }
     return operands;
 }
 
-// How many steps a value waits for; those with the same number do not need each other.
+// The depth of each step in the graph of operands; steps of the same depth are independent.
 std::vector<int> depths_of(const tape& of) {
     std::vector<int> depths;
     for (const tape_step& step : of.steps()) {
@@ -65,7 +65,7 @@ std::vector<int> depths_of(const tape& of) {
     return depths;
 }
 
-// Those of one depth and kind, which is -1 for those without lanes; the last ones first.
+// The steps by depth and kind, which is -1 for those without lanes; the last ones first.
 std::map<std::pair<int, int>, std::vector<int>, std::greater<>> steps_by_depth(const tape& of) {
     std::map<std::pair<int, int>, std::vector<int>, std::greater<>> sorted;
     const std::vector<int> depths = depths_of(of);
@@ -78,8 +78,8 @@ std::map<std::pair<int, int>, std::vector<int>, std::greater<>> steps_by_depth(c
     return sorted;
 }
 
-// Steps that may run together, not more than most_lanes. Those that are operands of others stand in the order in which
-// these read them, first all that are left operands, so that they need not be gathered.
+// Steps that can run together, at most most_lanes. Those that are operands of others are in the order in which these
+// read them, first all left operands, so that they need not be gathered.
 std::vector<std::vector<int>> sorted_steps(const tape& of) {
     std::vector<std::vector<int>> together;
     std::map<int, std::size_t> ranks;
@@ -108,7 +108,7 @@ std::vector<std::vector<int>> sorted_steps(const tape& of) {
 
 }  // namespace
 
-// Gives steps their places, and groups what they read.
+// Assigns positions to steps, and determines which operands groups read.
 class step_lanes::builder {
 public:
     builder(step_lanes& to, const tape& of, double* arrays, std::size_t length, const std::vector<double>& factors)
@@ -143,7 +143,7 @@ private:
     const tape_step& step_at(int i) const { return of_.steps()[static_cast<std::size_t>(i)]; }
     double* array(int step) const { return arrays_ + static_cast<std::size_t>(step) * length_; }
 
-    // Who reads what: groups in rows, single steps, unknowns and callers in arrays.
+    // Determines the readers of each value: groups read rows; single steps, unknowns and callers read arrays.
     void find_read(const std::vector<std::vector<int>>& together) {
         in_arrays_.insert(of_.outputs().begin(), of_.outputs().end());
         in_arrays_.insert(of_.watched().begin(), of_.watched().end());
@@ -160,7 +160,7 @@ private:
         }
     }
 
-    // The next free places, for these steps.
+    // Allocates the next free positions for these steps.
     std::size_t new_places(const std::vector<int>& steps) {
         const std::size_t first = to_.starts_.size();
         for (const int step : steps) {
@@ -169,7 +169,7 @@ private:
         return first;
     }
 
-    // Behind them as many more as a vector may reach; those of the first step, so that nothing is divided by 0.
+    // Pads after them to the width of a vector, with the values of the first step to avoid divisions by 0.
     void pad(int step, std::size_t lanes) {
         for (; lanes % widest_vector != 0; ++lanes) {
             new_places({step});
@@ -197,7 +197,7 @@ private:
         to_.order_.push_back({true, static_cast<std::size_t>(step), 1, first, to_.transfers_.size() - first});
     }
 
-    // Where operands stand side by side, or where they are gathered, from the indices that are added.
+    // The position of contiguous operands, or the one to which they are gathered, with the indices appended.
     std::pair<std::size_t, std::ptrdiff_t> operands(const std::vector<int>& steps) {
         const std::size_t first = places_.at(steps.front());
         bool there = true;

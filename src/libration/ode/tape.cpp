@@ -14,14 +14,14 @@ namespace {
 constexpr int largest_stride = 12;
 constexpr int last_resonance = 4096;
 
-// (n/root)(n/root - 1) .. (n/root - q + 1) - sum weights of one unknown: 0 where its coefficient n is free.
+// (n/root)(n/root - 1) .. (n/root - q + 1) - sum weights of one unknown: 0 if its coefficient n is free.
 rational indicial_factor(const std::vector<number>& weights, int order, int root, int n, const std::string& name) {
     rational falling = 1;
     rational factor = 0;
     for (int l = 0; l < order; ++l) {
         const auto weight = weights[static_cast<std::size_t>(l)].fraction();
         if (!weight) {
-            refuse(name, {}, "has an indicial equation whose numbers are no fractions: give parameters as fractions");
+            refuse(name, {}, "has an indicial equation whose numbers are not fractions: give parameters as fractions");
         }
         factor -= *weight * falling;
         falling *= rational(n - l * root, root);
@@ -41,7 +41,7 @@ void require_determined(const explicit_system& of) {
             if (coupled) {
                 refuse(primed(unknown.name, unknown.order), {},
                        "is coupled to " + of.unknowns()[k].name +
-                           " by its singular start: use one equation of higher order, without one of them");
+                           " by its singular initial point: use one equation of higher order, without one of them");
             }
         }
         for (int n = 1; n <= last_resonance; ++n) {
@@ -50,9 +50,10 @@ void require_determined(const explicit_system& of) {
                 const std::string power = start.root == 1
                                               ? std::to_string(n)
                                               : "(" + std::to_string(n) + "/" + std::to_string(start.root) + ")";
-                refuse(unknown.name, {},
-                       "has no unique series at the start, for the equation leaves the coefficient of power " + power +
-                           " free, or has none: choose another start");
+                refuse(
+                    unknown.name, {},
+                    "has no unique series at the initial point, since the equation leaves the coefficient of power " +
+                        power + " free, or has no solution: choose another initial point");
             }
         }
     }

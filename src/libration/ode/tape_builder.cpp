@@ -20,7 +20,7 @@ bool is_constant_node(const expression& e) { return e.kind() == node_kind::const
 
 bool is_minus(const expression& e) { return e.kind() == node_kind::product && e.left().is(-1); }
 
-// A sum as the step that adds a constant, a + b, a - b, or -a + b as b - a with the operands a, b.
+// A sum as the step that adds a constant, a + b, a - b, or -a + b as b - a with operands a, b.
 struct sum_step {
     operation kind;
     operand_pair operands;
@@ -83,7 +83,7 @@ int tape_builder::step_of(const expression& e) {
         [this](const expression& each) { return operands(each); });
 }
 
-// Those that become steps: a constant is part of the step that reads it, a - b needs no step for -b.
+// The operands that become steps: a constant is part of the step that reads it, a - b needs no step for -b.
 operand_pair tape_builder::operands(const expression& e) const {
     switch (e.kind()) {
         case node_kind::sum: return step_of_sum(e).operands;
@@ -100,7 +100,7 @@ operand_pair tape_builder::operands(const expression& e) const {
     return operands_of(e);
 }
 
-// Whether it is a power of the distance from a singular start.
+// Whether it is a power of the distance from a singular initial point.
 bool tape_builder::is_delay(const expression& e) const {
     return result_.singular_ && e.kind() == node_kind::power && e.left().kind() == node_kind::parameter;
 }
@@ -138,7 +138,7 @@ int tape_builder::shared(tape_step step) {
     return index;
 }
 
-// A step is as far behind as its operands; a delay by p catches p up.
+// The lag of a step is that of its operands; a delay by p reduces it by p.
 void tape_builder::set_lag(tape_step& step) const {
     if (step.kind == operation::state) {
         return;  // set by state()
@@ -293,14 +293,14 @@ int tape_builder::root_of(int a, const expression& argument) {
     const auto before = result_.steps_.size();
     const int index = shared(step);
     if (result_.steps_.size() > before) {
-        companions(index, 1);  // twice the root of the centre
+        companions(index, 1);  // twice the square root of the centre
     }
     return index;
 }
 
 int tape_builder::slope_of(int a) { return shared({.kind = operation::slope, .left = a}); }
 
-// Arrays behind a new step which it fills with its own.
+// Arrays after a new step, which are filled together with its own.
 int tape_builder::companions(int of, int count) {
     for (int i = 0; i < count; ++i) {
         tape_step step = result_.steps_[static_cast<std::size_t>(of)];
@@ -311,7 +311,7 @@ int tape_builder::companions(int of, int count) {
     return of;
 }
 
-// By the recurrence of the function itself.
+// By the recurrence of the function.
 template <class F>
 int tape_builder::own_series(const expression& e) {
     const int a = done_.at(e.left());
@@ -333,7 +333,7 @@ int tape_builder::own_series(const expression& e) {
     return index;
 }
 
-// As the primitive of f'(u) u', f'(u) in steps behind it, which may read its coefficients below.
+// As the primitive of f'(u) u', with f'(u) in later steps, which may read its lower coefficients.
 template <class F>
 int tape_builder::primitive_of(const expression& e) {
     const int a = done_.at(e.left());

@@ -1,4 +1,4 @@
-// From expressions to the steps of a tape.
+// Compiles expressions to the steps of a tape.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,11 @@ namespace libration::ode {
 
 class tape_builder {
 public:
-    /// About any point where `at_start` is null.
+    /// About any point if `at_start` is null.
     tape_builder(const explicit_system& of, start_values* at_start);
 
-    /// The finished tape: the right sides, or the scaled ones of a singular start, and what is watched beside.
+    /// The finished tape: the right-hand sides, or the scaled ones of a singular initial point, and the observed
+    /// expressions.
     tape build(const std::vector<expression>& watched);
 
 private:
@@ -45,7 +46,7 @@ private:
     int constant_index(const number& value);
     int state(const expression& e);
     int companions(int of, int count);
-    /// The step like this one, a new one where there is none.
+    /// The existing step equal to this one, or a new one.
     int shared(tape_step step);
     void set_lag(tape_step& step) const;
     std::optional<number> centre_of(function_kind f, const rational& order, const expression& argument);
@@ -58,12 +59,12 @@ private:
     std::map<std::tuple<int, int, int, int, int, int, int, int>, int> known_;
 };
 
-/// Finds the largest stride in which the coefficients about a start stand, and sets the residues.
+/// Finds the largest stride of the nonzero coefficients about an initial point, and sets the residues.
 class tape_symmetry {
 public:
     tape_symmetry(const tape& of) : tape_(of) {}
 
-    /// The residues of the steps and of the unknowns modulo the stride; nothing where they do not agree.
+    /// Computes the residues of the steps and of the unknowns modulo the stride; false if they contradict each other.
     bool holds(int stride);
     const std::vector<int>& steps() const { return steps_; }
     const std::vector<int>& unknowns() const { return unknowns_; }

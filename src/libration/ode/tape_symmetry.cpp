@@ -1,4 +1,4 @@
-// Which coefficients a symmetry of the start leaves: y_n = 0 but for n = r modulo p.
+// Nonzero coefficients by a symmetry of the initial values: y_n = 0 except for n = r modulo p.
 
 #include <algorithm>
 

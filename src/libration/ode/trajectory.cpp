@@ -43,7 +43,7 @@ std::vector<solution_state<R>> states_of(const explicit_system& system, const st
     return result;
 }
 
-// At the start itself zeros are exact.
+// At the initial point itself zeros are exact.
 std::vector<bool> zeros_of(const explicit_system& system, const std::vector<number>& times) {
     std::vector<bool> zeros;
     for (const number& time : times) {
@@ -57,7 +57,7 @@ std::vector<bool> zeros_of(const explicit_system& system, const std::vector<numb
     return zeros;
 }
 
-// The places in the states that are complete.
+// The indices of the times with complete states.
 std::vector<std::size_t> places_reached(const partial_states<mpfr>& of) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < of.states.size(); ++i) {
@@ -78,7 +78,7 @@ std::vector<Item> items_at(const std::vector<std::size_t>& places, const std::ve
     return items;
 }
 
-// By two runs of other precision and order; the times are those that the first run reaches.
+// By two runs of different precision and order; the times are those that the first run reaches.
 partial_states<mpfr> agreed_part(const explicit_system& system, const std::vector<number>& times, long digits,
                                  const series::block_product<mpfr>* fast) {
     partial_states<mpfr> result;
@@ -134,7 +134,7 @@ std::vector<solution_state<complex_number<mpfr>>> trajectory_along(const explici
                                                                    const std::vector<complex_constant>& corners,
                                                                    const std::vector<complex_constant>& times,
                                                                    long digits) {
-    // Where there is no corner the start itself is one of the points.
+    // Without corners, the initial point itself may be one of the points.
     const auto vanishing = [&] {
         std::vector<bool> zeros;
         for (const complex_constant& time : times) {

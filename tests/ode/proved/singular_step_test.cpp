@@ -143,7 +143,8 @@ TEST_CASE("solutions from singular starts have proved digits", "[ode][proved][si
     const auto start = proved_trajectory(lane_emden("5"), {typed("0"), typed("1")}, 20);
     CHECK(start[0][0].text.substr(0, 3) == "1.0");
     CHECK(start[0][1].text == "0");
-    CHECK_THROWS_WITH(proved_trajectory(lane_emden("5"), {typed("-1")}, 20), Catch::Contains("before the start"));
+    CHECK_THROWS_WITH(proved_trajectory(lane_emden("5"), {typed("-1")}, 20),
+                      Catch::Contains("before the initial point"));
     CHECK(holds(states[0][0], plummer(ball(1) / 100)));
     CHECK(holds(states[1][0], plummer(ball(3))));
     CHECK(holds(states[2][0], plummer(ball(10))));

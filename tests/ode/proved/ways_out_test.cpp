@@ -111,7 +111,7 @@ TEST_CASE("events about a singular start", "[ode][proved][singular]") {
         return search.next(crossing::any, std::nullopt);
     };
     CHECK(first_zero("y = 1/2", 1));
-    CHECK_THROWS_WITH(first_zero("y = 1/2", -1), Catch::Contains("behind which alone"));
+    CHECK_THROWS_WITH(first_zero("y = 1/2", -1), Catch::Contains("only after it"));
     CHECK_THROWS_WITH(first_zero("y = 1", 1), Catch::Contains("within the first step"));
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("unknowns that conditions do not hold, or whose solutions end", "[ode]
         return proved_unknowns(parse(text), {name}, {{unknown, 0, time_of("1"), time_of("2")}}, 10);
     };
     CHECK_THROWS_WITH(find("y' = y; x' = k; y(0) = 1; x(0) = 0; k = 1", "k", "y"), Catch::Contains("not isolated"));
-    CHECK_THROWS_WITH(find("y' = k*y^2; y(0) = 1; k = 3", "k", "y"), Catch::Contains("nearer first guess"));
+    CHECK_THROWS_WITH(find("y' = k*y^2; y(0) = 1; k = 3", "k", "y"), Catch::Contains("better initial guess"));
 }
 
 // With y = 0 all that its start does to it is 0, which no width hides.

@@ -1,4 +1,4 @@
-// FLINT's products of whole sequences, for long series of balls and of mpfr.
+// FLINT's products of whole sequences, for long series over balls and mpfr.
 #pragma once
 
 #include "libration/scalar/ball/ball.hpp"
@@ -7,9 +7,9 @@
 
 namespace libration::ode {
 
-/// The product for expansions of at least some hundred terms in the working precision: on balls enclosures, whose radii
-/// are those of the larger terms of a block; in mpfr rounded to about the last place of the larger terms of a block.
-/// Null for other scalars, which have none. Always the same object.
+/// The product for expansions of at least some hundred terms in the working precision: on balls it returns enclosures,
+/// whose radii are those of the larger terms of a block; in mpfr it rounds to about the last place of the larger terms
+/// of a block. Null for other scalars, which have no fast product. Always returns the same object.
 template <class R>
 const series::block_product<R>* fast_product() {
     return nullptr;

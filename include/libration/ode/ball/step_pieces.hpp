@@ -1,4 +1,4 @@
-// Pieces of a step of an integrator: exact ends, and where a piece is halved so that no scale is preferred.
+// Subintervals (pieces) of a step of an integrator: exact ends, and bisection points that favour no scale.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace libration::ode {
 
-/// The sign that all numbers of a ball have; 0 where it contains 0, or is not finite.
+/// The common sign of all numbers of a ball; 0 if it contains 0 or is not finite.
 inline int known_sign(const ball& x) {
     return arb_is_positive(x.handle()) != 0 ? 1 : arb_is_negative(x.handle()) != 0 ? -1 : 0;
 }
 
-/// Of exact numbers: exactly a < b, a + b, a factor 2^exponent.
+/// Exact operations on exact numbers: a < b, a + b, multiplication by 2^exponent.
 inline bool exactly_less(const ball& a, const ball& b) {
     return arf_cmp(arb_midref(a.handle()), arb_midref(b.handle())) < 0;
 }
@@ -30,7 +30,7 @@ inline ball exact_multiple(const ball& a, unsigned long factor, long exponent) {
     return result;
 }
 
-/// A power of 2 near sqrt(a b), for exact 0 < 4 a < b strictly between a and b: with a in [2^(e-1), 2^e) and b in
+/// A power of 2 near sqrt(a b), for exact 0 < 4 a < b, strictly between a and b: with a in [2^(e-1), 2^e) and b in
 /// [2^(f-1), 2^f) f is at least e + 2, so that 2^floor((e + f - 1)/2) is at least 2^e and at most 2^(f-2).
 inline ball power_between(const ball& a, const ball& b) {
     fmpz_t e;
@@ -56,11 +56,12 @@ inline ball midpoint_alone(const ball& x) {
     return result;
 }
 
-/// The method narrows an enclosure of 0 itself without end.
+/// The method narrows an enclosure of 0 itself indefinitely.
 inline constexpr int most_newton_steps = 100;
 
-/// Newton's method on balls: where a function is 0 within a ball, if it is, value and slope enclosed on balls of it; the
-/// ball itself where its slope contains 0. std::nullopt where it is not 0 in the ball.
+/// Newton's method on balls: an enclosure of the zero of a function within a ball, if there is one, from enclosures of
+/// its value and slope on balls inside it; the ball itself if its slope contains 0. Returns std::nullopt if the
+/// function has no zero in the ball.
 template <class Value, class Slope>
 std::optional<ball> zero_within(ball place, const Value& value, const Slope& slope) {
     bool narrows = true;
@@ -80,22 +81,23 @@ std::optional<ball> zero_within(ball place, const Value& value, const Slope& slo
     return place;
 }
 
-/// From and to are exact distances from where the step begins, 0 <= from < to.
+/// from and to are exact distances from the beginning of the step, 0 <= from < to.
 struct step_piece {
     ball from, to;
-    long digits = 0;      ///< in which it is judged
-    int halvings = 0;     ///< of a piece that begins at 0: the next one is by 2^-(2^halvings)
-    int slope = 0;        ///< the sign of the derivative of a function that is known to be monotone on it
-    bool beyond = false;  ///< it begins at the end of what is asked for, or behind it
+    long digits = 0;      ///< the precision in which it is examined
+    int halvings = 0;     ///< for a piece that begins at 0: the next one is by 2^-(2^halvings)
+    int slope = 0;        ///< the sign of the derivative of a function known to be monotone on it
+    bool beyond = false;  ///< it begins at the end of the requested interval, or after it
 
     bool at_0() const { return arb_is_zero(from.handle()) != 0; }
-    /// An exact number between the ends: the middle of their exponents where they are far apart.
+    /// An exact number between the ends: the middle of their exponents if they are far apart.
     ball middle() const {
         return at_0()                                         ? exact_multiple(to, 1, -(1L << halvings))
                : exactly_less(exact_multiple(from, 4, 0), to) ? power_between(from, to)
                                                               : exact_multiple(exact_sum(from, to), 1, -1);
     }
-    /// Whether its halves would be shorter than 2^-bits of what is behind it, or of the step at 0 after so many bits.
+    /// Whether it is shorter than 2^-bits relative to its end or, if it begins at 0, the next cut is below 2^-(64
+    /// bits).
     bool is_narrow(long bits) const {
         constexpr long most_bits_towards_0 = 64;
         return at_0() ? (1L << halvings) > most_bits_towards_0 * bits
@@ -103,7 +105,7 @@ struct step_piece {
     }
     step_piece before(const ball& place) const { return {from, place, digits, at_0() ? halvings + 1 : 0, 0, beyond}; }
     step_piece behind(const ball& place) const { return {place, to, digits, 0, 0, beyond}; }
-    /// What it has in common with an enclosure.
+    /// Its intersection with an enclosure.
     step_piece within(const ball& place) const {
         step_piece part = *this;
         if (const ball least = lower_bound(place); exactly_less(from, least)) part = part.behind(least);

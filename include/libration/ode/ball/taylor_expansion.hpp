@@ -1,4 +1,4 @@
-// Taylor coefficients of differential equations in balls: each contains the exact one.
+// Taylor coefficients of differential equations in balls: each contains the exact coefficient.
 #pragma once
 
 #include "libration/function/ball/values.hpp"

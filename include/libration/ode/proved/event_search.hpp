@@ -1,4 +1,4 @@
-// Where a function of the solution is 0, enclosed: theorem E.
+// Enclosures of the zeros of a function of the solution: theorem E.
 #pragma once
 
 #include <optional>
@@ -11,67 +11,70 @@
 
 namespace libration::ode {
 
-/// How a function passes 0 as t increases, in whichever direction it is searched.
+/// The direction in which a function crosses 0 as t increases, independent of the direction of the search.
 enum class crossing { any, up, down };
 
-/// A zero of g, alone in its enclosure, and the unknowns there. `way` is `any` where g touches 0 at the start.
+/// A zero of g, isolated in its enclosure, and the unknowns there. `way` is `any` if g touches 0 at the initial point.
 struct proved_event {
     ball time;
     std::vector<ball> state;
     crossing way = crossing::any;
 };
 
-/// Why a search returns no event.
+/// The reason why a search returns no event.
 enum class search_end {
     none,
-    time,       ///< there is none up to the given end, and the next zero is certainly beyond it
-    horizon,    ///< there is none within so many steps of the integrator, up to march().reached()
-    precision,  ///< an enclosure is too wide: with more bits it goes on
-    steps,      ///< the steps of the integrator become too small, as they do near a singularity
-    undecided   ///< undecided() is a place where these bits do not show whether g has a zero
+    time,       ///< no event up to the given end; the next zero is certainly beyond it
+    horizon,    ///< no event within so many steps of the integrator, up to march().reached()
+    precision,  ///< an enclosure is too wide: more bits are needed to continue
+    steps,      ///< the steps of the integrator become too small, as near a singularity
+    undecided   ///< in undecided() this precision does not determine whether g has a zero
 };
 
-/// Times between which g is not told from 0, with |g| <= value and |g'| <= slope there.
+/// An interval of times in which g is not distinguished from 0, with |g| <= value and |g'| <= slope there.
 struct undecided_place {
     ball from, to;
     magnitude value, slope;
-    /// Whether it was left because the step has been cut into most_pieces_of_a_step pieces: more bits are of no use then.
+    /// Whether the search stopped because the step was cut into most_pieces_of_a_step pieces: then more bits do not
+    /// help.
     bool too_many_pieces = false;
 };
 
-/// The zeros of gamma(t) = g(t, y(t)) in the open interval behind the start, in their order, none left out: theorem E.
+/// All zeros of gamma(t) = g(t, y(t)) in the open interval after the initial point, in order: theorem E.
 ///
-/// Pieces S of a step are taken in order. Let m be in S, gamma(S) and gamma'(S) = Dg(y) f(y) enclosed on the enclosure
-/// of y.
+/// Pieces S of a step are processed in order. Let m be in S, gamma(S) and gamma'(S) = Dg(y) f(y) enclosed on the
+/// enclosure of y.
 ///   - gamma(S) or gamma(m) + gamma'(S) (S - m) excludes 0: no zero in S.
-///   - gamma'(S) or gamma'(m) + gamma''(S) (S - m) excludes 0: gamma is monotone on S. Where it moves away from 0 from an end with a known sign there is
-///     no zero; else the sign at the other end decides. Where that is not decided the piece stays open, and the pieces
-///     behind it, monotone in the same direction, are joined to it until a sign is certain: opposite signs at both ends
-///     are exactly one zero, the same sign is none. It lies in m - gamma(m)/gamma'(S) of one of the joined pieces.
-///   - gamma''(S) excludes 0: gamma turns once at most on S. The place is enclosed by Newton's method for gamma', and
-///     gamma is monotone before and behind it, where the signs of gamma' at its ends show it.
-///   - else S is halved, at 0 and over several orders of magnitude by exponents, so that no scale is preferred. Where
-///     the radius of gamma(m) is as large as what gamma varies by on S, halving is of no use: `undecided`.
-/// The signs of joined pieces are those of points behind the start: the sign directly behind it is exact
-/// (start_sign.hpp). Where gamma is 0 at the start with k derivatives that vanish, gamma^(k) excludes 0 on the first
-/// piece, so that gamma(t) = gamma^(k)(x) (t - t0)^k/k! does on it without the start.
+///   - gamma'(S) or gamma'(m) + gamma''(S) (S - m) excludes 0: gamma is monotone on S. If it moves away from 0 from an
+///     end with a known sign there is no zero; otherwise the sign at the other end decides. If that is unknown the
+///     piece remains open, and the pieces after it, monotone in the same direction, are joined to it until a sign is
+///     certain: opposite signs at both ends mean exactly one zero, equal signs none. It lies in m - gamma(m)/gamma'(S)
+///     of one of the joined pieces.
+///   - gamma''(S) excludes 0: gamma turns at most once on S. The point is enclosed by Newton's method for gamma', and
+///     gamma is monotone before and after it, if the signs of gamma' at its ends prove it.
+///   - otherwise S is halved, at 0 and over several orders of magnitude by exponents, so that no scale is favoured. If
+///     the radius of gamma(m) is as large as the variation of gamma on S, halving is useless: `undecided`.
+/// The signs of joined pieces are those of points after the initial point: the sign directly after it is exact
+/// (start_sign.hpp). If gamma and its first k - 1 derivatives vanish at the initial point, gamma^(k) excludes 0 on the
+/// first piece, so that gamma(t) = gamma^(k)(x) (t - t0)^k/k! is nonzero on it except at the initial point.
 class event_search {
 public:
-    /// g in unknowns, their lower derivatives and the variable of the system. A march from the start of the system in
-    /// so many bits, in the direction of time (< 0: backwards); `watch` is called after each step. Throws error as
-    /// sign_at_start, and for a singular start where g has a zero within the first step, or backwards.
+    /// g in unknowns, their lower derivatives and the variable of the system. Integrates from the initial point of the
+    /// system with so many bits, in the direction of time (< 0: backwards); `watch` is called after each step. Throws
+    /// error like sign_at_start, and for a singular initial point if g has a zero within the first step, or backwards.
     event_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
                  const proof_route& route = {}, march_watch watch = {});
 
-    /// Pieces of one step after which a search gives up.
+    /// Maximum number of pieces of one step of a search.
     static constexpr long most_pieces_of_a_step = 4'000;
-    /// Steps without an event after which a search without an end gives up.
+    /// Maximum number of steps without an event in a search without an end.
     static constexpr long usual_horizon = 5'000;
 
-    /// The start as an event: where g is exactly 0 there.
+    /// The initial point as an event if g is exactly 0 there; std::nullopt otherwise.
     std::optional<proved_event> at_start() const;
-    /// The next zero that is passed this way and is not certainly beyond `end`; std::nullopt for the reason end(). The
-    /// horizon holds without an end, or where one is given; a search that ended by it goes on when called again.
+    /// The next zero that is crossed in this direction and is not certainly beyond `end`; std::nullopt for the reason
+    /// end(). The horizon applies without an end, or if it is given; a search that reached it continues when called
+    /// again.
     std::optional<proved_event> next(crossing way, const std::optional<number>& end,
                                      const std::optional<long>& horizon = std::nullopt);
 
@@ -88,11 +91,11 @@ private:
     enum class finding { no_zero, monotone, open, undecided };
     struct verdict {
         finding kind;
-        int sign;  // of g, or of its slope
+        int sign;  // of g, or of its derivative
     };
 
     void require_no_event_before_first_step(const ball& start);
-    // Rounded outwards, where the bounds of a step hold too: they are those of the distance itself.
+    // Rounded outwards; the bounds of a step are still valid, since they are those of the distance itself.
     ball span_of(const step_piece& p) const { return hull(p.from, p.to) * direction_; }
     sample sampled(const ball& distance) const;
     const expression& curvature();
@@ -115,18 +118,18 @@ private:
 
     first_order_form form_;
     expression g_, slope_;
-    std::optional<expression> curvature_;  // made when it is needed
+    std::optional<expression> curvature_;  // computed on demand
     proved_march march_;
     long digits_;
     int direction_;
     march_watch watch_;
     start_sign start_;
-    int sign_ = 1;                     // of g where it was certain for the last time
-    bool open_ = false;                // since then g was monotone towards 0
-    std::vector<proved_event> parts_;  // and where on these pieces its zero can be
-    std::vector<step_piece> pieces_;   // of the present step, the next one last
-    long examined_ = 0;                // those that were halved
-    bool examining_ = false;           // the present step is ready
+    int sign_ = 1;                     // of g when it was last certain
+    bool open_ = false;                // g has been monotone towards 0 since then
+    std::vector<proved_event> parts_;  // and the possible locations of its zero on these pieces
+    std::vector<step_piece> pieces_;   // of the current step, the next one last
+    long examined_ = 0;                // number of halved pieces
+    bool examining_ = false;           // the current step is ready
     search_end end_ = search_end::none;
     std::optional<undecided_place> undecided_;
 };

@@ -1,5 +1,5 @@
-// Equations with proofs: solutions, events, unknowns, conditions at infinity, coefficients, condition numbers,
-// singularities and radii of convergence.
+// Rigorous results for differential equations: solutions, events, unknowns, conditions at infinity, coefficients,
+// condition numbers, singularities and radii of convergence.
 #pragma once
 
 #include "libration/ode/ball/taylor_expansion.hpp"

@@ -1,4 +1,4 @@
-// The Taylor coefficients of every unknown of any system, in an arithmetic that is chosen at run time.
+// The Taylor coefficients of every unknown of any system, in an arithmetic chosen at run time.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@
 
 namespace libration::ode {
 
-/// Which coefficients, first .. order, of which system.
+/// The requested coefficients, first .. order, and the system.
 struct coefficient_request {
     explicit_system system;
     long first = 0;
     long order = 0;
-    /// The point of expansion; the start of the system where it is not given.
+    /// The expansion point; by default the initial point of the system.
     std::optional<complex_constant> at = {};
-    /// The corners of the way there through the complex plane; straight without them.
+    /// The corners of the path there through the complex plane; by default a straight line.
     std::vector<complex_constant> corners = {};
 
-    /// Whether the point is the start, with no way to it.
+    /// Whether the point is the initial point, without a path to it.
     bool about_start() const;
-    /// Whether the point and the way to it are complex.
+    /// Whether the point and the path to it are complex.
     bool complex() const;
 };
 
-/// One degree after the other, in each the unknowns in order; of a complex point the real and the imaginary part of
-/// each. Coefficient n is that of s^(n/root), s the distance from the point.
+/// Ordered by degree, then by unknown; for a complex point the real and the imaginary part of each. Coefficient n is
+/// that of s^(n/root), s the distance from the point.
 template <class Number>
 struct coefficient_list {
     std::vector<Number> values;
@@ -37,19 +37,19 @@ struct coefficient_list {
     int root = 1;
 };
 
-/// As a fixed scalar computes them; in mpfr right to the digits of the scalar, by two runs that agree, and 0 where
-/// fractions or a symmetry show it. Throws error of the subject "time" or "point" where the point is not reached, of
-/// the kind undecided where no precision within the limits does, of the kind range for a coefficient that the scalar
-/// does not hold.
+/// As computed in a fixed scalar; in mpfr correct to the digits of the scalar, by two runs that agree, and 0 if
+/// fractions or a symmetry prove it. Throws error of the subject "time" or "point" if the point is not reached, of the
+/// kind undecided if no precision within the limits reaches it, of the kind range for a coefficient out of the range of
+/// the scalar.
 coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coefficient_request& request);
 
 /// `digits` digits each, proved to one unit in the last. Throws error of the subject "point" for a complex point, to
-/// which no way is proved, and as rounded_coefficients does.
+/// which no path is proved, and like rounded_coefficients.
 coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits,
                                                      const proof_route& route = {});
 
-/// Exact fractions. Throws error of the subject "point" for a point that is not the start, and of the subject "problem"
-/// where the system has numbers that are none.
+/// Exact fractions. Throws error of the subject "point" for a point that is not the initial point, and of the subject
+/// "problem" if the system has numbers that are not fractions.
 coefficient_list<rational> exact_coefficients(const coefficient_request& request);
 
 }  // namespace libration::ode

@@ -1,4 +1,4 @@
-// How a proof is computed: what a second proof of the same statement does differently.
+// Parameters of the computation of a proof, which a second proof of the same statement varies.
 #pragma once
 
 #include "libration/ode/ball/fast_product.hpp"
@@ -6,15 +6,15 @@
 
 namespace libration::ode {
 
-/// Which integrator takes the steps to a time.
+/// The integrator of the steps to a time.
 enum class integrator_choice {
-    automatic,   ///< collocation where the steps of Taylor series are far shorter than the solution's scale
+    automatic,   ///< collocation if the steps of Taylor series are much shorter than the scale of the solution
     taylor,      ///< Taylor series alone (theorem V)
-    collocation  ///< collocation (theorem K) from the start on; Taylor series where that is not possible
+    collocation  ///< collocation (theorem K) from the start on; Taylor series if that is not possible
 };
 
-/// The freedom that theorems T, S, V, L and C leave: any order, any step inside the radius, any enclosing product of
-/// series. Two routes prove the same statements; what they share is in docs/proved.md.
+/// The choices that theorems T, S, V, L and C leave open: any order, any step inside the radius, any enclosing product
+/// of series. Two routes prove the same statements; what they have in common is listed in docs/proved.md.
 struct proof_route {
     /// Added to the order of each Taylor polynomial, >= 0.
     int more_terms = 0;
@@ -27,13 +27,13 @@ struct proof_route {
     /// The route of --check: five more terms, steps of seven eighths, series term by term.
     static proof_route second() { return {5, 7, nullptr}; }
 
-    /// That part of a length, rounded: the length itself where it is not shortened.
+    /// That fraction of a length, rounded; the length itself if it is not shortened.
     magnitude shortened(const magnitude& length) const {
         return step_eighths == 8 ? length : length * magnitude::of(step_eighths, -3);
     }
 };
 
-/// The second proof is asked for so many more digits, and has other bits in every step.
+/// Number of additional digits of the second proof, so that its precision differs in every step.
 inline constexpr long more_digits_of_second_proof = 7;
 
 }  // namespace libration::ode

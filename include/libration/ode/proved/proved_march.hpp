@@ -1,4 +1,4 @@
-// The solution of any system at any time, enclosed: many digits for the centre, few for the error.
+// Enclosures of the solution of any system at any time: high precision for the centre, low for the error.
 #pragma once
 
 #include <functional>
@@ -16,85 +16,87 @@
 
 namespace libration::ode {
 
-/// Told now and then, between two steps, up to which time a run has come, and with how many bits it began. What it
-/// throws ends the run, which may go on afterwards.
+/// Progress callback, called occasionally between two steps with the time reached by a run and the bits it began with.
+/// An exception that it throws ends the run, which can be continued afterwards.
 using march_watch = std::function<void(const ball& reached, long bits)>;
 
-/// Why a proof goes no further.
+/// The reason why a proof cannot continue.
 enum class march_end {
     none,
-    precision,  ///< the enclosure is too wide: with more bits it goes on
-    steps       ///< the steps become too small: a singularity of the solution is near, in real time or beside it
+    precision,  ///< the enclosure is too wide: more bits are needed
+    steps       ///< the steps become too small: a singularity of the solution is near, in real or complex time
 };
 
-/// Theorem V. The solution stays in c + Q [-r, r], c exact, from step to step: Phi, the flow over a step h, takes c
-/// into c' + [-tau, tau] by theorem T from the exact point (tau holds the tail, the radii of its balls, the rounding of
-/// c'), and A, from theorem T for the system with its variations over the whole set, holds the derivative of Phi at
-/// every point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau]
+/// Theorem V. The solution remains in c + Q [-r, r], c exact, from step to step: Phi, the flow over a step h, maps c
+/// into c' + [-tau, tau] by theorem T from the exact point (tau contains the tail, the radii of its balls, the rounding
+/// of c'), and A, from theorem T for the system with its variations over the whole set, contains the derivative of Phi
+/// at every point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau]
 /// (error_frame::moved). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
 ///
-/// Where at() is stiff, that is where the solution is smooth over many of the steps, the integrator of theorem K
-/// (rigorous/collocation_integrator.hpp) takes over from the same set, and gives it back when no mode is fast any more.
-/// That is done for equations that are polynomial as they are, without a derivative of the flow.
+/// If the equations are stiff along the way of at(), that is if the solution is smooth over many of these steps, the
+/// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. This
+/// requires a system that is polynomial as it is, and no derivative of the flow.
 ///
-/// The unknowns are those of the given system with their lower derivatives; what theorem T needs besides
-/// (lifted_system) is computed from them in each step. The precision falls as the set grows: what is below it is noise.
+/// The unknowns are those of the given system with their lower derivatives; the other unknowns of theorem T
+/// (lifted_system) are computed from them in each step. The precision decreases as the set grows: digits below its
+/// width are noise.
 ///
-/// Each unknown has its digits relative to itself: the set is kept in scales 2^k near the sizes of the unknowns on the
+/// Each unknown has its own relative precision: the set is kept in scales 2^k near the sizes of the unknowns on the
 /// step (error_frame::settled), and tails are bounded relative to the size of their unknown or to the set's own width
-/// (step_length.hpp). An unknown that is 0 at all times remains an exact 0: centre, tail and row of A are exact zeros
-/// then. One that is not distinguished from 0 for another reason has no effect on the steps; one that once was, and is
-/// no more, ends the proof for want of precision.
+/// (step_length.hpp). An unknown that is 0 at all times remains an exact 0: its centre, tail and row of A are exact
+/// zeros. One that is not distinguished from 0 for another reason has no effect on the steps; one that was
+/// distinguished before, and is no longer, ends the proof for lack of precision.
 class proved_march {
 public:
     static constexpr long most_steps = 10'000'000;
     static constexpr long usual_error_bits = 64;
 
-    /// From the start, in so many bits; the maps of errors in error_bits, which is what derivative_at() is worth. From
-    /// a singular start after a step of theorem S (singular_step.hpp), whose errors it throws.
+    /// From the initial point, with so many bits; the error maps have error_bits, the precision of derivative_at().
+    /// From a singular initial point after a step of theorem S (singular_step.hpp), whose errors it throws.
     proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits,
                  const proof_route& route = {});
-    /// The same from every start of a box of balls, the given unknowns at the point of the system.
+    /// The same from all initial values in a box of balls, the given unknowns at the point of the system.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
                  long error_bits = usual_error_bits, march_watch watch = {}, const proof_route& route = {});
     ~proved_march();
 
-    /// The given unknowns at a time, each solution through the start enclosed; times in one direction, away from the
-    /// start. Nothing where the proof ends before, for the reason end().
+    /// The given unknowns at a time, enclosing each solution through the initial set; times in one direction, away from
+    /// the initial point. Returns std::nullopt if the proof ends before, for the reason end().
     std::optional<std::vector<ball>> at(const number& time);
     /// The same at every time of a ball.
     std::optional<std::vector<ball>> at(const ball& target);
 
-    /// Before the first step: errors weigh absolutely, as for a solution that tends to a constant while its derivative
-    /// vanishes much faster (unknown_scales::weigh_by_errors).
+    /// To be called before the first step: errors are weighted absolutely, as for a solution that tends to a constant
+    /// while its derivative vanishes much faster (unknown_scales::weigh_by_errors).
     void weigh_by_errors() { scales_.weigh_by_errors(); }
-    /// From here on the derivative of the flow is kept: dy(t)/dy(start) for every start of the set; from a singular
-    /// start for that itself (singular_step.hpp, derivative_beyond_start, whose errors it throws), before the first
-    /// step alone.
+    /// From here on the derivative of the flow is kept: dy(t)/dy(t0) for all initial values of the set; from a singular
+    /// initial point with respect to its values themselves (singular_step.hpp, derivative_beyond_start, whose errors it
+    /// throws), only before the first step.
     void keep_derivative();
-    /// What the unknowns are before the first step: nothing, or after a singular start enclosures of all their values
-    /// up to where the march begins.
+    /// The unknowns before the first step: empty, or after a singular initial point enclosures of all their values up
+    /// to the point where the integration begins.
     const std::vector<ball>& before() const { return before_; }
-    /// That at a time where at() has just been.
+    /// The derivative at a time for which at() has just been called.
     ball_matrix derivative_at(const ball& time) const;
 
-    /// Makes the step from reached() ready: series and bounds, once. False where the proof ends here.
+    /// Prepares the step from reached() once: series and bounds. Returns false if the proof ends here.
     bool prepare();
-    /// The longest distance that the step holds for; after prepare().
+    /// The longest distance for which the step is valid; after prepare().
     const magnitude& length() const;
     /// The given unknowns at every distance of a ball, |distance| <= length(), of either sign; after prepare().
     std::vector<ball> values_at(const ball& distance) const;
-    /// The derivative of the flow over that distance by the state at reached(), of every point of the set.
+    /// The derivative of the flow over that distance with respect to the state at reached(), for every point of the
+    /// set.
     ball_matrix derivative_of_flow(const ball& distance) const;
     /// Takes the whole step, forwards for direction >= 0; after prepare().
     void step(int direction);
 
     march_end end() const { return end_; }
-    /// Up to here the solution is proved to exist.
+    /// The time up to which the solution is proved to exist.
     const ball& reached() const { return time_; }
     /// A step of collocation counts as 32.
     long steps() const { return steps_; }
-    /// Those that it began with.
+    /// The initial number of bits.
     long bits() const { return bits_; }
     /// A bound of the set, |x_i - c_i|.
     magnitude width() const;
@@ -132,20 +134,20 @@ private:
     std::vector<ball> centre_;
     error_frame errors_;
     unknown_scales scales_;
-    long set_bits_;  ///< of the map of errors: error_bits_, and what its largest terms lose
+    long set_bits_;  ///< of the error map: error_bits_ plus the loss by its largest terms
     std::unique_ptr<expansions> now_;
     std::optional<ball_matrix> derivative_;
     long steps_ = 0;
     march_watch watch_;
     march_end end_ = march_end::none;
     std::vector<ball> before_;
-    std::optional<explicit_system> singular_;  ///< where it begins behind a singular start
+    std::optional<explicit_system> singular_;  ///< if it begins after a singular initial point
     std::unique_ptr<collocation_integrator> collocation_;
     bool in_collocation_ = false;
     long collocation_steps_ = 0;
-    long steps_of_phase_ = 0;  ///< of collocation, since it took over
+    long steps_of_phase_ = 0;  ///< consecutive steps of collocation
     magnitude length_to_pay_;
-    long next_question_, questions_apart_;  ///< after how many steps it is asked whether the equations are stiff
+    long next_question_, questions_apart_;  ///< the steps after which stiffness is checked
 };
 
 }  // namespace libration::ode

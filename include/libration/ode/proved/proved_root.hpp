@@ -1,5 +1,5 @@
-// Unknown parameters and starts, and periodic orbits: one test of Krawczyk proves that a solution exists, is alone near
-// there, and its digits.
+// Unknown parameters and initial values, and periodic orbits: Krawczyk's test proves existence and local uniqueness of
+// a solution, and its digits.
 #pragma once
 
 #include <functional>
@@ -13,24 +13,25 @@
 
 namespace libration::ode {
 
-/// F and dF/dx over a box of x, enclosed.
+/// Enclosures of F and dF/dx over a box of x.
 struct enclosed_map {
     std::vector<ball> value;
     ball_matrix derivative;
 };
 
-/// F over a box in so many bits, its derivative in error_bits. Nothing where more bits are needed.
+/// F over a box with so many bits, its derivative with error_bits. Returns std::nullopt if more bits are needed.
 using map_of_unknowns =
     std::function<std::optional<enclosed_map>(const std::vector<ball>& x, long bits, long error_bits)>;
 
-/// The zero of F near a first guess, `digits` proved digits each: Newton's method in floating arithmetic of growing
-/// precision, then the test of Krawczyk: with C near the inverse of dF/dx and a box X about x,
+/// The zero of F near a first guess, `digits` proved digits each: Newton's method in floating-point arithmetic of
+/// increasing precision, then Krawczyk's test: with C near the inverse of dF/dx and a box X about x,
 ///     x - C F(x) + (1 - C F'(X)) (X - x)
-/// in the interior of X proves exactly one zero in X, and holds it. Throws error of the kind undecided where Newton's
-/// method does not settle from there, where dF/dx is singular, and where the test fails at every precision.
+/// in the interior of X proves that X contains exactly one zero, which lies in this set. Throws error of the kind
+/// undecided if Newton's method does not converge from the guess, if dF/dx is singular, and if the test fails at every
+/// precision.
 std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits);
 
-/// An unknown or a lower derivative of it at a time.
+/// The value of an unknown or a lower derivative at a time.
 struct point_condition {
     std::string unknown;
     int derivative = 0;
@@ -38,23 +39,23 @@ struct point_condition {
     number value;
 };
 
-/// Values of parameters, or of starts, named as f''(0), for which conditions hold: as many of both. The values in the
-/// system are the first guess; the rows are in the order of the names. Throws error as proved_root, and for a name that
-/// is neither.
+/// Values of parameters, or initial values named as f''(0), that satisfy the same number of conditions. The values in
+/// the system are the initial guess; the rows are in the order of the names. Throws error like proved_root, and for a
+/// name that is neither.
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
                                             const std::vector<point_condition>& conditions, long digits,
                                             const proof_route& route = {});
 
-/// The unknowns and their lower derivatives on a section, one of them fixed at its start, and the period.
+/// The unknowns and their lower derivatives on a section, one of them fixed at its initial value, and the period.
 struct periodic_orbit {
     std::vector<std::string> names;
     std::vector<proved_decimal> start;
     proved_decimal period;
 };
 
-/// The periodic orbit near the start of an autonomous system: the unknown that changes fastest there, relative to its
-/// size, is held, the period is guessed from the nearest return among the first ones. Throws error as proved_root; for
-/// orbits in families, as where a first integral exists, dF/dx is singular.
+/// The periodic orbit near the initial values of an autonomous system: the unknown that changes fastest there, relative
+/// to its size, is fixed, and the period is estimated from the nearest return among the first ones. Throws error like
+/// proved_root; for orbits in families, as if there is a first integral, dF/dx is singular.
 periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route = {});
 
 }  // namespace libration::ode

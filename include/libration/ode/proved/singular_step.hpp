@@ -1,4 +1,4 @@
-// The solution about a regular singular start, enclosed, and the first step away from it.
+// Enclosures of the solution about a regular singular initial point, and the first step away from it.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace libration::ode {
 
-/// y(t0 + s) = p(s) + e(s) about a regular singular start t0, p of degree N and e bounded by theorem S
+/// y(t0 + s) = p(s) + e(s) about a regular singular initial point t0, p of degree N and e bounded by theorem S
 /// (tail_bound.hpp).
 class singular_series {
 public:
-    /// In the largest disc that was found, on so many bits. Throws error where the series is not in whole powers of the
-    /// distance, where the right sides are no polynomials in the unknowns and their first derivatives;
-    /// precision_exhausted where no radius is proved.
+    /// In the largest disc that was found, with so many bits. Throws error if the series is not in integer powers of
+    /// the distance, or if the right-hand sides are not polynomials in the unknowns and their first derivatives;
+    /// precision_exhausted if no radius is proved.
     singular_series(const explicit_system& system, long bits, int degree, const proof_route& route = {});
     singular_series(const singular_series&) = delete;
     singular_series& operator=(const singular_series&) = delete;
@@ -26,8 +26,8 @@ public:
 
     /// The solution is analytic in |s| < radius().
     const magnitude& radius() const { return tail_.radius; }
-    /// Enclosures of the unknowns and their lower derivatives, in order, at real or complex s, |s| < radius() but for
-    /// the last parts of it: throws precision_exhausted where a derivative of e is not bounded by its first term.
+    /// Enclosures of the unknowns and their lower derivatives, in order, at real or complex s, |s| < radius() except
+    /// near the edge: throws precision_exhausted if a derivative of e is not bounded by its first term.
     template <field R>
     std::vector<R> at(const R& distance) const;
 
@@ -39,20 +39,21 @@ private:
     tail_bound tail_;
 };
 
-/// The solution of a system with a singular start a little after it, where its right sides have values.
+/// The solution of a system with a singular initial point shortly after that point, where its right-hand sides have
+/// values.
 struct singular_step {
-    explicit_system beyond;        ///< the system of first order, at a point behind the start
+    explicit_system beyond;        ///< the first-order system, at a point after the initial one
     std::vector<ball> state;       ///< the unknowns and their lower derivatives there, in order
-    std::vector<ball> on_the_way;  ///< enclosures of all that they are between the start and there
+    std::vector<ball> on_the_way;  ///< enclosures of all their values between the initial point and there
 };
 
-/// By a series with a remainder below 2^-bits of the unknowns, whose errors it throws.
+/// By a singular_series with a remainder below 2^-bits of the unknowns, whose errors it throws.
 singular_step proved_singular_step(const explicit_system& system, long bits, const proof_route& route = {});
 
-/// The derivatives of the unknowns and lower derivatives at t0 + distance by the starts, in order, on so many bits:
-/// theorem S for the system and what its right sides say of the derivative by one start, which starts as a unit vector.
-/// A start that the equation fixes, such as y'(0) = 0 of t y'' + 2 y' + .., does not move: 0. Throws as
-/// singular_series, and error where such a start is not 0.
+/// The derivatives of the unknowns and lower derivatives at t0 + distance with respect to the initial values, in order,
+/// with so many bits: theorem S for the system together with the variational equations of one initial value, whose
+/// initial values are a unit vector. An initial value that the equation fixes, such as y'(0) = 0 of t y'' + 2 y' + ..,
+/// is not varied: 0. Throws like singular_series, and error if such a value is nonzero.
 ball_matrix derivative_beyond_start(const explicit_system& system, const ball& distance, long bits,
                                     const proof_route& route = {});
 

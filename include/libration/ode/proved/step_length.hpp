@@ -1,4 +1,5 @@
-// How long a step of theorem V is to be, each unknown by its own size. No proof depends on a choice that is made here.
+// Lengths of the steps of theorem V, with each unknown measured by its own size. No proof depends on the choices made
+// here.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +16,12 @@ namespace libration::ode {
 /// log2 of the number 0.
 inline constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-/// An unknown on a step, in log2.
+/// The scale of an unknown on a step, in log2.
 struct unknown_scale {
-    double size = nothing;   ///< what it certainly reaches; nothing where it is not distinguished from 0
+    double size = nothing;   ///< a lower bound of its maximum; `nothing` when not distinguished from 0
     double reach = nothing;  ///< its error set
-    double scale = 0;        ///< the larger of both; of an unknown that is 0 the largest of all
-    /// Whether it has been distinguished from 0: then an error set as wide as the unknown itself has lost it.
+    double scale = 0;        ///< the larger of both; for an unknown that is 0 the largest of all
+    /// Whether it has been distinguished from 0: then it is lost if its error set is as wide as the unknown itself.
     bool resolved = false;
 };
 
@@ -40,8 +41,8 @@ public:
         }
     }
 
-    /// The sizes by the largest terms of a series at an eighth of its radius, about R/e^2, the usual length of a step:
-    /// so that an unknown that passes 0 keeps the size that it has beside it.
+    /// The sizes from the largest terms of a series at an eighth of its radius, about R/e^2, the usual length of a
+    /// step: so that an unknown that passes through 0 keeps the size that it has nearby.
     void measure_sizes(const taylor_expansion<ball>& series, const magnitude& radius) {
         const double distance = log_of(radius) - 3;
         for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -69,7 +70,7 @@ public:
             return each.resolved && each.reach != nothing && each.reach - each.size > limit;
         });
     }
-    /// The same for a state alone, by its size instead of that beside it: an unknown near 0 is among them.
+    /// The same for a state alone, by its size there instead of its size on the step: also true for an unknown near 0.
     bool may_be_lost(const std::vector<ball>& centre, const std::vector<magnitude>& reach, double limit) const {
         for (std::size_t i = 0; i < all_.size(); ++i) {
             if (all_[i].resolved && log_of(reach[i]) - log_of(magnitude(centre[i])) > limit) {
@@ -78,7 +79,7 @@ public:
         }
         return false;
     }
-    /// Counts those as distinguished from 0 whose error set is narrower than 2^limit of their size.
+    /// Marks as distinguished from 0 the unknowns whose error set is narrower than 2^limit of their size.
     void resolve(double limit) {
         for (unknown_scale& each : all_) {
             each.resolved = each.resolved || (each.size != nothing && each.reach - each.size < limit);
@@ -90,7 +91,7 @@ public:
             all_, [&](const unknown_scale& each) { return each.reach != nothing && each.reach - each.size > limit; });
     }
 
-    /// How many bits the most accurate of the unknowns with an error set is worth; `most` where there is none.
+    /// The relative accuracy in bits of the most accurate unknown with an error set; `most` if there is none.
     long accuracy(long most) const {
         double best = nothing;
         for (const unknown_scale& each : all_) {
@@ -110,13 +111,13 @@ public:
         return result;
     }
 
-    /// From here on errors weigh by the scales alone, as the derivative of the flow asks.
+    /// From here on errors are weighted by the scales only, as required for the derivative of the flow.
     void weigh_by_scales() { by_scales_ = true; }
-    /// From here on errors weigh by the error sets alone: an unknown that is much smaller than another, and has fewer
-    /// digits relative to itself, does not pass its relative error on.
+    /// From here on errors are weighted by the error sets only: an unknown that is much smaller than another, and has
+    /// fewer relative digits, does not propagate its relative error.
     void weigh_by_errors() { by_errors_ = true; }
-    /// log2 of the weight of an error of unknown j in unknown i: relative to the scales of both or, where that is less,
-    /// to their error sets.
+    /// log2 of the weight of an error of unknown j in unknown i: relative to the scales of both or, if that is less, to
+    /// their error sets.
     double weight(std::size_t i, std::size_t j) const {
         const double of_scales = all_[j].scale - all_[i].scale;
         if (by_scales_) {
@@ -133,7 +134,7 @@ public:
     }
 
     /// log2 of the longest step whose tail is below the last of so many bits of each unknown, or far enough below its
-    /// error set: the unknowns that are not distinguished from 0 have that alone.
+    /// error set; for unknowns that are not distinguished from 0 only the latter applies.
     double longest(const tail_bound& tail, long bits, long bits_below_the_set) const {
         const double radius = log_of(tail.radius);
         double least = radius - 1;
@@ -154,15 +155,15 @@ private:
     bool by_errors_ = false;
 };
 
-/// The places of the derivatives of the unknowns by each other among those of the system with its variations.
+/// The indices of the derivatives of the unknowns with respect to each other in the system with its variations.
 struct variation_places {
-    std::size_t given;  ///< unknowns whose derivatives are asked
+    std::size_t given;  ///< unknowns whose derivatives are requested
     std::size_t count;  ///< unknowns of the polynomial form
 
     std::size_t of(std::size_t i, std::size_t j) const { return count * (j + 1) + i; }
 };
 
-/// log2 of the longest step whose tail changes the map of errors by 2^wanted, in the weights of its unknowns.
+/// log2 of the longest step whose tail changes the error map by 2^wanted, in the weights of its unknowns.
 inline double longest_for_map(const tail_bound& tail, const unknown_scales& scales, const variation_places& places,
                               double wanted) {
     const double radius = log_of(tail.radius);
@@ -178,8 +179,8 @@ inline double longest_for_map(const tail_bound& tail, const unknown_scales& scal
     return least;
 }
 
-/// log2 of the largest term of the map of errors at a distance, in the same weights, 0 at least: a map that contracts
-/// is the sum of terms that much larger than 1, and about as much smaller than 1 itself.
+/// log2 of the largest term of the error map at a distance, in the same weights, at least 0: a contracting map is the
+/// sum of terms larger than 1 by about as much as it is smaller than 1 itself.
 inline double growth_of_terms(const taylor_expansion<ball>& series, const unknown_scales& scales,
                               const variation_places& places, double distance) {
     double largest = 0;

@@ -1,4 +1,4 @@
-// What a Taylor polynomial of a differential equation leaves out: theorem T.
+// Remainder bounds of Taylor polynomials of differential equations: theorem T.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace libration::ode {
 
 /// The solution is analytic in |s| < radius, s the distance from the point, and there
 ///     |y_i(s) - p_i(s)| <= error[i] (|s|/radius)^(degree + 1),
-/// p_i the exact Taylor polynomial, for every start and every constant of the balls that p was computed from.
+/// p_i the exact Taylor polynomial, for all initial values and constants in the balls that p was computed from.
 struct tail_bound {
     magnitude radius;
     int degree = 0;
@@ -28,32 +28,32 @@ inline magnitude size_of(const ball& x) { return magnitude(x); }
 inline magnitude size_of(const complex_number<ball>& x) { return hypotenuse(magnitude(x.re), magnitude(x.im)); }
 
 /// Theorem T [THEOREMS: Banach's fixed point in the norm ||a|| = sum |a_n| rho^n]. For a polynomial system y' = f(t, y)
-/// of first order, rho = radius, p the exact polynomials of degree N = expansion.order(): where for some s >= 0 and all
-/// i
+/// of first order, rho = radius, p the exact polynomials of degree N = expansion.order(): if for some s >= 0 and all i
 ///     rho/(N+1) ||f_i(p), degrees >= N|| + rho/(N+2) G_i(s) <= s_i,
-/// G_i(s) a bound of ||f_i(p + e) - f_i(p)|| for ||e_j|| <= s_j, the map e -> D + int(f(p+e) - f(p)) takes {e =
-/// O(t^(N+1)), ||e_i|| <= s_i} into itself, and the solution is p + e there. The tape has to be one of products,
-/// squares and what is linear, made by tape::about_points; the coefficients those about a point. Nothing where no s was
-/// found: rho is too near to the radius of convergence, or the balls are too wide. What the map makes of s bounds e as
-/// well. O(N) a product, with products of 30 bits.
+/// G_i(s) a bound of ||f_i(p + e) - f_i(p)|| for ||e_j|| <= s_j, the map e -> D + int(f(p+e) - f(p)) maps {e =
+/// O(t^(N+1)), ||e_i|| <= s_i} into itself, and the solution is p + e there. The tape must consist of products, squares
+/// and linear operations, and be made by tape::about_points; the coefficients are those about a point. Returns
+/// std::nullopt if no s was found: rho is too close to the radius of convergence, or the balls are too wide. The image
+/// of s under the map bounds e as well. O(N) per product, with 30-bit multiplications.
 template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                        const magnitude& radius);
 
-/// Theorem S, the same about a regular singular start, in powers of the distance t itself: a tape of root 1, made by
-/// tape::about_start, of products, squares and what is linear, in unknowns and first derivatives; N = degree; the
-/// expansion longer by as much as steps of the tape lag behind.
+/// Theorem S, the same about a regular singular initial point, in powers of the distance t itself: a tape of root 1,
+/// made by tape::about_start, of products, squares and linear operations, in unknowns and first derivatives; N =
+/// degree; the expansion must be longer by the maximum lag of the steps of the tape.
 ///
-/// t^q_i y_i^(q_i) = F_i(t, y, y'), where coefficient n of F_i reads y_n through sum_l w_il n .. (n-l+1) y_{i,n} alone,
-/// w the weights of the tape. Let p be the polynomials of degree N > q_i that the coefficients of the solution are.
-/// Where for some u >= 0 and all i
+/// t^q_i y_i^(q_i) = F_i(t, y, y'), where coefficient n of F_i depends on y_n only through sum_l w_il n .. (n-l+1)
+/// y_{i,n}, w the weights of the tape. Let p be the polynomials of degree N > q_i with the coefficients of the
+/// solution. If for some u >= 0 and all i
 ///     ||F_i(p), degrees > N|| + G_i(u) <= u_i,
 /// G_i(u) a bound of ||F_i(p + e) - F_i(p)|| for e = O(t^(N+1)) with ||t^q_j e_j^(q_j)|| <= u_j, hence ||e_j^(l)|| <=
-/// u_j (N+1) .. (N+2-l)/((N+1) .. (N+2-q_j)) rho^-l (that quotient falls with n), the map from t^q e^(q) to F(p + e)
-/// beyond N takes that set into itself. The set is convex, and compact in the norm of any smaller rho, in which the map
-/// is continuous: by Schauder it has a fixed point, a solution p + e in |t| < rho. Where n .. (n-q_i+1) - sum_l w_il n
-/// .. (n-l+1) > 0 for all n > N, which is so where it is for n = N + 1 and |w|, the coefficients beyond N follow from
-/// those before: that solution is the one whose series p begins. `error` bounds ||e||.
+/// u_j (N+1) .. (N+2-l)/((N+1) .. (N+2-q_j)) rho^-l (that quotient decreases with n), the map from t^q e^(q) to the
+/// terms of F(p + e) of degree > N maps that set into itself. The set is convex, and compact in the norm of any smaller
+/// rho, in which the map is continuous: by Schauder's theorem it has a fixed point, a solution p + e in |t| < rho. If n
+/// .. (n-q_i+1) - sum_l w_il n .. (n-l+1) > 0 for all n > N, which is so if it holds for n = N + 1 and |w|, the
+/// coefficients beyond N are determined by those before: that solution is the one whose series begins with p. `error`
+/// bounds ||e||.
 std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_expansion<ball>& expansion, int degree,
                                                 const magnitude& radius);
 

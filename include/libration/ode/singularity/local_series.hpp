@@ -1,5 +1,5 @@
-// The solution about a point of the complex plane of time in rounded arithmetic, and what its coefficients say of the
-// nearest singularity. Nothing here is proved.
+// The solution about a point of the complex t-plane in rounded arithmetic, and the nearest singularity estimated from
+// its coefficients. Nothing here is proved.
 #pragma once
 
 #include <algorithm>
@@ -15,28 +15,29 @@
 
 namespace libration::ode {
 
-/// A system for paths in the plane: its polynomial form, which carries functions of several values along. The start may
-/// be regular singular; throws error where the series there is in powers of a root, or where there are such functions.
+/// A system for paths in the plane: its polynomial form, which continues multivalued functions along the path. The
+/// initial point may be regular singular; throws error if the series there is in powers of a root, or if there are such
+/// functions.
 struct path_system {
     explicit path_system(const explicit_system& system);
 
     lifted_system lifted;
     tape points;
     number origin;
-    /// How many unknowns and lower derivatives the given system has; they are the first of the unknowns that are
-    /// carried, in order.
+    /// Number of unknowns and lower derivatives of the given system; they are the first of the carried unknowns, in
+    /// order.
     std::size_t given = 0;
-    /// Their starts.
+    /// Their initial values.
     std::vector<number> starts;
-    /// Which of them are the unknowns themselves.
+    /// The indices of the unknowns themselves among them.
     std::vector<std::size_t> functions;
-    /// The series about the start, where that is singular: in the unknowns and the order that they were given in.
+    /// The series about the initial point if that is singular: in the given unknowns and orders.
     std::optional<tape> singular;
-    /// The lifted system whose unknowns are all carried, where they are.
+    /// The polynomial form whose unknowns are all carried, if they are.
     std::optional<lifted_system> first;
 };
 
-/// The nearest singularity as ratios of coefficients have it.
+/// The nearest singularity as estimated from ratios of coefficients.
 template <rounding_scalar T>
 struct nearest_estimate {
     complex_number<T> distance;  ///< from the point of the series
@@ -52,7 +53,7 @@ public:
     local_series(const path_system& of, int order)
         : of_(&of), expansion_(of.points, order), origin_(constant_value<T>::of(of.origin)) {}
 
-    /// About the start.
+    /// Expands about the initial point.
     void about_start() {
         if (of_->singular) {
             about_singular_start();
@@ -68,7 +69,7 @@ public:
         about(complex(0), values);
     }
 
-    /// About a point from the carried unknowns there; not about a singular start.
+    /// Expands about a point from the carried unknowns there; not for a singular initial point.
     void about(const complex& offset, const std::vector<complex>& values) {
         at_singular_start_.clear();
         offset_ = offset;
@@ -82,7 +83,7 @@ public:
 
     const complex& offset() const { return offset_; }
     int order() const { return expansion_.order(); }
-    /// How many unknowns are carried, and how many of them, the first ones, are given.
+    /// Number of carried unknowns, and how many of them, the first ones, are given.
     std::size_t carried() const { return of_->lifted.given; }
     std::size_t given() const { return of_->given; }
     const complex* coefficients(std::size_t unknown) const {
@@ -106,7 +107,7 @@ public:
     }
 
     /// log2 of the radius of convergence of the given unknowns, by the slope of log |a_n| between the middle and the
-    /// end; infinity where coefficients end. A symmetry may leave out all but every `stride`-th.
+    /// end; infinity if the series terminates. A symmetry may leave only every `stride`-th coefficient.
     double log_of_radius(int stride = 1) const {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < given(); ++i) {
@@ -119,10 +120,11 @@ public:
         return least;
     }
 
-    /// Where one algebraic singularity z is nearest, (n + 1) a_{n+1}/a_n = (n - alpha)/z for y ~ (1 - s/z)^alpha: the
-    /// differences of neighbours are 1/z, right to O(n^-2), of which one step of Richardson's extrapolation over n and
-    /// n/2 takes the first term. Of the unknowns at these indices the one where they agree best. Returns std::nullopt
-    /// where none does, and for unknowns whose last coefficients are rounding errors of those of the others.
+    /// If one algebraic singularity z is nearest, (n + 1) a_{n+1}/a_n = (n - alpha)/z for y ~ (1 - s/z)^alpha: the
+    /// differences of neighbours are 1/z, correct to O(n^-2), from which one step of Richardson's extrapolation over n
+    /// and n/2 removes the first term. Of the unknowns at these indices the one with the best agreement is used.
+    /// Returns std::nullopt if there is no agreement, and ignores unknowns whose last coefficients are rounding errors
+    /// of those of the others.
     std::optional<nearest_estimate<T>> nearest(const std::vector<std::size_t>& of) const {
         std::optional<nearest_estimate<T>> best;
         const bool is_part = of.size() < given();
@@ -140,7 +142,7 @@ public:
     }
 
     /// alpha of unknown i for a singularity at `distance` from the point, extrapolated once over n and n/2, n + 1 the
-    /// last of the coefficients that are used.
+    /// index of the last coefficient used.
     complex exponent(std::size_t unknown, const complex& distance, int last) const {
         const auto at = [&](int n) {
             const complex ratio = ratio_of(unknown, n);
@@ -151,7 +153,7 @@ public:
         return (at(n) * T(n) - at(half) * T(half)) / T(n - half);
     }
 
-    /// log2 of the largest |a_n| r^n of an unknown, log2 r given; -infinity where all coefficients are 0.
+    /// log2 of the largest |a_n| r^n of an unknown, log2 r given; -infinity if all coefficients are 0.
     double log_of_size(std::size_t unknown, double log_of_radius) const {
         double largest = -std::numeric_limits<double>::infinity();
         for (int n = 0; n <= order(); ++n) {
@@ -161,11 +163,11 @@ public:
     }
 
 private:
-    // Of the bits of a scalar, those that rounding errors may take in the recurrences of a series.
+    // The number of bits of a scalar that may be lost to rounding errors in the recurrences of a series.
     static constexpr double rounded_bits = 12;
 
-    // Whether the last coefficients, in units of the radius of all unknowns, are below the rounding of the first ones:
-    // then the ratios are those of the rounding errors, which grow like the coefficients of the other unknowns.
+    // Whether the last coefficients, in units of the radius of all unknowns, are below the rounding errors of the first
+    // ones: then the ratios are those of rounding errors, which grow like the coefficients of the other unknowns.
     bool is_rounding(std::size_t unknown, double log_of_radius) const {
         const double last = std::max(log_of(coefficients(unknown)[order()]) + order() * log_of_radius,
                                      log_of(coefficients(unknown)[order() - 1]) + (order() - 1) * log_of_radius);
@@ -213,7 +215,7 @@ private:
         return std::log2(static_cast<double>(scaled)) + static_cast<double>(exponent);
     }
 
-    // The place and log2 of the largest coefficient of degree from < n <= to.
+    // The index and log2 of the largest coefficient of degree from < n <= to.
     std::pair<int, double> largest_in(std::size_t unknown, int from, int to) const {
         std::pair<int, double> found{-1, -std::numeric_limits<double>::infinity()};
         for (int n = std::max(1, from + 1); n <= to; ++n) {
@@ -253,7 +255,7 @@ private:
     taylor_expansion<complex> expansion_;
     T origin_;
     complex offset_;
-    std::vector<std::vector<complex>> at_singular_start_;  ///< the coefficients there, else empty
+    std::vector<std::vector<complex>> at_singular_start_;  ///< the coefficients there, otherwise empty
 };
 
 }  // namespace libration::ode

@@ -1,4 +1,4 @@
-// Coordinates in which poles are zeros: the equation is regular there.
+// Coordinates in which poles become zeros, so that the equation is regular there.
 #pragma once
 
 #include <cstddef>
@@ -11,30 +11,32 @@
 
 namespace libration::ode {
 
-/// Of equations whose poles can be seen to be poles by their form [Okamoto1979]:
+/// For equations whose singularities are poles by their form [Okamoto1979]:
 ///     y' = A(t) + B(t) y + C(t) y^2,                                             poles of order 1,
 ///     y'' = a2 y^2 + b y + c(t),  c'' = 0,                                       poles of order 2,
 ///     y'' = a3 y^3 + a2 y^2 + b(t) y + c,  b'' = 0, and b' = 0 or a2 = 0,        poles of order 1.
-/// With v = 1/y the first is v' = -C - B v - A v^2. For the others let p = y'/y^2,
+/// With v = 1/y the first becomes v' = -C - B v - A v^2. For the others let p = y'/y^2,
 ///     h = y'^2 - (a3/2) y^4 - (2 a2/3) y^3 - b y^2 - 2 c y,
-/// and g = h + k y'/y, k = 2 b'/a3 or, of the second, 6 c'/a2. Then
+/// and g = h + k y'/y, k = 2 b'/a3 or, for the second, 6 c'/a2. Then
 ///     v' = -p,  p' = -a2/3 - b v - 3 c v^2 - 2 (g v^3 - k p v^2),  g' = -k (c v + g v^2 - k p v),
 ///     p^2 = a3/2 + (2 a2/3) v + b v^2 + 2 c v^3 + g v^4 - k p v^3,
-/// all polynomials. Proof. h' = -b' y^2 - 2 c' y; p^2 = y'^2/y^4 is h v^4 and what h takes off; p' = y''/y^2 - 2 y p^2;
-/// and (y'/y)' = y''/y - p^2/v^2 = (a3/2) y^2 + (a2/3) y - c v - h v^2, so that h' = -k ((y'/y)' + c v + h v^2).
+/// all polynomials. Proof. h' = -b' y^2 - 2 c' y; p^2 = y'^2/y^4 is h v^4 plus the terms subtracted in h; p' = y''/y^2
+/// - 2 y p^2; and (y'/y)' = y''/y - p^2/v^2 = (a3/2) y^2 + (a2/3) y - c v - h v^2, so that h' = -k ((y'/y)' + c v + h
+/// v^2).
 class regular_coordinates {
 public:
-    /// Nothing for other systems.
+    /// Returns std::nullopt for other systems.
     static std::optional<regular_coordinates> of(const explicit_system& system);
 
     /// The order of every pole.
     int order() const { return order_; }
-    /// v, or v, p, g, without starts.
+    /// v, or v, p, g, without initial values.
     const explicit_system& system() const { return system_; }
-    /// Which of them has a simple zero at a pole: v, or p at one of order 2, where v is 0 as well if `factor` is not.
+    /// The index of the one with a simple zero at a pole: v, or p at a pole of order 2, where v is 0 too if `factor` is
+    /// nonzero.
     std::size_t simple_zero() const { return order_ == 2 ? 1 : 0; }
 
-    /// The coordinates at a time, from y or y and y'; y is not 0.
+    /// The coordinates at a time, from y or y and y'; y must be nonzero.
     template <field R>
     std::vector<R> from(const R& time, const std::vector<R>& state) const {
         const R v = R(1) / state[0];

@@ -6,8 +6,8 @@ namespace libration::ode {
 
 namespace {
 
-// Term by term costs as many products as terms, a product in blocks an effort that falls with the size of the numbers:
-// where both take the same time (bench/equations, both ways side by side).
+// The length at which both methods take the same time (bench/equations compares them): term by term costs as many
+// products as terms, a product in blocks a relative effort that decreases with the size of the numbers.
 int least_length_at(slong bits) { return bits < 512 ? 64 : 32; }
 
 class product_of_balls final : public series::block_product<ball> {
@@ -21,7 +21,7 @@ public:
     int least_length() const override { return least_length_at(ball::working_bits()); }
 };
 
-// Exact balls, whose product keeps so many more bits that its rounding is not seen.
+// Multiplies exact balls with enough extra bits to make the rounding of the product negligible.
 class product_of_mpfr final : public series::block_product<mpfr> {
 public:
     void add_middle(mpfr* sums, int count, const mpfr* a, int length, const mpfr* b, int terms) const override {

@@ -48,9 +48,10 @@ int exact_sign(const expression& e, const first_order_form& form, const number& 
     } catch (const error& problem) {
         const std::string what =
             order == 0 ? "the condition holds there" : "its derivative number " + std::to_string(order) + " is 0 there";
-        throw error(error_kind::undecided, "start", "",
-                    "cannot be distinguished from an event: whether " + what + " is not decided (" + problem.what() +
-                        "); write the start and the condition in the same form, or choose another start");
+        throw error(
+            error_kind::undecided, "start", "",
+            "cannot be distinguished from an event: whether " + what + " is not decided (" + problem.what() +
+                "); write the initial value and the condition in the same form, or choose another initial point");
     }
 }
 

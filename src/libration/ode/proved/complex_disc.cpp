@@ -15,18 +15,18 @@ namespace libration::ode {
 
 namespace {
 
-// The centre has so many bits more than the set leaves it.
+// The number of bits of the centre in addition to those determined by the width of the set.
 constexpr long bits_below_complex_set = 24;
-// Of the variations: radii of T are within a few hundredths of those of convergence.
+// The order of the variations: the radii of theorem T are within a few hundredths of the radii of convergence.
 constexpr int complex_set_order = 44;
-// Paths go by at most 2/3 of a radius.
+// Steps of paths are at most 2/3 of a radius.
 constexpr double terms_for_a_bit = 1.75;
-// Of the series about a singular start, of which there is one: 0.8 of its radius leave no more than its rounding.
+// For the only series about a singular initial point: at 0.8 of its radius the remainder is below the rounding.
 constexpr double singular_terms_for_a_bit = 3.2;
-// Parts of an estimated radius; the estimate may be below the radius by a power of the order.
+// The fractions of an estimated radius that are tried; the estimate may be below the radius by a power of the order.
 constexpr std::array<unsigned long, 8> parts_of_estimate{125, 116, 108, 100, 92, 82, 70, 55};
 
-// Powers of two near the sizes of the unknowns; that of the largest one where there is none.
+// Exponents of powers of two near the sizes of the unknowns; that of the largest one for unknowns that are 0.
 std::vector<long> scales_of(const std::vector<complex_ball>& centre) {
     std::vector<long> scales;
     long largest = std::numeric_limits<long>::min();
@@ -43,7 +43,7 @@ std::vector<long> scales_of(const std::vector<complex_ball>& centre) {
     return scales;
 }
 
-// What remains of the bits once the set has its width.
+// The number of bits that are significant for the width of the set.
 long bits_of(const complex_set& set, long most) {
     long needed = 0;
     for (std::size_t i = 0; i < set.centre.size(); ++i) {
@@ -59,7 +59,7 @@ long bits_of(const complex_set& set, long most) {
 std::optional<tail_bound> tail_about(const tape& of, const taylor_expansion<complex_ball>& expansion,
                                      const complex_ball& point, std::size_t unknowns) {
     double log_of_radius = estimated_radius(expansion, unknowns);
-    if (log_of_radius == no_radius) {  // at an equilibrium the variations alone have a radius
+    if (log_of_radius == no_radius) {  // at an equilibrium only the variations have a finite radius
         log_of_radius = estimated_radius(expansion, of.orders().size());
     }
     for (const unsigned long part : parts_of_estimate) {
@@ -208,7 +208,7 @@ std::vector<complex_ball> complex_disc::image_at(const complex_ball& distance) c
     return image;
 }
 
-// The derivative of the flow by the start in the scales before and after, real parts first.
+// The derivative of the flow with respect to the initial set, in the scales before and after, real parts first.
 ball_matrix complex_disc::scaled_map(const complex_ball& distance, const std::vector<long>& scales) const {
     const auto state = of_set_->at(distance);
     const std::size_t count = flow_->lifted_.leaves.size();
@@ -254,7 +254,7 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
             }
         }
     }
-    if (singular_) {  // the start is known as well as its series
+    if (singular_) {  // the initial values are as accurate as the series
         result.errors = error_frame(std::move(added));
         return result;
     }
@@ -283,7 +283,7 @@ complex_ball complex_disc::integral(std::size_t unknown, const complex_ball& off
                                     const ball& scale, int power) const {
     if (singular_) {
         throw error(error_kind::argument, "offset", "",
-                    "is on a way from a singular start, along which nothing is integrated");
+                    "is on a path from a singular initial point, along which integrals are not available");
     }
     const precision_scope few(decimal_digits(complex_flow::usual_error_bits));
     const complex_ball distance = exact_difference(offset, set_.offset);
@@ -292,7 +292,7 @@ complex_ball complex_disc::integral(std::size_t unknown, const complex_ball& off
     const complex_ball* const first = of_set_->coefficients(static_cast<int>(unknown));
     std::vector<complex_ball> terms(first, first + of_set_->order() + 1);
     magnitude largest(1U);
-    for (int k = 0; k < power; ++k) {  // times from + slope s
+    for (int k = 0; k < power; ++k) {  // multiply by from + slope s
         terms.emplace_back(0);
         for (std::size_t n = terms.size(); n-- > 0;) {
             terms[n] = terms[n] * from + (n > 0 ? terms[n - 1] * slope : complex_ball(0));

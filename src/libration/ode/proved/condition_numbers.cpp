@@ -14,7 +14,7 @@ namespace {
 
 constexpr long digits_of_moves = 20;
 
-// Parameters that can be opened: not exponents, and not those that other ones are made of alone.
+// Parameters that can be opened: not exponents, and not those used only in other parameters.
 std::vector<std::string> names_to_open(const equation_system& system) {
     std::vector<std::string> names;
     for (const definition& each : system.parameters) {
@@ -39,7 +39,7 @@ ball rounding_of(const ball& x) {
     return nearest - x;
 }
 
-// What goes in, in the working precision.
+// The input in the working precision.
 struct given_numbers {
     explicit given_numbers(const opened_system& open) {
         for (const number& each : open.values) {
@@ -59,13 +59,13 @@ struct given_numbers {
     }
 
     std::vector<ball> values, starts;
-    ball_matrix by_values;  ///< of the starts by the values
+    ball_matrix by_values;  ///< derivatives of the initial values with respect to the values
 };
 
-// a b for a square matrix and one of as many rows.
+// a b for a square matrix and one with the same number of rows.
 ball_matrix rows_of_product(const ball_matrix& a, const ball_matrix& b) {
     ball_matrix result;
-    const std::size_t columns = b.front().size();  // a system has an unknown
+    const std::size_t columns = b.front().size();  // a system has at least one unknown
     for (const auto& row : a) {
         auto& sums = result.emplace_back(columns, ball(0));
         for (std::size_t j = 0; j < columns; ++j) {
@@ -77,7 +77,8 @@ ball_matrix rows_of_product(const ball_matrix& a, const ball_matrix& b) {
     return result;
 }
 
-// Three digits of what is not negligible beside the value, and 0 for what is; nothing where more bits are needed.
+// Three digits if the change is not negligible compared with the value, otherwise 0; std::nullopt if more bits are
+// needed.
 std::optional<mpfr> settled(const ball& moved, const ball& size, long negligible) {
     if (!is_finite(moved)) {
         return std::nullopt;
@@ -99,7 +100,7 @@ constexpr long negligible_condition = 9;
 
 }  // namespace
 
-// The system with its parameters opened, and the places of the unknowns of the problem in its state.
+// The system with its parameters opened, and the indices of the unknowns of the problem in its state.
 struct dependence::open_problem {
     open_problem(const equation_system& given, const std::vector<std::string>& asked)
         : open(opened_with(given, asked)), form(open.system) {
@@ -139,7 +140,7 @@ std::optional<std::vector<moved_value>> dependence::moved(const proved_march& ma
     const ball t = constant_value<ball>::of(time);
     if (open_->open.system.singular() && contains_zero(t - constant_value<ball>::of(open_->open.system.point()))) {
         throw error(error_kind::undecided, "time", "",
-                    "is that of a singular start, where no condition numbers are proved: choose times behind it");
+                    "is a singular initial point, where condition numbers are not proved: choose times after it");
     }
     const given_numbers given(open_->open);
     const ball_matrix flow = march.derivative_at(t);

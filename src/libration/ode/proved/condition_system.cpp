@@ -11,9 +11,9 @@ namespace libration::ode {
 
 namespace {
 
-constexpr const char* name_of_condition = "the condition";  // no name that can be typed
+constexpr const char* name_of_condition = "the condition";  // not a name that can be typed
 
-// With the leaves replaced by what `values` has for them, and the variable by `time`.
+// The expression with the leaves replaced by `values`, and the variable by `time`.
 expression with_leaves(const expression& e, const first_order_form& form, const std::vector<expression>& values,
                        const expression& time) {
     return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
@@ -48,7 +48,7 @@ std::vector<std::size_t> places_in(const explicit_system& whole, const explicit_
 
 condition_system with_condition(const explicit_system& system, const expression& g) {
     if (system.singular()) {
-        throw std::logic_error("a condition as an unknown needs a start that is not singular");
+        throw std::logic_error("a condition as an unknown needs a nonsingular initial point");
     }
     const first_order_form form(system);
     const expression value = form.in_leaves(g);

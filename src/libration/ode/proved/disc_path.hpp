@@ -1,4 +1,4 @@
-// A way through the complex plane of time, disc by disc.
+// A path in the complex t-plane, disc by disc.
 #pragma once
 
 #include <memory>
@@ -10,21 +10,21 @@
 
 namespace libration::ode {
 
-// Of a radius: paths go so far in one step.
+// The length of a step of a path relative to the radius, times 2^15.
 inline constexpr unsigned long path_part = 19'660;  // 0.6 of 2^15
-// Besides one a bit; where the discs have nine tenths of the radius it takes one in two bits.
+// The maximum number of discs in addition to one per bit; discs of nine tenths of the radius need one per two bits.
 inline constexpr long most_path_discs = 60;
 
 inline bool certainly_not_zero(const complex_ball& z) { return !contains_zero(z.re) || !contains_zero(z.im); }
 
-// A march by discs, each a step inside the one before.
+// Continuation by discs, each centred inside the previous one.
 class disc_path {
 public:
     explicit disc_path(const complex_flow& flow) : flow_(flow), now_(std::make_unique<complex_disc>(flow)) {}
     disc_path(const complex_flow& flow, complex_set from)
         : flow_(flow), now_(std::make_unique<complex_disc>(flow, std::move(from))) {}
 
-    // In steps of 0.6 of a radius; each(disc, offset) sees every one.
+    // In steps of 0.6 of a radius; each(disc, offset) is called for every step.
     template <class Each>
     void go_to(const complex_ball& target, const Each& each) {
         for (;;) {
@@ -41,13 +41,12 @@ public:
                 next = exact_midpoint(now_->about().offset + rest * part);
             }
             if (++discs_ > most_path_discs + flow_.bits()) {
-                throw error(
-                    error_kind::undecided, "problem", "",
-                    "is not followed to a singularity: the proved discs become too small before it; where a sum "
-                    "such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
+                throw error(error_kind::undecided, "problem", "",
+                            "cannot be followed to a singularity: the proved discs become too small before it; if a "
+                            "sum such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
             }
             if (!certainly_within(exact_difference(next, now_->about().offset), now_->radius())) {
-                throw precision_exhausted("a step below the rounding of its place");
+                throw precision_exhausted("a step below the rounding of its position");
             }
             each(*now_, next);
             const ball modulus = upper_bound(sqrt(ball(next.re * next.re + next.im * next.im)));

@@ -14,7 +14,7 @@ namespace libration::ode {
 namespace {
 
 constexpr int first_pieces = 4;
-constexpr long few_digits = 20;  // in which pieces are judged first
+constexpr long few_digits = 20;  // the initial precision in which pieces are examined
 
 }  // namespace
 
@@ -39,7 +39,7 @@ event_search::event_search(const explicit_system& system, const expression& g, l
 void event_search::require_no_event_before_first_step(const ball& start) {
     if (direction_ < 0) {
         throw error(error_kind::argument, "problem", "",
-                    "starts where its equation is singular, behind which alone events are searched");
+                    "has a singular initial point, and events are searched only after it");
     }
     expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
     for (const ball& each : march_.before()) {
@@ -48,7 +48,7 @@ void event_search::require_no_event_before_first_step(const ball& start) {
     sign_ = known_sign(values.of(g_));
     if (sign_ == 0) {
         throw error(error_kind::undecided, "event", "",
-                    "is not excluded within the first step from the start, where the equation is singular");
+                    "is not excluded within the first step from the initial point, where the equation is singular");
     }
 }
 
@@ -59,7 +59,7 @@ const expression& event_search::curvature() {
     return *curvature_;
 }
 
-// Those of expressions in leaves at a distance.
+// The values of expressions in leaves at a distance.
 expression_values<ball> event_search::values_at(const ball& distance) const {
     expression_values<ball> values(form_.leaves, march_.reached() + distance);
     for (const ball& each : march_.values_at(distance)) {
@@ -73,7 +73,7 @@ event_search::sample event_search::sampled(const ball& distance) const {
     return {values.of(g_), values.of(slope_), values.values()};
 }
 
-// Of g, at an exact distance; 0 where it is not decided.
+// The sign of g at an exact distance; 0 if it is undecided.
 int event_search::sign_at(const ball& distance) const {
     const auto sign = [&] { return known_sign(of_state(g_, distance * direction_)); };
     {
@@ -97,7 +97,7 @@ std::optional<proved_event> event_search::at_start() const {
     return event;
 }
 
-// No zero but the start: gamma^(k) excludes 0 on the piece.
+// No zero except at the initial point: gamma^(k) excludes 0 on the piece.
 event_search::verdict event_search::judged_at_start(const step_piece& p) {
     const ball span = span_of(p);
     if (known_sign(of_state(start_.leading, span)) != 0) {
@@ -124,7 +124,7 @@ event_search::verdict event_search::judged(step_piece& p) {
     }
     const sample middle = sampled(exact_midpoint(span));
     const ball beside = span - exact_midpoint(span);
-    // By the mean value of gamma', and that by the one of gamma''.
+    // The mean value form of gamma, with gamma' enclosed directly, then by its own mean value form with gamma''.
     for (const bool curved : {false, true}) {
         if (curved) {
             all.slope = middle.slope + of_state(curvature(), span) * beside;
@@ -151,7 +151,7 @@ event_search::verdict event_search::judged(step_piece& p) {
     return undecided;
 }
 
-// The later part first, so that the earlier one is the next.
+// The later part first, so that the earlier part is processed next.
 void event_search::split(const step_piece& p) {
     if (is_start(p) || !split_at_turn(p)) {
         const ball middle = p.middle();
@@ -160,8 +160,8 @@ void event_search::split(const step_piece& p) {
     }
 }
 
-// Where gamma'' excludes 0 on the piece gamma turns there once at most: around that place, on both sides of which gamma
-// is monotone. False where that is not proved.
+// If gamma'' excludes 0 on the piece, gamma turns there at most once: splits off a neighbourhood of that point, on both
+// sides of which gamma is monotone. False if that is not proved.
 bool event_search::split_at_turn(const step_piece& p) {
     const precision_scope scope(p.digits);
     const ball span = span_of(p);
@@ -241,8 +241,9 @@ std::optional<proved_event> event_search::passed(const step_piece& p, int slope)
     return behind == 0 ? std::nullopt : joined();
 }
 
-// Where the zero is if it is on the piece, on which gamma is monotone: by Newton's method and, as long as a slope that
-// varies much keeps that from narrowing, by signs between the ends. Nothing is added where the zero is not on the piece.
+// Encloses the zero if it is on the piece, on which gamma is monotone: by Newton's method and, as long as a strongly
+// varying slope prevents that from narrowing, by signs between the ends. Nothing is added if the zero is not on the
+// piece.
 void event_search::add_part(step_piece p) {
     for (;;) {
         const auto place = zero_within(
@@ -261,8 +262,8 @@ void event_search::add_part(step_piece p) {
     }
 }
 
-// Cuts the piece on which gamma is monotone at its middle; where gamma is not told from 0 there, which may be its zero,
-// between that and both ends.
+// Cuts the piece on which gamma is monotone at its middle; if gamma is not distinguished from 0 there, which may be its
+// zero, between the middle and both ends.
 bool event_search::narrowed_by_signs(step_piece& p) const {
     const auto cut = [&](const ball& place) {
         const bool inside = exactly_less(p.from, place) && exactly_less(place, p.to);
@@ -280,7 +281,7 @@ bool event_search::narrowed_by_signs(step_piece& p) const {
     return cut(last) || before;
 }
 
-// The one zero of the pieces that were joined.
+// The only zero of the joined pieces.
 std::optional<proved_event> event_search::joined() {
     if (parts_.empty()) {
         throw std::logic_error("a zero that is on none of its pieces");
@@ -299,7 +300,7 @@ std::optional<proved_event> event_search::joined() {
     return event;
 }
 
-// The pieces of the next step. False for the reason end_.
+// Prepares the pieces of the next step. Returns false for the reason end_.
 bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
     if (examining_) {
         march_.step(direction_);

@@ -28,9 +28,9 @@ column unit_vector(std::size_t size, std::size_t k) {
     return unit;
 }
 
-// Orthonormal columns in the order given, nearly: what is left of a column that the others span is replaced by the unit
-// vector that they span least. The last ones in that order are the unit vectors of the coordinates in `zero`, in which
-// all columns are 0.
+// Nearly orthonormal columns in the given order: a column in the span of the others is replaced by the unit vector
+// farthest from their span. The last ones in that order are the unit vectors of the coordinates in `zero`, in which all
+// columns are 0.
 class orthogonal_factor {
 public:
     std::vector<column> of(const std::vector<column>& all, const std::vector<std::size_t>& order,
@@ -63,7 +63,7 @@ private:
         return best;
     }
 
-    // Twice, so that what is left is orthogonal to the last place.
+    // Twice, so that the remainder is orthogonal to the last place.
     column without_others(column v) const {
         for (int pass = 0; pass < 2; ++pass) {
             for (const std::size_t j : found_) {
@@ -76,7 +76,7 @@ private:
         return v;
     }
 
-    // Whether more than 2^-40 of a length is left.
+    // Whether more than 2^-40 of the length remains.
     static bool normalise(column& v, const ball& squared_length) {
         const ball left = exact_midpoint(dot(v, v));
         const ball least = exact_midpoint(squared_length) * pow(ball(2), -40L);
@@ -106,7 +106,7 @@ ball_matrix inverse(const std::vector<column>& q) {
         norm = std::max(norm, row);
     }
     if (!(norm <= magnitude(1U) / 4U)) {
-        throw precision_exhausted("a frame of errors");
+        throw precision_exhausted("an error set");
     }
     const ball error = widened(ball(0), norm * magnitude(4U) / 3U);
     ball_matrix result(size);
@@ -173,7 +173,7 @@ error_frame error_frame::image(const ball_matrix& map, const std::vector<magnitu
         for (std::size_t j = 0; j < size(); ++j) {
             result.columns_[j][i] = dot(map[i], columns_[j]);
             if (!is_finite(result.columns_[j][i])) {
-                throw precision_exhausted("a map of errors");
+                throw precision_exhausted("an error map");
             }
             result.added_[i] += magnitude(map[i][j]) * added_[j];
         }

@@ -1,4 +1,4 @@
-// From run to run: how many bits the digits need that the last one did not prove.
+// Adapts the number of bits from run to run to the digits that the last run did not prove.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ inline constexpr long most_bits = 1'000'000;
 
 inline long bits_of_digits(long digits) { return digits * 3322 / 1000 + 4; }
 
-/// The time up to which a solution is proved to exist, rounded towards the start.
+/// The time up to which a solution is proved to exist, rounded towards the initial point.
 inline std::string proved_reach_text(const ball& reached, bool forward) {
     const precision_scope scope(20);
     const mpfr bound = midpoint_of(forward ? lower_bound(reached) : upper_bound(reached));
@@ -26,8 +26,8 @@ public:
     explicit needed_bits(long digits) : digits_(digits), now_(bits_of_digits(digits) + first_guard_bits) {}
 
     long now() const { return now_; }
-    /// The decimal; without one more bits for the next run. Throws error of the kind undecided for a value that several
-    /// runs do not distinguish from 0: `subject` and `value` name it.
+    /// The decimal; without one, requests more bits for the next run. Throws error of the kind undecided for a value
+    /// that several runs do not distinguish from 0: `subject` and `value` name it.
     std::optional<proved_decimal> printed(const ball& value, const std::string& subject, const std::string& of) {
         auto decimal = to_proved_decimal(value, digits_);
         if (decimal) {
@@ -41,11 +41,11 @@ public:
         }
         return std::nullopt;
     }
-    /// As many bits more as the digits of a value lack that excludes 0.
+    /// Adds the number of bits that a value that excludes 0 lacks for its digits.
     void raise_for(const ball& value, const std::string& subject, const std::string& of) {
         raise_to(now_ + bits_of_digits(digits_ - proved_digits(value, digits_)) + now_ / 32 + 8, subject, of);
     }
-    /// Twice the bits, for a value that contains 0; false after several such runs.
+    /// Doubles the bits for a value that contains 0; false after several such runs.
     bool raised_at_zero(const std::string& subject, const std::string& of) {
         if (++runs_at_zero_ >= most_runs_at_zero) {
             return false;
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // A value that so many runs, each with more bits, do not distinguish from 0 is given up.
+    // The maximum number of runs, each with more bits, that do not distinguish a value from 0.
     static constexpr int most_runs_at_zero = 6;
 
     long digits_;

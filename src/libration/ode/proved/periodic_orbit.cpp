@@ -15,7 +15,7 @@ namespace {
 constexpr long first_bits = 128;
 constexpr int most_returns = 12;
 
-// F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its start.
+// F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its initial value.
 class closing {
 public:
     closing(const explicit_system& system, const first_order_form& form, std::size_t held, const proof_route& route)
@@ -76,12 +76,13 @@ std::size_t fastest(const first_order_form& form) {
         }
     }
     if (most.is_zero()) {
-        throw error(error_kind::argument, "problem", "", "starts at rest, where no orbit goes: choose another start");
+        throw error(error_kind::argument, "problem", "",
+                    "is at rest at the initial point, where there is no periodic orbit: choose another initial point");
     }
     return best;
 }
 
-// The time of the return that comes nearest to the start.
+// The time of the return closest to the initial point.
 number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held) {
     const auto start = start_of(form);
     const auto rising = form.slopes_at(start, ball(0))[held];
@@ -120,7 +121,7 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
             throw error(error_kind::argument, "problem", system.variable(),
-                        "stands in the equation: periodic orbits are those of autonomous ones");
+                        "occurs in the equation: periodic orbits require an autonomous system");
         }
     }
     std::vector<number> guess = form.starts;

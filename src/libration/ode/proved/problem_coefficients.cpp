@@ -28,7 +28,7 @@ bool is_plain_zero(const number& x) {
     return plain && plain->coefficient == 0;
 }
 
-// The coefficients of all unknowns, one degree after the other.
+// The coefficients of all unknowns, ordered by degree.
 template <class R, class Add>
 void each_coefficient(const coefficient_request& request, const taylor_expansion<R>& of, const Add& add) {
     for (long n = request.first; n <= request.order; ++n) {
@@ -72,7 +72,7 @@ std::vector<complex_number<mpfr>> flat_values(const coefficient_request& request
     return values;
 }
 
-// The arrays of an expansion, one for each step of the tape.
+// The arrays of an expansion, one per step of the tape.
 template <class R>
 void require_room(const tape& made, long order) {
     require_memory(
@@ -101,7 +101,7 @@ std::vector<wide_t<T>> about_time(const coefficient_request& request, const numb
     return flat_values(request, expansion);
 }
 
-// In balls the way there is proved.
+// In balls, with the path to the point proved.
 std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, const number& time,
                                             const proof_route& route) {
     require_room<ball>(tape::about_points(request.system), request.order + route.more_terms);
@@ -109,7 +109,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
                        route);
     const auto values = march.at(time);
     if (!values && march.end() == march_end::precision) {
-        throw precision_exhausted("the way to the point");
+        throw precision_exhausted("the path to the point");
     }
     if (!values) {
         throw error(error_kind::undecided, "point", "",
@@ -127,7 +127,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
     return flat_values(request, expansion);
 }
 
-// By the corners of the way.
+// Along the corners of the path.
 template <class T>
 std::vector<complex_number<mpfr>> about_point(const coefficient_request& request,
                                               const std::vector<complex_constant>& corners,
@@ -145,7 +145,8 @@ double bits_of(const rational& q) {
                                mpz_sizeinbase(mpq_denref(q.backend().data()), 2));
 }
 
-// About how many products of words a series of twice the order takes, whose fractions are twice as long as the last ones.
+// The approximate number of word products for a series of twice the order, with fractions twice as long as the last
+// ones.
 double cost_of_doubling(const tape& made, const taylor_expansion<rational>& of) {
     double most = 0;
     for (int i = 0; i < static_cast<int>(made.orders().size()); ++i) {
@@ -158,7 +159,7 @@ double cost_of_doubling(const tape& made, const taylor_expansion<rational>& of) 
     return static_cast<double>(made.steps().size()) * terms * terms / 2 * words * words;
 }
 
-// The series in fractions, up to the order or as far as that takes little time: fractions can grow with every power.
+// The series in fractions, up to the order or as far as it takes little time: fractions can grow with every power.
 std::optional<taylor_expansion<rational>> exact_series(const tape& made, long order) {
     if (order > longest_exact_series) {
         return std::nullopt;
@@ -172,12 +173,12 @@ std::optional<taylor_expansion<rational>> exact_series(const tape& made, long or
             }
         }
     } catch (const error&) {
-        return std::nullopt;  // it has other numbers than fractions
+        return std::nullopt;  // not all its numbers are fractions
     }
 }
 
-// By unknowns, which coefficients 0 .. order about the start are exactly 0: by fractions as far as they are known, then
-// by the symmetry alone.
+// For each unknown, which coefficients 0 .. order about the initial point are exactly 0: by fractions as far as they
+// are known, then only by the symmetry.
 std::vector<std::vector<bool>> zeros_of(const explicit_system& system, long order) {
     const tape made = tape::about_start(system);
     const auto exact = exact_series(made, order);
@@ -193,11 +194,11 @@ std::vector<std::vector<bool>> zeros_of(const explicit_system& system, long orde
     return zeros;
 }
 
-// In the order of a coefficient_list. Each independent system alone, since the fractions of one may be short.
+// In the order of a coefficient_list. Each independent system separately, since the fractions of one may be short.
 std::vector<bool> zeros_about_start(const coefficient_request& request) {
     std::vector<std::vector<bool>> zeros(request.system.unknowns().size());
     if (request.system.singular()) {
-        zeros = zeros_of(request.system, request.order);  // a part may be in other powers than the whole
+        zeros = zeros_of(request.system, request.order);  // the powers of a part may differ from those of the whole
     } else {
         for (const closed_subsystem& part : independent_subsystems(request.system)) {
             auto of_part = zeros_of(part.system, request.order);
@@ -262,7 +263,7 @@ coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& 
 coefficient_list<rational> exact_coefficients(const coefficient_request& request) {
     if (!request.about_start()) {
         throw error(error_kind::argument, "point", "",
-                    "is no point for fractions, which a solution has at its start alone");
+                    "is not a point for fractions, which a solution has only at its initial point");
     }
     const tape made = tape::about_start(request.system);
     require_room<rational>(made, request.order);

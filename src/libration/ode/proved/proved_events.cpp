@@ -12,12 +12,12 @@ namespace libration::ode {
 
 namespace {
 
-// What so many bits, and so many times those of the first run, do not decide is refused.
+// An event undecided with this number of bits, and this multiple of those of the first run, is rejected.
 constexpr long most_undecided_bits = 4096;
 constexpr long most_undecided_factor = 16;
 constexpr long digits_of_bounds = 12;
 
-// The value that g = 0 alone gives each unknown: of a leaf in which g is linear without another one.
+// The value of each unknown that g = 0 determines by itself: that of a leaf in which g is linear, without other leaves.
 std::vector<std::optional<number>> given_values(const explicit_system& system, const expression& g) {
     std::vector<std::optional<number>> values;
     for (const unknown_function& each : system.unknowns()) {
@@ -26,7 +26,7 @@ std::vector<std::optional<number>> given_values(const explicit_system& system, c
             const expression factor = partial(g, leaf);
             values.emplace_back();
             if (factor.kind() != node_kind::constant || factor.is(0)) {
-                continue;  // g is not linear in it, and may have no value where it is 0
+                continue;  // g is not linear in it, and may have no value where the leaf is 0
             }
             const expression rest = replaced(g, [&](const expression& other) -> std::optional<expression> {
                 return same_form(other, leaf) ? std::optional(expression()) : std::nullopt;
@@ -39,7 +39,7 @@ std::vector<std::optional<number>> given_values(const explicit_system& system, c
     return values;
 }
 
-// A number that is exact, rounded down or up.
+// An exact number, rounded down or up.
 std::string bound_text(const ball& exact, mpfr_rnd_t rounding) {
     const mpfr value = midpoint_of(exact);
     return value == 0 ? "0" : parts_of(value, digits_of_bounds, rounding).text();
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    // Before `before` or at it; false, and more bits, where that is not decided.
+    // Whether the event is before `before` or at it; false, with more bits requested, if that is undecided.
     bool certainly_asked_for(const ball& time) {
         if (!request_.before) {
             return true;
@@ -122,7 +122,7 @@ private:
         return false;
     }
 
-    // Twice the bits, unless that was enough to refuse.
+    // Doubles the bits, or throws if the limit is reached.
     void raise_bits_for(const std::string& undecided) {
         if (2 * bits_.now() > most_undecided_) {
             throw error(error_kind::undecided, "event", name_of_next(), undecided);
@@ -141,7 +141,7 @@ private:
         return state;
     }
 
-    // Prints it; false, and more bits, where digits are missing.
+    // Prints the event; false, with more bits requested, if digits are missing.
     bool taken(const proved_event& event) {
         printed_event made;
         std::vector<ball> values = state_of(event);
@@ -169,7 +169,7 @@ private:
 
     std::string reached_text(const ball& reached) const { return proved_reach_text(reached, request_.direction >= 0); }
 
-    // Throws where more bits are of no use.
+    // Throws if more bits do not help.
     void require_more_bits(const event_search& search) {
         const auto refused = [&](const std::string& reason) {
             throw error(error_kind::undecided, "event", name_of_next(), reason);
@@ -177,12 +177,12 @@ private:
         const std::string reached = reached_text(search.march().reached());
         switch (search.end()) {
             case search_end::time:
-                refused("is not before that time: " + std::to_string(events_.size()) + " were found");
+                refused("is not found before that time: " + std::to_string(events_.size()) + " were found");
                 break;
             case search_end::horizon:
                 refused("is not found within " + std::to_string(search.march().steps()) + " steps, from time " +
                         bound_text(exact_midpoint(constant_value<ball>::of(system_.point())), MPFR_RNDN) + " up to " +
-                        reached + ": search up to a time that you give, or with a larger horizon");
+                        reached + ": give an end of the search, or a larger horizon");
                 break;
             case search_end::steps:
                 refused("is not reached: the solution is proved to exist up to " + reached +
@@ -218,10 +218,10 @@ private:
     const event_request& request_;
     const proof_route& route_;
     const event_watch& watch_;
-    std::optional<condition_system> as_unknown_;  // once g itself is too wide on sets of times
+    std::optional<condition_system> as_unknown_;  // if g itself is too wide on sets of times
     std::vector<std::optional<number>> given_;
     std::vector<printed_event> events_;  // of this run
-    std::vector<printed_event> known_;   // of the run that found most
+    std::vector<printed_event> known_;   // of the run that found the most
     needed_bits bits_;
     long most_undecided_;
 };

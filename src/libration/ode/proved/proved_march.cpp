@@ -11,18 +11,18 @@ namespace libration::ode {
 
 namespace {
 
-// Steps add what is so many bits below the set: 2^16 of them as much as it.
+// The errors added by a step are this number of bits below the set: 2^16 steps add as much as its width.
 constexpr long bits_below_the_set = 20;
-// Relative to the size of an unknown, beyond which more bits are asked for.
+// log2 of the width relative to the size of an unknown beyond which more bits are requested.
 constexpr double widest_set = -24;
-// Of the bits of the map of errors, those that its truncation need not keep.
+// The bits of the error map that its truncation need not preserve.
 constexpr long bits_below_truncation = 40;
-// Between two calls of the progress callback, unless steps take long.
+// The number of steps between two calls of the progress callback, unless steps take long.
 constexpr long steps_unwatched = 64;
 constexpr long bits_unwatched = 4096;
-// log2 of how much shorter the map of errors makes a step.
+// log2 of the factor by which the error map shortens a step that justifies more terms.
 constexpr double worth_more_terms = 0.3;
-// Of the bits of the map of errors, those that its largest terms may lose before it has more.
+// The bits of the error map that its largest terms may lose before its precision is increased.
 constexpr double bits_to_lose = 16;
 // Steps of Taylor series before the first question whether the equations are stiff; twice as many before each next one.
 constexpr long steps_before_question = 8;
@@ -44,9 +44,9 @@ singular_step begin_of(const explicit_system& system, long bits, const proof_rou
 
 }  // namespace
 
-// What a step needs: made again where the precision changes.
+// The data of a step, recomputed when the precision changes.
 struct proved_march::expansions {
-    // In a scope of so many bits.
+    // To be constructed in a scope of so many bits.
     expansions(const tape& centre, const tape& varied, long in_bits, int set_order, const proof_route& route)
         : bits(in_bits),
           of_centre(centre, taylor_order(static_cast<int>(in_bits)) + 2 + route.more_terms, route.product),
@@ -150,7 +150,7 @@ bool proved_march::prepare() {
     return true;
 }
 
-// No radius was found; a set that is narrow is not the reason.
+// No radius was found; a narrow set is not the reason.
 bool proved_march::stopped_by_bounds() {
     return stopped(scales_.wide(2 * widest_set) ? march_end::precision : march_end::steps);
 }
@@ -165,7 +165,7 @@ void proved_march::make_expansions() {
     }
 }
 
-// The series of the centre, and what it leaves out.
+// The series of the centre, and its remainder.
 bool proved_march::expand_centre() {
     const precision_scope scope(decimal_digits(now_->bits));
     const auto all = lifted_values(lifted_, time_, centre_);
@@ -181,7 +181,7 @@ bool proved_march::expand_centre() {
     return now_->tail.has_value();
 }
 
-// The series of the set with its variations, in few bits, and what they leave out.
+// The series of the set with its variations, in low precision, and their remainders.
 bool proved_march::expand_set() {
     const precision_scope few(decimal_digits(set_bits_));
     errors_ = errors_.settled(scales_.exponents());
@@ -203,13 +203,13 @@ bool proved_march::expand_variations() {
     return finite;
 }
 
-// At an equilibrium the variations alone have a radius.
+// At an equilibrium only the variations have a finite radius.
 double proved_march::radius_of_variations() const {
     return estimated_radius(now_->of_set, varied_tape_.orders().size());
 }
 
-// The longest step with a tail below the last bits of each unknown and small in the map of errors; any would do. Whether
-// that map needs more bits.
+// The longest step with a tail below the last bits of each unknown and small in the error map; any length is valid.
+// Returns whether that map needs more bits.
 bool proved_march::choose_length() {
     const variation_places places{lifted_.given, lifted_.leaves.size()};
     const double wanted = static_cast<double>(bits_below_truncation - error_bits_);
@@ -218,7 +218,7 @@ bool proved_march::choose_length() {
     const double growth = growth_of_terms(now_->of_set, scales_, places, at_first);
     const double of_set = longest_for_map(*now_->set_tail, scales_, places, wanted - growth);
     now_->length = route_.shortened(power_of_two(std::min(at_first, of_set)));
-    // Where the flow contracts much faster than the solution moves, the map of errors needs more terms and bits.
+    // If the flow contracts much faster than the solution moves, the error map needs more terms and bits.
     if (of_set + worth_more_terms < of_centre) {
         set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre.order());
     }

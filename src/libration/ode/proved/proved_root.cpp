@@ -22,13 +22,13 @@ constexpr long first_root_bits = 160;
 constexpr int most_root_steps = 60;
 constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
-// So many of them may fail for another reason than too few digits, each with half as many bits more: the derivative has
-// the same few bits in all of them.
+// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more: the
+// derivative has the same low precision in all of them.
 constexpr int most_failed_proofs = 5;
 
 [[noreturn]] void refuse_root(const std::string& reason) { throw error(error_kind::undecided, "solution", "", reason); }
 
-// Near the inverse of the midpoint: exact numbers, no enclosure. Nothing where it is singular.
+// An approximate inverse of the midpoint: exact numbers, not an enclosure; std::nullopt if it is singular.
 std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
     const auto size = static_cast<slong>(a.size());
     arb_mat_t from;
@@ -95,14 +95,14 @@ public:
                 bits_.raise_to(bits + bits / 2, "solution", "");
             }
         }
-        refuse_root("is not proved at any precision: it may not be alone there");
+        refuse_root("is not proved at any precision: it may not be isolated");
     }
 
 private:
     enclosed_map at(const std::vector<ball>& x, long bits, long error_bits) {
         auto map = f_(x, bits, error_bits);
         if (!map) {
-            refuse_root("is not reached with " + std::to_string(bits) + " bits: give a nearer first guess");
+            refuse_root("is not reached with " + std::to_string(bits) + " bits: try a better initial guess");
         }
         return *std::move(map);
     }
@@ -116,10 +116,10 @@ private:
                 return;
             }
         }
-        refuse_root("does not settle by Newton's method: give a nearer first guess");
+        refuse_root("is not found, since Newton's method did not converge: try a better initial guess");
     }
 
-    // One step; its length relative to x.
+    // Performs one step; returns its length relative to x.
     magnitude improve(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const long error_bits = std::max(proved_march::usual_error_bits, bits / 2 + 48);
@@ -132,7 +132,7 @@ private:
         magnitude longest;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             if (!is_finite(step[i])) {
-                refuse_root("is lost by Newton's method: give a nearer first guess");
+                refuse_root("is lost by Newton's method: try a better initial guess");
             }
             x_[i] = exact_midpoint(x_[i] - step[i]);
             longest =
@@ -141,7 +141,7 @@ private:
         return longest;
     }
 
-    // The test of Krawczyk, and the digits of what it proves.
+    // Krawczyk's test, and the digits of the proved solution.
     std::optional<std::vector<proved_decimal>> proved(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);

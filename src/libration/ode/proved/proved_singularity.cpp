@@ -28,7 +28,7 @@ constexpr long least_digits_of_smaller_loop = 16;
 constexpr int most_coverings = 4;
 constexpr long most_discs_a_digit = 300;
 constexpr long shown_digits = 12;
-// Weights of the contour integrals beyond the order of a pole that was seen.
+// Weights of the contour integrals beyond the order of the observed pole.
 constexpr int largest_power = 8;
 
 ball exact_ball(const mpfr& x) {
@@ -49,7 +49,7 @@ int weights_for(const found_singularity& found) {
     return order - 1;
 }
 
-// A pole that was seen, with more bits where it takes them.
+// The order of an observed pole if it is proved, with increasing precision; 0 otherwise.
 int proved_pole_order(const explicit_system& system, const found_singularity& found,
                       const std::vector<complex_ball>& corners, const magnitude& reach, long bits,
                       const proof_route& route) {
@@ -84,7 +84,8 @@ struct proving_ground {
     std::vector<std::size_t> of;
 };
 
-// What the unknown with this leaf of the whole system depends on; its own leaves count, or all.
+// The system that the unknown with this leaf of the whole system depends on; only its own leaves count as evidence, or
+// all.
 proving_ground ground_of(const explicit_system& whole, std::size_t leaf, bool all_count) {
     std::size_t which = 0;
     for (std::size_t last = 0; (last += static_cast<std::size_t>(whole.unknowns()[which].order)) <= leaf;) {
@@ -103,7 +104,7 @@ proving_ground ground_of(const explicit_system& whole, std::size_t leaf, bool al
     return ground;
 }
 
-// More bits until a loop shows something; nothing where so many attempts do not.
+// Increases the precision until a loop gives evidence; std::nullopt if the maximum number of attempts does not.
 std::optional<proved_singularity> shown_along(const proving_ground& ground, const found_singularity& found,
                                               const std::vector<complex_ball>& corners, const mpfr& reach,
                                               int most_attempts, const proof_route& route) {
@@ -123,7 +124,7 @@ std::optional<proved_singularity> shown_along(const proving_ground& ground, cons
                 return proved_singularity{found.offset, loop.reach, std::move(loop), order};
             }
         } catch (const precision_exhausted&) {
-            // the next one has more bits
+            // the next attempt has more bits
         }
         bits = bits + bits / 2;
     }
@@ -137,7 +138,7 @@ std::string shown_place(const found_singularity& found) {
 
 [[noreturn]] void refuse_loop(const explicit_system& system, const found_singularity& found) {
     refuse_proof("is not proved to have a singularity of " + first_order_form(system).names[found.unknown] + " near " +
-                 shown_place(found) + ": no change or integral of it round that point is told from 0");
+                 shown_place(found) + ": no change or integral of it around that point is distinguished from 0");
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ bool is_pole_near(const explicit_system& system, const std::vector<complex_ball>
         if (problem.kind() != error_kind::undecided) {
             throw;
         }
-        return false;  // a zero of y is in the way, where 1/y is singular
+        return false;  // there is a zero of y on the path, where 1/y is singular
     }
 }
 
@@ -246,9 +247,9 @@ std::vector<proved_singularity> prove_singularities(const explicit_system& syste
 
 namespace {
 
-// The nearest singularity and a loop round it. A pole where expansions have complex exponents has those of other sheets
-// near it, nearer the further one goes round: only a small loop meets none. So the loop may be smaller than the digits
-// ask; the digits that it has are returned.
+// The nearest singularity and a loop around it. Near a pole whose expansion has complex exponents there are
+// singularities of other sheets, closer with each turn around it: only a small loop avoids them. So the loop may be
+// smaller than the digits require; the digits that it proves are returned.
 long find_upper_bound(const explicit_system& system, long digits, const proof_route& route, proved_radius& result) {
     long loop_digits = digits;
     for (int smaller = 0;; ++smaller) {
@@ -261,13 +262,14 @@ long find_upper_bound(const explicit_system& system, long digits, const proof_ro
         const singularity_map map = singularities_of(system, request);
         if (map.all.empty()) {
             refuse_proof("has no upper bound of its radius: no singularity was found within " +
-                         shown_number(mpfr(map.within)) + " of its start, which does not prove that there is none");
+                         shown_number(mpfr(map.within)) +
+                         " of its initial point, which does not prove that there is none");
         }
         const precision_scope scope(static_cast<int>(request.digits) + 20);
         result.nearest = map.all.front();
         const mpfr reach = modulus_of(result.nearest->offset) * pow(mpfr(10), -static_cast<int>(loop_digits)) / 4;
-        // Straight from the start: nothing nearer is in the way. The radius is that of all unknowns, so that the
-        // evidence may be of any.
+        // Straight from the initial point: there is no nearer singularity on the path. The radius is that of all
+        // unknowns, so the evidence may be from any of them.
         const bool last = smaller == most_smaller_loops;
         result.evidence = shown_along(ground_of(system, result.nearest->unknown, true), *result.nearest, {}, reach,
                                       last ? most_loop_attempts : 2, route);
@@ -280,7 +282,7 @@ long find_upper_bound(const explicit_system& system, long digits, const proof_ro
     }
 }
 
-// |z| <= rho, with more bits where it takes them.
+// Covers |z| <= rho, with more bits if needed.
 covering covered_with_bits(const explicit_system& system, const ball& rho, long digits, const proof_route& route) {
     covering_limits limits;
     limits.finest_bits = bits_of_digits(digits) + 8;

@@ -9,7 +9,7 @@ namespace libration::ode {
 
 namespace {
 
-// What was proved of an independent system, at its places in the whole.
+// Inserts the proved part of an independent system into the whole.
 void add_part(partial_trajectory& whole, const partial_trajectory& part, const closed_subsystem& of) {
     for (std::size_t i = 0; i < part.states.size(); ++i) {
         if (part.states[i].empty()) {

@@ -18,7 +18,8 @@ std::vector<std::string> unknowns_in(const std::vector<point_condition>& conditi
     return names;
 }
 
-// The conditions by the open numbers of a system, of which the unknowns that they depend on are integrated alone.
+// The conditions as functions of the free numbers of a system, of which only the unknowns that they depend on are
+// integrated.
 class shooting {
 public:
     shooting(const equation_system& given, const std::vector<std::string>& names,
@@ -101,7 +102,7 @@ private:
             first += static_cast<std::size_t>(each.order);
         }
         refuse(primed(condition.unknown, condition.derivative), {},
-               "is no part of the state in a condition: choose an unknown or a lower derivative");
+               "is not part of the state in a condition: choose an unknown or a lower derivative");
     }
 
     opened_system open_;

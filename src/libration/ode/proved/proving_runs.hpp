@@ -1,4 +1,4 @@
-// From run to run: the solution at a list of times, with more bits where digits are missing.
+// Repeated runs for the solution at a list of times, with more bits if digits are missing.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace libration::ode {
 
 inline constexpr long largest_growth_of_bits = 6;
 
-// A time in the order in which a march comes to it.
+// A time in the order in which an integration reaches it.
 struct asked_time {
     std::size_t index;
     bool forward;
@@ -48,7 +48,8 @@ inline std::string text_of_time(const number& time) {
     return to_decimal(constant_value<mpfr>::of(time), 12);
 }
 
-/// The state at a time, of a march from the start: at a singular start that itself, and nothing before it.
+/// The state at a time, of an integration from the initial point: at a singular initial point its values themselves;
+/// throws for times before it.
 inline std::optional<std::vector<ball>> state_at(proved_march& march, const explicit_system& system, const number& time,
                                                  long bits) {
     if (system.singular()) {
@@ -58,13 +59,13 @@ inline std::optional<std::vector<ball>> state_at(proved_march& march, const expl
         }
         if (arb_is_negative(constant_value<ball>::of(gone).handle()) != 0) {
             throw error(error_kind::argument, "time", text_of_time(time),
-                        "is before the start, where the equation is singular: choose times behind it");
+                        "is before the initial point, where the equation is singular: choose times after it");
         }
     }
     return march.at(time);
 }
 
-/// Throws error of the kind undecided where a march ended before this time for another reason than too few bits.
+/// Throws error of the kind undecided if an integration ended before this time for another reason than too few bits.
 inline void require_more_bits(const proved_march& march, const number& time, bool forward) {
     if (march.end() == march_end::precision) {
         return;
@@ -74,12 +75,12 @@ inline void require_more_bits(const proved_march& march, const number& time, boo
                     ", where the steps become too small, as they do near a singularity");
 }
 
-/// What a run is asked besides the values.
+/// An additional request to a run besides the values.
 struct further_question {
-    /// With the state at time number `index`, whose digits are proved, where the march is. False where it needs a run
-    /// with more bits, of the maps of errors too.
+    /// Called with the state at time number `index`, whose digits are proved, when the integration has reached it.
+    /// False if it needs a run with more bits, also of the error maps.
     std::function<bool(proved_march& march, std::size_t index, const std::vector<ball>& state)> answered = {};
-    /// The places in the state whose values are asked; empty: all of them.
+    /// The indices in the state of the requested values; empty for all of them.
     std::vector<std::size_t> places = {};
 };
 
@@ -94,8 +95,8 @@ inline std::vector<std::string> names_of_state(const explicit_system& system) {
     return names;
 }
 
-/// Runs from the start through all times, each with more bits than the one before, until every digit is proved, or no
-/// run proves more.
+/// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
+/// or no run proves more.
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch,
@@ -112,7 +113,7 @@ public:
         part_.states.resize(times.size());
     }
 
-    /// Throws error of the kind argument alone.
+    /// Throws only errors of the kind argument.
     partial_trajectory part() {
         try {
             while (!complete()) {
@@ -127,7 +128,7 @@ public:
     }
 
 private:
-    // One run; where it does not prove every digit, the next one has more bits.
+    // One run; if it does not prove every digit, the next one has more bits.
     bool complete() {
         std::optional<proved_march> march;
         bool forward = true;
@@ -168,7 +169,7 @@ private:
         return !at_zero || given_up(*at_zero);
     }
 
-    // Whether a march without a state ended for another reason than too few bits: no run goes further then.
+    // Whether an integration without a state ended for another reason than too few bits: then no run gets further.
     bool ends(const proved_march& march, const asked_time& at) {
         try {
             require_more_bits(march, times_[at.index], at.forward);
@@ -180,7 +181,7 @@ private:
         }
     }
 
-    // The digits of the values, or bounds; false where one that excludes 0 needs more bits.
+    // The digits of the values, or bounds; false if one that excludes 0 needs more bits.
     bool proved(std::size_t index, const std::vector<ball>& values) {
         auto& state = part_.states[index];
         state.resize(values.size());
@@ -237,7 +238,7 @@ private:
         return asked;
     }
 
-    // As many bits as were lost until here, for every further stretch of time, and some more.
+    // The bits lost up to here, extrapolated to the longest time, plus a margin.
     long bits_to_go_on(const proved_march& march, std::size_t index) const {
         const long bits = bits_.now();
         const precision_scope scope(20);
@@ -267,7 +268,7 @@ private:
     needed_bits bits_;
 };
 
-/// The digits of a trajectory of which nothing is missing; throws what is.
+/// The digits of a trajectory if nothing is missing; otherwise throws the reason.
 inline std::vector<std::vector<proved_decimal>> all_digits(const partial_trajectory& of) {
     if (of.missing) {
         throw error(*of.missing);

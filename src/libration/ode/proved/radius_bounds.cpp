@@ -13,7 +13,8 @@ namespace libration::ode {
 namespace {
 
 constexpr int loop_corners = 16;
-// Of a covering: the longest step, and the most of them to the centre of a cell.
+// For a covering: the longest step relative to the radius, times 2^15, and the maximum number of steps to the centre of
+// a cell.
 constexpr unsigned long way_part = 26'214;  // 0.8 of 2^15
 constexpr int most_way_discs = 12;
 
@@ -21,7 +22,7 @@ std::complex<double> rounded_place(const complex_ball& z) {
     return {arf_get_d(arb_midref(z.re.handle()), ARF_RND_NEAR), arf_get_d(arb_midref(z.im.handle()), ARF_RND_NEAR)};
 }
 
-// exp(2 pi i turn) for an exact part of a turn.
+// exp(2 pi i turn) for an exact fraction of a turn.
 complex_ball unit_at(const ball& turn) {
     complex_ball result;
     const ball twice = ldexp(turn, 1);
@@ -29,9 +30,10 @@ complex_ball unit_at(const ball& turn) {
     return result;
 }
 
-constexpr const char* too_small_discs = "the discs become too small: a singularity is near, or the bits do not suffice";
+constexpr const char* too_small_discs =
+    "the discs become too small: a singularity is near, or the precision is insufficient";
 
-// A fan r1 <= |z| <= r2, turns t1 .. t2 of 2 pi; all exact.
+// A polar cell r1 <= |z| <= r2, arguments 2 pi t1 .. 2 pi t2; all exact.
 struct polar_cell {
     ball r1, r2, t1, t2;
 };
@@ -41,7 +43,7 @@ public:
     covering_search(const complex_flow& flow, ball rho, const plane_symmetry& symmetry, const covering_limits& limits)
         : flow_(flow), rho_(std::move(rho)), limits_(limits) {
         finest_ = magnitude(rho_) * magnitude::of(1, -limits.finest_bits);
-        // Beyond the axis of symmetry, for the end has to be exact.
+        // Beyond the axis of symmetry, because the end must be exact.
         last_turn_ = ball(1) / ball(2 * symmetry.rotation) + ldexp(ball(1), -40L);
         last_turn_ = exact_midpoint(last_turn_);
     }
@@ -57,7 +59,7 @@ public:
             found.covered = found.complete ? rho_ : nearest_missing_;
             found.reason = reason_;
         } catch (const precision_exhausted&) {
-            found.reason = "the start has no proved radius with so many bits";
+            found.reason = "the initial point has no proved radius with so many bits";
             found.covered = ball(0);
         }
         found.discs = std::move(made_);
@@ -65,7 +67,7 @@ public:
     }
 
 private:
-    // Depth first: the discs of the cells that hold this one are those that paths go through.
+    // Depth first: paths go through the discs of the cells that contain this one.
     bool cover(const polar_cell& cell) {
         for (std::size_t i = discs_.size(); i-- > 0;) {
             if (holds(*discs_[i], cell, i == 0)) {
@@ -104,14 +106,14 @@ private:
 
     static ball exact_half(const ball& a, const ball& b) { return exact_midpoint(ldexp(a + b, -1L)); }
 
-    // On the bisector, a little inside the inner arc, so that its modulus is no larger whatever its rounding.
+    // On the bisector, a little inside the inner arc, so that its modulus is not larger, whatever its rounding.
     static complex_ball inner_middle(const polar_cell& cell) {
         const ball inside = cell.r1 - ldexp(cell.r2 - cell.r1, -6L);
         const complex_ball way = unit_at(exact_half(cell.t1, cell.t2));
         return exact_midpoint(way * inside);
     }
 
-    // The four corners in the open disc, and its centre no farther from 0 than the cell.
+    // Whether the four corners are in the open disc, and its centre is not farther from 0 than the cell.
     static bool holds(const complex_disc& disc, const polar_cell& cell, bool about_start) {
         const complex_ball& c = disc.about().offset;
         if (about_start) {
@@ -131,8 +133,8 @@ private:
         return true;
     }
 
-    // By steps from the disc that holds the centre best, of those whose centres are no farther from 0: the moduli of a
-    // straight way are below that of its end.
+    // By steps from the disc that contains the centre best, among those whose centres are not farther from 0: the
+    // moduli on a straight path are below that of its end.
     bool add_disc(const complex_ball& centre) {
         const complex_disc* best = nullptr;
         magnitude least = magnitude(static_cast<unsigned long>(most_way_discs));
@@ -178,7 +180,7 @@ private:
                 way = std::move(made);
             }
         } catch (const precision_exhausted&) {
-            reason_ = "the bits do not suffice near a singularity";
+            reason_ = "the precision is insufficient near a singularity";
             return false;
         }
         reason_ = too_small_discs;
@@ -194,7 +196,7 @@ private:
     covering_limits limits_;
     magnitude finest_;
     ball last_turn_;
-    std::vector<std::unique_ptr<complex_disc>> discs_;  // those of the cells that hold the present one
+    std::vector<std::unique_ptr<complex_disc>> discs_;  // those of the cells that contain the current one
     std::vector<covering_disc> made_;
     ball nearest_missing_;
     std::string reason_;

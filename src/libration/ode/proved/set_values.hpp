@@ -1,4 +1,4 @@
-// Starts of the lifted system from values of the given unknowns, and radii that theorem T is tried with.
+// Initial values of the polynomial form from values of the given unknowns, and radii to try in theorem T.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,10 @@
 
 namespace libration::ode {
 
-// R in parts that are tried, from the largest on: bounds are sharper near R, and exist further away.
+// The percentages of R that are tried, in descending order: bounds are sharper near R but need not exist there.
 inline constexpr std::array<unsigned long, 7> tried_parts{92, 85, 75, 60, 45, 30, 15};
-// Then 2^-1, 2^-3, 2^-7, .. 2^-63 of about the last one, for stiff equations at smooth solutions; where the coefficients tell nothing of a radius, down to 2^-32767.
+// Then about 2^-1, 2^-3, 2^-7, .. 2^-63 times the last one, for smooth solutions of stiff equations; down to 2^-32767 if the
+// coefficients give no estimate.
 inline constexpr int tried_powers = 6;
 inline constexpr int tried_powers_without_estimate = 15;
 
@@ -47,22 +48,22 @@ solution_state<R> as_state(const std::vector<R>& values) {
 // log2 of a radius that no coefficient limits.
 inline constexpr double no_radius = std::numeric_limits<double>::infinity();
 
-// log2 of the largest radius that is tried where no coefficient limits it, relative to the scale of the series.
+// log2 of the largest radius that is tried if no coefficient limits it, relative to the scale of the series.
 inline constexpr double largest_tried = 1'000;
 
-// How many of the first and of the last powers of a series an estimate of its radius looks at.
+// The number of first and of last powers of a series from which its radius is estimated.
 inline constexpr std::size_t powers_of_estimate = 4;
 
-// A power and log2 |a_n|, within one.
+// A power and log2 |a_n|, to within 1.
 struct power_size {
     int power;
     long exponent;
 };
 
 // log2 of the radius of convergence of a series by its coefficients: the least over the last powers n of the largest
-// over the first powers m of log2(|a_m|/|a_n|)/(n - m). Coefficients 0 do not count, so that the
-// powers that a series leaves out have no effect, and the unit of the unknown has none either. no_radius where the
-// first or the second half of the coefficients has none of them. The size of a coefficient is 0 where it does not count.
+// over the first powers m of log2(|a_m|/|a_n|)/(n - m). Coefficients 0 do not count, so that missing powers have no
+// effect; neither has the unit of the unknown. no_radius if all coefficients of the first or of the second half are 0.
+// The size of a coefficient that does not count is 0.
 template <field R, class SizeOf>
 double estimated_radius(const R* coefficients, int order, const SizeOf& size_of_coefficient) {
     std::array<power_size, powers_of_estimate> first{};
@@ -90,8 +91,8 @@ double estimated_radius(const R* coefficients, int order, const SizeOf& size_of_
     return least;
 }
 
-// The least of the radii of the first unknowns; by upper bounds of the coefficients where all of them may be 0, as those
-// of a wide set.
+// The least of the radii of the first unknowns; by upper bounds of the coefficients if all of them may be 0, as for a
+// wide set.
 template <field R>
 double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns) {
     const auto least_by = [&](const auto& size) {
@@ -105,8 +106,8 @@ double estimated_radius(const taylor_expansion<R>& of, std::size_t unknowns) {
     return certain < no_radius ? certain : least_by([](const R& a) { return size_of(a); });
 }
 
-// log2 of the distance over which a series changes as a whole: the largest |a_m/a_n|^(1/(n - m)) with n > m, a_m the first
-// coefficient that is not 0; 1 at least.
+// log2 of the distance over which a series changes as a whole: the largest |a_m/a_n|^(1/(n - m)) with n > m, a_m the
+// first nonzero coefficient; at least 1.
 template <field R>
 double scale_of_series(const R* coefficients, int order) {
     std::optional<power_size> first;
@@ -125,8 +126,8 @@ double scale_of_series(const R* coefficients, int order) {
     return scale;
 }
 
-// The first bound that bound_at(radius) gives, radius by radius; where that is far below the estimate, the largest one
-// within a factor of 2.
+// The first bound that bound_at(radius) returns for decreasing radii; if that radius is far below the estimate, the
+// largest possible one within a factor of 2.
 template <class BoundAt>
 std::optional<tail_bound> first_tail(double log_of_radius, const BoundAt& bound_at) {
     for (const unsigned long part : tried_parts) {
@@ -183,7 +184,7 @@ bool all_finite(const std::vector<R>& values) {
     return std::ranges::all_of(values, [](const R& each) { return is_finite(each); });
 }
 
-// The starts of a system, to so many bits.
+// The initial values of a system, with so many bits.
 inline std::vector<ball> enclosed_start(const explicit_system& system, long bits) {
     const precision_scope scope(decimal_digits(bits));
     std::vector<ball> values;

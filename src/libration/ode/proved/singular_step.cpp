@@ -15,21 +15,21 @@ namespace libration::ode {
 
 namespace {
 
-// The step is at most 2^-bits_a_power of the proved radius.
+// The step is at most 2^-bits_a_power times the proved radius.
 constexpr long bits_a_power = 3;
 constexpr int more_powers = 24;
 
 [[noreturn]] void refuse_start(const std::string& why) {
-    throw error(error_kind::argument, "problem", "", "starts where its equation is singular, " + why);
+    throw error(error_kind::argument, "problem", "", "has a singular initial point " + why);
 }
 
 void require_polynomials(const tape& of) {
     if (of.root() != 1) {
-        refuse_start("with powers of a root of the distance, which is not proved: choose another start");
+        refuse_start("with powers of a root of the distance, which is not proved: choose another initial point");
     }
     for (const tape_state& each : of.states()) {
         if (each.derivative > 1) {
-            refuse_start("with second derivatives, which is not proved: choose another start");
+            refuse_start("with second derivatives, which is not proved: choose another initial point");
         }
     }
     using enum operation;
@@ -53,7 +53,8 @@ void require_polynomials(const tape& of) {
             case function:
             case primitive:
             case companion:
-                refuse_start("with more than products of its unknowns, which is not proved: choose another start");
+                refuse_start(
+                    "with more than products of its unknowns, which is not proved: choose another initial point");
         }
     }
 }
@@ -80,7 +81,7 @@ tail_bound tail_of(const tape& of, const taylor_expansion<ball>& expansion, int 
     if (bound) {
         return *bound;
     }
-    throw precision_exhausted("the first step from a singular start");
+    throw precision_exhausted("the first step from a singular initial point");
 }
 
 }  // namespace
@@ -92,13 +93,13 @@ singular_series::singular_series(const explicit_system& system, long bits, int d
     tail_ = tail_of(of_, expansion_, degree + route.more_terms);
 }
 
-// |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 where its
-// quotients (n+1)/(n+1-l) |s|/rho are at most 1 from there on.
+// |e^(l)| for e = O(s^(N+1)) of the norm `error`: n .. (n-l+1) |s|^(n-l)/rho^n is largest at n = N + 1 if its quotients
+// (n+1)/(n+1-l) |s|/rho are at most 1 from there on.
 magnitude singular_series::bound(std::size_t unknown, const magnitude& distance, unsigned long derivative) const {
     const auto first = static_cast<unsigned long>(tail_.degree) + 1;
     const ball longest = tail_.radius.exact() * magnitude(first + 1 - derivative).exact();
     if (!certainly_less(distance.exact() * magnitude(first + 1).exact(), longest)) {
-        throw precision_exhausted("a derivative near the edge of the disc about a singular start");
+        throw precision_exhausted("a derivative near the edge of the disc about a singular initial point");
     }
     magnitude result = tail_.error[unknown] * pow(distance / tail_.radius, first - derivative);
     for (unsigned long j = 0; j < derivative; ++j) {
@@ -148,7 +149,7 @@ namespace {
 
 std::string variation_of(const std::string& name) { return "variation of " + name; }
 
-// The system with the derivative of its solution by start number l of unknown k beside it.
+// The system together with the derivative of its solution with respect to initial value l of unknown k.
 equation_system with_variation(const explicit_system& system, std::size_t k, std::size_t l) {
     equation_system made;
     made.variable = system.variable();
@@ -175,7 +176,7 @@ equation_system with_variation(const explicit_system& system, std::size_t k, std
     return made;
 }
 
-// The derivatives by that start at a distance; nothing where the equation fixes it.
+// The derivatives with respect to that initial value at a distance; std::nullopt if the equation fixes it.
 std::optional<std::vector<ball>> varied_state(const explicit_system& given, std::size_t k, std::size_t l,
                                               const ball& distance, long bits, const proof_route& route) {
     const explicit_system system(with_variation(given, k, l));
@@ -216,7 +217,7 @@ ball_matrix derivative_beyond_start(const explicit_system& system, const ball& d
             if (!column && system.starts()[k][l].sign() != 0) {
                 throw error(error_kind::undecided, "problem", "",
                             "fixes " + primed(system.unknowns()[k].name, static_cast<int>(l)) +
-                                " at its singular start, so that nothing is proved of how it depends on that");
+                                " at its singular initial point, so that the dependence on it cannot be proved");
             }
             for (std::size_t i = 0; i < size; ++i) {
                 result[i].push_back(column ? (*column)[i] : ball(0));

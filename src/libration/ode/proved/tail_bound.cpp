@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_attempts = 40;
 
-// The norms of what a step of the tape is for the polynomials p: of the degrees below N, and of the others.
+// The norms of a step of the tape for the polynomials p: of the degrees below N, and of the others.
 struct step_norm {
     std::vector<magnitude> terms;  // |a_j| rho^j, j < N, where a product needs them
     magnitude low;
@@ -21,7 +21,7 @@ struct step_norm {
 template <field R>
 class norms_of_steps {
 public:
-    // With N = degree; the expansion has as many more terms as steps of the tape lag behind.
+    // With N = degree; the expansion has additional terms for the lag of the steps of the tape.
     norms_of_steps(const tape& of, const taylor_expansion<R>& expansion, int degree, const R& point,
                    const magnitude& radius)
         : tape_(of), expansion_(expansion), terms_(static_cast<std::size_t>(degree)), radius_(radius) {
@@ -167,8 +167,8 @@ private:
     std::vector<step_norm> all_;
 };
 
-// s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or what the map makes of it, which is no
-// more; G by of_state(s, state).
+// s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or its image under the map, which is not
+// larger; G by of_state(s, state).
 template <field R, class OfState>
 std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of_steps<R>& norms,
                                                   const magnitude& of_defect, const magnitude& gain,
@@ -219,7 +219,8 @@ std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>
 
 namespace {
 
-// Whether n .. (n-q+1) - sum_l w_l n .. (n-l+1) is positive for all n > degree: what it is there with |w|.
+// Whether n .. (n-q+1) - sum_l w_l n .. (n-l+1) is positive for all n > degree, by its value with |w| for n = degree +
+// 1.
 bool determines_coefficients(const std::vector<number>& weights, int degree) {
     ball least = falling(degree + 1, static_cast<int>(weights.size()));
     for (std::size_t l = 0; l < weights.size(); ++l) {

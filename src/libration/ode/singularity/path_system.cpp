@@ -7,8 +7,8 @@ namespace {
 
 [[noreturn]] void refuse_start(const std::string& with) {
     throw error(error_kind::argument, "problem", "",
-                "starts where its equation is singular, with " + with +
-                    ", beyond which singularities are not looked for: choose another start");
+                "has a singular initial point with " + with +
+                    ", from which singularities are not searched: choose another initial point");
 }
 
 }  // namespace

@@ -15,28 +15,28 @@ using wide_complex = complex_number<mpfr>;
 
 constexpr long place_guard_digits = 25;
 constexpr long most_walk_steps = 5'000;
-// Towards a singularity a step goes so far, and its series has the terms that a bit takes there.
+// The length of a step towards a singularity relative to the distance, and the terms per bit of its series there.
 constexpr double approach_part = 0.6;
 constexpr double approach_terms_for_a_bit = 1.36;
-// On the way, which only has to be followed.
+// The same on the path, which only has to be followed.
 constexpr double way_part = 0.3;
 constexpr double way_terms_for_a_bit = 0.58;
 constexpr int least_walk_order = 40;
 constexpr double spare_bits = 40;
-// So near, relative to the modulus, exponents and leading coefficients are read.
+// The distance, relative to the modulus, at which exponents and leading coefficients are determined.
 constexpr double near_part = 1e-9;
-// A whole number within so much is taken for the exponent, where slow powers follow,
+// Tolerance for rounding an exponent to an integer, where slowly decaying powers follow,
 constexpr double whole_exponent_slack = 1e-3;
-// and a fraction p/q with a small q is taken for the exponent within so much.
+// and for rounding it to a fraction p/q with a small q.
 constexpr double exponent_slack = 1e-5;
 constexpr int largest_denominator = 12;
-// Two estimates of an exponent that agree so far, from one series, have settled;
+// Tolerance for the agreement of two estimates of an exponent from one series,
 constexpr double settled_exponent_slack = 0.05;
-// and from a series about a point that is earlier_part of the modulus away: next to a power with exponent p there may be
-// one with p + 1/3, which moves the estimate by less.
+// and from a series about a point at a distance of earlier_part times the modulus: next to a power with exponent p
+// there may be one with p + 1/3, which changes the estimate by less.
 constexpr double earlier_part = 1e-6;
 constexpr double kept_exponent_slack = 3e-3;
-// Of a value, what its leading term may leave.
+// The fraction of a value by which it may differ from its leading term.
 constexpr double leading_part = 0.01;
 
 wide_complex wide_number(const plane_point& z) { return {mpfr(z.real()), mpfr(z.imag())}; }
@@ -51,7 +51,7 @@ std::complex<double> tidied_exponent(const std::complex<double>& exponent) {
     return exponent;
 }
 
-// The walk to one singularity in many digits.
+// The path to one singularity, in high precision.
 class place_walk {
 public:
     place_walk(const path_system& of, const candidate& from, const leaf_group& group, long digits)
@@ -84,7 +84,7 @@ private:
         series.about(to, values);
     }
 
-    // Along the corners that the search took.
+    // Along the corners of the path found by the search.
     void walk() {
         local_series<mpfr> series(of_, order_for(bits_, way_terms_for_a_bit));
         series.about_start();
@@ -107,15 +107,16 @@ private:
     static void require_step(long steps, double radius) {
         if (steps > most_walk_steps || !(radius > 0)) {
             throw error(error_kind::undecided, "problem", "",
-                        "is not followed to a singularity: the steps become too small");
+                        "cannot be followed to a singularity: the steps become too small");
         }
     }
 
-    // By 0.6 of the way again and again; the place is right to the distance times what the ratios disagree.
+    // In repeated steps of 0.6 of the distance; the error of the location is the distance times the disagreement of the
+    // ratios.
     void approach() {
         at_ = wide_number(from_.at);
         const double modulus = std::abs(from_.at);
-        double bits = bits_;  // those that what is left of the approach needs
+        double bits = bits_;  // the bits needed for the rest of the approach
         mpfr tolerance = pow(mpfr(10), -static_cast<int>(digits_)) * modulus / 4;
         const auto sought = static_cast<double>(tolerance);
         bool exact_enough = false;
@@ -148,7 +149,8 @@ private:
         }
     }
 
-    // Those of a series that is farther away by three powers of ten: powers keep them, logarithms do not.
+    // The exponents from a series that is farther away by a factor of 1000: those of powers agree, those of logarithms
+    // do not.
     void note_earlier_exponents(const local_series<mpfr>& series) {
         earlier_.assign(series.given(), 0);
         for (const std::size_t i : group_) {
@@ -165,7 +167,7 @@ private:
             found.exponents[i] = exponent.value_or(0);
         }
         find_most_singular(found, settled);
-        if (!is_power_) {  // the ratios agree on a power that is not there: the last distance bounds the error
+        if (!is_power_) {  // the ratios agree on a power that does not exist: the last distance bounds the error
             found.kind = singularity_kind::unclear;
             found.offset = now_ + distance_;
             found.uncertainty = modulus_of(distance_);
@@ -185,7 +187,7 @@ private:
             resonances_at(of_, wide_complex(constant_value<mpfr>::of(of_.origin)) + now_, values, -distance_, balance);
     }
 
-    // From the last coefficients and from those up to three quarters of them; nothing where they differ, for then the
+    // From the last coefficients and from those up to three quarters of them; std::nullopt if they differ: then the
     // unknown is regular here, or its coefficients are rounding errors. 0 for a polynomial.
     std::optional<std::complex<double>> settled_exponent(std::size_t unknown) const {
         const wide_complex* const a = last_->coefficients(unknown);
@@ -218,8 +220,8 @@ private:
         is_power_ = std::abs(found.exponent - tidied_exponent(earlier_[*most])) < kept_exponent_slack * size;
     }
 
-    // From a_n of (s - d)^p = (-d)^p (1 - s/d)^p, d the distance; (1 - (t - t0)/(t* - t0))^p = (d/d0)^p (1 - s/d)^p. Of
-    // a logarithm y ~ c log, a_n ~ -c/(n d^n).
+    // From a_n of (s - d)^p = (-d)^p (1 - s/d)^p, d the distance; (1 - (t - t0)/(t* - t0))^p = (d/d0)^p (1 - s/d)^p.
+    // For a logarithm y ~ c log, a_n ~ -c/(n d^n).
     std::complex<double> leading_coefficient(const found_singularity& found, std::size_t unknown) const {
         const std::complex<double>& p = found.exponents[unknown];
         const int n = last_->order();
@@ -240,7 +242,7 @@ private:
         return rounded_point(term / exp(log(base) * exponent));
     }
 
-    // The exponent of the leading term: 0 where a constant stands before a power that is singular.
+    // The exponent of the leading term: 0 if a constant dominates the singular power.
     std::complex<double> balance_exponent(const found_singularity& found, std::size_t unknown) const {
         const std::complex<double>& p = found.exponents[unknown];
         if (!(p.real() > 0)) {

@@ -7,7 +7,7 @@ namespace libration::ode {
 
 namespace {
 
-// The coefficients of y^0 .. y^most in f, expressions of the variable; nothing where f is no such polynomial.
+// The coefficients of y^0 .. y^most in f, expressions in the variable; std::nullopt if f is not such a polynomial.
 std::optional<std::vector<expression>> coefficients_in(const expression& f, const expression& y, int most) {
     std::vector<expression> derived{f};
     for (int k = 0; k <= most; ++k) {

@@ -42,7 +42,7 @@ std::vector<number_pair> characteristic_polynomial(const number_matrix& a) {
     return c;
 }
 
-// All roots at once [Weierstrass, Durand, Kerner].
+// All roots simultaneously [Weierstrass, Durand, Kerner].
 std::vector<number_pair> roots_of(const std::vector<number_pair>& c) {
     const std::size_t n = c.size() - 1;
     double size = 1;
@@ -84,7 +84,7 @@ std::vector<std::complex<double>> resonances_at(const path_system& of, const com
     if (size > most_analysed_unknowns || carried.size() != size) {
         return {};
     }
-    // The first coefficient of a variation that starts as a unit vector is a column of the derivative.
+    // The first coefficient of a variation whose initial value is a unit vector is a column of the derivative.
     const tape varied = tape::about_points(with_variations(of.lifted));
     taylor_expansion<complex> expansion(varied, 1);
     solution_state<complex> state;

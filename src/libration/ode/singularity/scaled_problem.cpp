@@ -15,10 +15,10 @@ namespace libration::ode {
 
 namespace {
 
-// Of the series that the units are taken from.
+// The order of the series from which the units are determined.
 constexpr int scale_order = 44;
 constexpr int scale_digits = 20;
-// log2 of radii and sizes whose powers up to that order, and their squares, stay in the range of double.
+// log2 of radii and sizes whose powers up to that order, and their squares, remain in the range of double.
 constexpr double usual_time = 6;
 constexpr double usual_size = 32;
 
@@ -35,7 +35,7 @@ struct scaled_form {
     expression value() const { return exponent == 0 ? rest : expression(power_of_two(exponent)) * rest; }
 };
 
-// An expression in scaled leaves, with the powers of two in front of it.
+// Rewrites expressions in scaled leaves, with the power of two factored out.
 class scaling {
 public:
     scaling(const explicit_system& of, long time, const std::vector<long>& sizes) : time_(time) {

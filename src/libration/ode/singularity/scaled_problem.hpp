@@ -14,8 +14,8 @@ struct scaled_problem {
     std::vector<long> sizes;
 };
 
-/// Units from the radius of convergence of the start and the largest terms of the unknowns there; 0, and the system
-/// itself, where these are within 2^+-6 and 2^+-32. The system has starts.
+/// Units from the radius of convergence about the initial point and the largest terms of the unknowns there; 0, and the
+/// system itself, if these are within 2^+-6 and 2^+-32. The system must have initial values.
 scaled_problem scaled_to_start(const explicit_system& of);
 
 }  // namespace libration::ode

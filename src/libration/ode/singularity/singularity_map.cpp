@@ -19,11 +19,11 @@ namespace {
 
 using wide_complex = complex_number<mpfr>;
 
-// Searches without a bound look so much further out, step by step.
+// The factor by which the bound grows in each step of a search without a given bound.
 constexpr double search_growth = 1.4;
 constexpr double farthest_search = 64;
 
-// The mirror images of a singularity under the symmetry, itself first.
+// The images of a singularity under the symmetry, itself first.
 std::vector<found_singularity> images_of(const found_singularity& one, int rotation) {
     std::vector<found_singularity> all;
     const precision_scope scope(static_cast<int>(mpfr_get_prec(handle(one.offset.re)) * 30103L / 100'000L) + 2);
@@ -84,7 +84,7 @@ leaf_group leaves_named(const explicit_system& of, const std::vector<std::string
 }
 
 // The search for the singularities of the unknowns of one strongly connected component: in the system of these and of
-// all that they depend on, in units of its own.
+// all unknowns that they depend on, in its own units.
 class component_search {
 public:
     component_search(const explicit_system& whole, const std::vector<std::size_t>& component,
@@ -98,13 +98,13 @@ public:
         for (const auto& each : inner.strong_components()) {
             names_.push_back(names_of(part_.system, each));
         }
-        // What the component depends on comes before it.
+        // The unknowns that the component depends on precede it.
         own_ = leaves_named(part_.system, names_.back());
         scaled_paths_ = std::make_unique<path_system>(scaled_.system);
         search_ = made_search(rotation_);
     }
 
-    // All distances are from the start, in the units of the whole system.
+    // All distances are from the initial point, in the units of the whole system.
     double first_radius() const { return in_time(search_->first_radius()); }
     void search(double within) { search_->search(in_units(within)); }
     long points() const { return search_->points(); }
@@ -120,7 +120,7 @@ public:
         return least;
     }
 
-    // Those of the component, in many digits.
+    // The singularities of the component, in high precision.
     std::vector<found_singularity> refined(double within, long digits) const {
         std::vector<found_singularity> all;
         for (const candidate& each : search_->found()) {
@@ -192,14 +192,14 @@ private:
     std::unique_ptr<path_system> scaled_paths_;
     int rotation_;
     long most_points_;
-    std::vector<std::vector<std::string>> names_;  // of the strong components, the own one last
+    std::vector<std::vector<std::string>> names_;  // of the strong components, this one last
     leaf_group own_;
     std::unique_ptr<singularity_search> search_;
 };
 
 using component_searches = std::vector<std::unique_ptr<component_search>>;
 
-// Of the components whose solutions are not entire by their form.
+// The searches of the components whose solutions are not entire by their form.
 component_searches searches_of(const explicit_system& system, long most_points) {
     component_searches all;
     const dependency_graph graph(system);
@@ -225,7 +225,7 @@ bool has_points_left(const component_searches& all, long most_points) {
     return std::ranges::any_of(all, [&](const auto& each) { return each->points() < most_points; });
 }
 
-// All of them, as far as the request says; the distance.
+// Runs all searches, as far as requested; returns the distance.
 double search_all(const component_searches& all, const singularity_request& request) {
     const auto search = [&](double within) {
         for (const auto& each : all) {

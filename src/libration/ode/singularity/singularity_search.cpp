@@ -13,17 +13,17 @@ namespace libration::ode {
 namespace {
 
 constexpr int search_order = 44;
-// Of a radius: how far values are taken, and how far the series is believed to converge.
+// Fractions of a radius: up to which values are used, and up to which the series is taken to converge.
 constexpr double search_step = 0.5;
 constexpr double believed_part = 0.8;
 constexpr int loop_points = 16;
-// Relative change of the unknowns after a turn that is no rounding.
+// The least relative change of the unknowns after a turn that is not rounding.
 constexpr double least_change = 1e-6;
-// Ratios that agree so far point at one singularity.
+// Ratios that agree within this tolerance indicate one singularity.
 constexpr double good_agreement = 0.03;
 constexpr double better_agreement = 0.003;
 constexpr int most_approaches = 14;
-// Of the distance: estimates that move less have settled.
+// Fraction of the distance: estimates that change by less have converged.
 constexpr double settled_part = 0.05;
 constexpr int enough_settled = 4;
 constexpr int most_intermediate_points = 40;
@@ -32,7 +32,7 @@ constexpr double least_search_cell = 1e-4;
 constexpr int polishing_steps = 10;
 constexpr double polishing_part = 0.5;
 constexpr double axis_part = 1e-3;
-// Laurent coefficients from values on a loop that are below so much of these are 0.
+// Laurent coefficients from values on a loop; those below laurent_slack relative to the values are 0.
 constexpr int laurent_points = 64;
 constexpr int laurent_terms = 12;
 constexpr double laurent_slack = 1e-6;
@@ -40,7 +40,7 @@ constexpr double laurent_slack = 1e-6;
 complex_number<double> as_number(const plane_point& z) { return {z.real(), z.imag()}; }
 plane_point as_point(const complex_number<double>& z) { return {z.re, z.im}; }
 
-// |a - b|^2; what is compared with many points needs neither a root nor the care of hypot.
+// |a - b|^2; comparisons with many points need neither a square root nor the overflow protection of hypot.
 double squared_distance(const plane_point& a, const plane_point& b) { return std::norm(a - b); }
 
 }  // namespace
@@ -88,14 +88,13 @@ std::vector<complex_number<double>> singularity_search::values_at(const point& o
     return values;
 }
 
-// Behind a branch point, as seen from the start, the plane is cut.
+// The plane is cut behind each branch point, as seen from the initial point.
 bool singularity_search::crosses_cut(const plane_point& from, const plane_point& to) const {
     return std::ranges::any_of(found_, [&](const candidate& each) {
         if (each.single_valued) {
             return false;
         }
-        // Turned and stretched by the conjugate of the branch point p, which becomes |p|^2, the cut is the real axis
-        // from there.
+        // Multiplied by the conjugate of the branch point p, which becomes |p|^2, the cut is the real axis from there.
         const double x = each.at.real();
         const double y = each.at.imag();
         const double a = from.imag() * x - from.real() * y;
@@ -173,7 +172,7 @@ bool singularity_search::is_explained(const cell& of) const {
     if (std::ranges::any_of(found_, [&](const candidate& each) { return all_in(each.at, each.reach); })) {
         return true;
     }
-    // Where a cut goes through the cell, each side of it has a point of its own, whose disc holds the whole cell.
+    // If a cut goes through the cell, each side of it needs a separate point whose disc contains the whole cell.
     std::array<bool, 5> explained{};
     for (const point& each : points_) {
         if (all_in(each.at, believed_part * each.radius)) {
@@ -185,7 +184,7 @@ bool singularity_search::is_explained(const cell& of) const {
     return std::ranges::all_of(explained, [](bool each) { return each; });
 }
 
-// Into the sector of arguments 0 .. pi/rotation.
+// Maps into the sector of arguments 0 .. pi/rotation.
 plane_point singularity_search::folded(plane_point z, bool& mirrored, int& turns) const {
     const double sector = 2 * std::numbers::pi / rotation_;
     turns = static_cast<int>(std::lround(std::arg(z) / sector));
@@ -195,7 +194,7 @@ plane_point singularity_search::folded(plane_point z, bool& mirrored, int& turns
 }
 
 std::optional<plane_point> singularity_search::value_at(const plane_point& offset, std::size_t leaf) const {
-    // The reflection alone: what a turn does to an unknown is not known here.
+    // Only the reflection: the effect of a rotation on an unknown is not available here.
     const bool below = offset.imag() < 0;
     const plane_point z = below ? std::conj(offset) : offset;
     const point* best = nullptr;
@@ -215,7 +214,7 @@ std::optional<plane_point> singularity_search::value_at(const plane_point& offse
 }
 
 // Follows the estimates of every group from the newest point to singularities that are not yet known. Next to one that
-// was found for a group the others are asked again: theirs may be in the disc that it explains.
+// was found for a group the others are examined again: theirs may be in the disc resolved by it.
 void singularity_search::look_at_last() {
     const std::size_t here = points_.size() - 1;
     for (std::size_t group = 0; group < groups_.size(); ++group) {
@@ -233,7 +232,7 @@ void singularity_search::look_at_last() {
     }
 }
 
-// The same point again as the newest one.
+// Appends the same point again as the newest one.
 void singularity_search::return_to(const point& of) {
     point again = of;
     std::vector<complex> values;
@@ -244,7 +243,7 @@ void singularity_search::return_to(const point& of) {
     points_.push_back(std::move(again));
 }
 
-// Whether what the newest point says of a group was followed.
+// Follows the estimate of the newest point for a group; returns whether there was one to follow.
 bool singularity_search::look_at(std::size_t group) {
     const auto estimate = series_.nearest(groups_[group]);
     if (!estimate || !(estimate->agreement < good_agreement)) {
@@ -257,7 +256,7 @@ bool singularity_search::look_at(std::size_t group) {
     if (!(std::abs(at) < 1.2 * within_)) {
         return false;
     }
-    // Rounding makes the solution one of those that are singular at the start itself.
+    // By rounding errors the solution becomes one that is singular at the initial point itself.
     if (of_.singular && std::abs(at) < believed_part * points_.front().radius) {
         return false;
     }
@@ -275,7 +274,7 @@ bool singularity_search::look_at(std::size_t group) {
     return true;
 }
 
-// The place from nearer by; what is made on the way is forgotten.
+// The location as estimated from closer points; intermediate points are discarded.
 plane_point singularity_search::polished(plane_point centre, std::size_t group) {
     const std::size_t count = points_.size();
     double best = 1;
@@ -304,7 +303,7 @@ plane_point singularity_search::polished(plane_point centre, std::size_t group) 
     return result;
 }
 
-// On the edge of the sector where it is next to it: a singularity that is alone in its loop is its own mirror image.
+// Moves a location next to the edge of the sector onto it: the only singularity in its loop is its own mirror image.
 plane_point singularity_search::on_axis(const plane_point& z, double reach) const {
     for (const double angle : {0.0, std::numbers::pi / rotation_}) {
         const plane_point axis = std::polar(1.0, angle);
@@ -316,8 +315,8 @@ plane_point singularity_search::on_axis(const plane_point& z, double reach) cons
     return z;
 }
 
-// Whether the loop of the last points has one pole in it, at this place: of the Laurent series about it, from the values
-// on the circle, the coefficients behind that of the order of the pole are 0.
+// Whether the loop of the last points encloses one pole, at this location: in the Laurent series about it, from the
+// values on the circle, the coefficients beyond the order of the pole are 0.
 bool singularity_search::is_one_pole(const candidate& loop, const plane_point& place) const {
     const std::size_t first = points_.size() - 1 - loop_points;
     const plane_point arm = points_[first].at - loop.at;
@@ -350,7 +349,7 @@ bool singularity_search::is_one_pole(const candidate& loop, const plane_point& p
     return true;
 }
 
-// Into the sector, at the polished place, unless it is known.
+// Stores the candidate in the sector, at the polished location, unless it is already known.
 void singularity_search::keep(candidate made, plane_point place) {
     bool mirrored = false;
     int turns = 0;
@@ -367,7 +366,7 @@ void singularity_search::keep(candidate made, plane_point place) {
     }
 }
 
-// Nearer to a guess until a loop round it sees nothing else.
+// Approaches a guess until a loop around it encloses no other singularity.
 void singularity_search::approach(const plane_point& guess, std::size_t group) {
     plane_point centre = guess;
     plane_point aim = guess;
@@ -378,7 +377,7 @@ void singularity_search::approach(const plane_point& guess, std::size_t group) {
         if (estimate && estimate->agreement < good_agreement) {
             const plane_point again = points_.back().at + as_point(estimate->distance);
             if (std::abs(again - aim) > 0.5 * std::abs(points_.back().at - aim) + 0.1 * away) {
-                break;  // it points elsewhere
+                break;  // the estimate is elsewhere
             }
             settled = std::abs(again - centre) < settled_part * away ? settled + 1 : 0;
             centre = again;
@@ -389,11 +388,11 @@ void singularity_search::approach(const plane_point& guess, std::size_t group) {
                         keep(*loop, place);
                         return;
                     }
-                    centre = aim = place;  // of several in the loop the one that is nearest
+                    centre = aim = place;  // of several in the loop the nearest one
                     settled = 0;
                 }
             }
-            // No loop of any size closes where singularities of other sheets accumulate.
+            // No loop of any size closes if singularities of other sheets accumulate.
             if (settled >= enough_settled) {
                 keep({centre, std::abs(points_.back().at - centre), false, false,
                       path_to(static_cast<int>(points_.size()) - 1), group},
@@ -401,7 +400,7 @@ void singularity_search::approach(const plane_point& guess, std::size_t group) {
                 return;
             }
         }
-        // The nearest point there is leads on.
+        // Continue from the nearest existing point.
         const point& from = points_.back();
         const plane_point way = centre - from.at;
         const double part = std::min(0.5, search_step * from.radius / std::max(std::abs(way), 1e-300));
@@ -425,7 +424,8 @@ bool singularity_search::is_changed(const point& before, const point& after, con
     });
 }
 
-// From the newest point once round: every point of the loop has to have its radius from the centre of it.
+// Once around from the newest point: the radius of convergence at every point of the loop must be determined by its
+// centre.
 std::optional<candidate> singularity_search::loop_round(const plane_point& centre, std::size_t group) {
     const std::size_t first = points_.size() - 1;
     const plane_point arm = points_.back().at - centre;
@@ -447,7 +447,7 @@ std::optional<candidate> singularity_search::loop_round(const plane_point& centr
         made = candidate{centre, reach, !changed, !group_changed, path_to(static_cast<int>(first)), group};
     }
     if (!made || !made->single_valued) {
-        points_.resize(first + 1);  // on other sheets, or of no use
+        points_.resize(first + 1);  // on other sheets, or unusable
     }
     // The series of the last point again, for what follows.
     return_to(points_.back());

@@ -1,4 +1,4 @@
-// The search of singularity_map in double precision: points, cells, loops.
+// The double-precision search of singularity_map: points, cells, loops.
 #pragma once
 
 #include <complex>
@@ -12,36 +12,36 @@ namespace libration::ode {
 
 using plane_point = std::complex<double>;
 
-/// Indices of unknowns and lower derivatives that are singular at the same points as a rule: those of a strongly
+/// Indices of unknowns and lower derivatives that are usually singular at the same points: those of a strongly
 /// connected component.
 using leaf_group = std::vector<std::size_t>;
 
 /// A singularity in double precision, in the sector of the symmetry that was searched.
 struct candidate {
     plane_point at;
-    /// The radius of the loop that went round it.
+    /// The radius of the loop around it.
     double reach = 0;
-    /// Whether nothing, and whether none of the unknowns of its group, is different after the loop.
+    /// Whether all unknowns, and whether those of its group, are unchanged after the loop.
     bool single_valued = true;
     bool group_single_valued = true;
     std::vector<plane_point> path;
-    /// The group whose coefficients show it.
+    /// The group whose coefficients indicate it.
     std::size_t group = 0;
 };
 
-/// Searches for the singularities of all unknowns of a system. Each group has candidates of its own, found from its own
-/// coefficients: one that is regular at a singularity of another has none there.
+/// Searches for the singularities of all unknowns of a system. Each group has separate candidates, found from its own
+/// coefficients: a group that is regular at a singularity of another one has none there.
 class singularity_search {
 public:
     singularity_search(const path_system& of, std::vector<leaf_group> groups, int rotation, long most_points);
 
-    /// Every cell with modulus below is explained or given up.
+    /// Processes every cell of smaller modulus until it is resolved or abandoned.
     void search(double within);
 
     const std::vector<candidate>& found() const { return found_; }
     long points() const { return static_cast<long>(points_.size()); }
     long unexplained() const { return unexplained_; }
-    /// A leaf at an offset of the whole plane, by the reflection and the point that holds it best.
+    /// The value of a leaf at any offset in the plane, by the reflection and the point whose disc contains it best.
     std::optional<plane_point> value_at(const plane_point& offset, std::size_t leaf) const;
     double first_radius() const { return points_.front().radius; }
 
@@ -62,7 +62,7 @@ private:
     bool add_point(const plane_point& at);
     int best_parent(const plane_point& at) const;
     void expand(const plane_point& at, const std::vector<complex>& values, int parent);
-    // The point of the series as it is.
+    // Adds the point of the current series.
     void add_expanded(const plane_point& at, int parent);
     bool crosses_cut(const plane_point& from, const plane_point& to) const;
     bool is_explained(const cell& of) const;

@@ -46,7 +46,7 @@ private:
         refuse(text_of(words_, 0, words_.size()), end.at, "ends where a number or a name is missing: write one");
     }
 
-    // What cannot follow an operand.
+    // Reports a token that cannot follow an operand.
     [[noreturn]] void refuse_next() const {
         const token& word = words_[next_];
         if (at_operand() && next_ > 0) {
@@ -60,7 +60,7 @@ private:
             refuse(")", word.at, "closes nothing: add a (");
         }
         if (word.symbol == ',') {
-            refuse(",", word.at, "is no part of a problem: write a point in decimals and ; between statements");
+            refuse(",", word.at, "is not expected: write a decimal point, and ; between statements");
         }
         refuse(std::string(word.text), word.at, "is not expected here: write + - * / or ^ between numbers and names");
     }
@@ -72,7 +72,7 @@ private:
         }
     }
 
-    // An operation of constants may have no value.
+    // Operations on constants may have no value.
     template <class Operation>
     expression folded(const place& at, const Operation& operation) const {
         try {
@@ -142,7 +142,7 @@ private:
         return raised;
     }
 
-    // pi or deg directly behind a number, in values.
+    // pi or deg directly after a number, in values.
     std::optional<expression> unit_behind() {
         if (role_ == formula_role::equation || next_ >= last_ || words_[next_].kind != token_kind::name ||
             !words_[next_].touches) {
@@ -177,7 +177,7 @@ private:
             return in_parentheses(word.at);
         }
         if (word.kind != token_kind::name) {
-            refuse(std::string(1, word.symbol), word.at, "stands where a number or a name is missing: write one");
+            refuse(std::string(1, word.symbol), word.at, "is not a number or a name: write one");
         }
         ++next_;
         if (is_function_name(word.text)) {
@@ -192,11 +192,11 @@ private:
     expression function(const token& word) {
         if (word.primes > 0) {
             refuse(text_of(words_, next_ - 1, next_), word.at,
-                   "is the derivative of a function: write primes behind unknowns alone");
+                   "is the derivative of a function: write primes only after unknowns");
         }
         if (!take('(')) {
             refuse(std::string(word.text), word.at,
-                   "is a function without ( behind it: write " + std::string(word.text) + "(...)");
+                   "is a function without ( after it: write " + std::string(word.text) + "(...)");
         }
         const function_kind f = *function_named(word.text);
         const place opened = words_[next_ - 1].at;
@@ -208,7 +208,7 @@ private:
         }
         const std::string call = std::string(word.text) + "(0, x)";
         if (!take(',')) {
-            refuse(std::string(word.text), word.at, "has two arguments, its order and where: write " + call);
+            refuse(std::string(word.text), word.at, "has two arguments, its order and its argument: write " + call);
         }
         const expression x = before_end(opened);
         refuse_comma(word, " has two arguments: write " + call);
@@ -231,9 +231,10 @@ private:
         }
         if (known) {
             refuse(name + "(", word.at,
-                   "is no part of an equation: a start is a statement, " + name + "(0) = 1, and a product has *");
+                   "is not part of an equation: an initial value is a statement, " + name +
+                       "(0) = 1, and a product has *");
         }
-        refuse(name, word.at, "is no function: write * for a product, or one of " + function_names());
+        refuse(name, word.at, "is not a function: write * for a product, or one of " + function_names());
     }
 
     expression named(const token& word) const {
@@ -245,7 +246,7 @@ private:
             return unknown(name, word.primes);
         }
         if (word.primes > 0) {
-            refuse(primed(name, word.primes), word.at, "is the derivative of no unknown");
+            refuse(primed(name, word.primes), word.at, "is not the derivative of an unknown");
         }
         if (name == names_.variable) {
             return variable();
@@ -254,10 +255,10 @@ private:
             return parameter(name);
         }
         if (name == "i") {
-            refuse(name, word.at, "has no value: use imaginary numbers in points alone");
+            refuse(name, word.at, "has no value: use imaginary numbers only in points");
         }
         if (name == "inf") {
-            refuse(name, word.at, "is no number: write one");
+            refuse(name, word.at, "is not a number: write one");
         }
         refuse(name, word.at,
                name == "t"

@@ -19,15 +19,15 @@ bool is_symbol(const token& word, char c) { return word.kind == token_kind::symb
 
 std::string whole(const statement& words) { return text_of(words, 0, words.size()); }
 
-// The place of =, of which a statement has one.
+// The index of the only = of a statement.
 std::size_t equals_of(const statement& words) {
     const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
     const auto found = std::ranges::find_if(words, is_equals);
     if (found == words.end()) {
-        refuse(whole(words), words.front().at, "is no equation: write one with =");
+        refuse(whole(words), words.front().at, "is not an equation: write one with =");
     }
     if (std::ranges::count_if(words, is_equals) > 1) {
-        refuse(whole(words), words.front().at, "has more than one =: write a statement each");
+        refuse(whole(words), words.front().at, "has more than one =: write separate statements");
     }
     const auto place = static_cast<std::size_t>(found - words.begin());
     if (place == 0 || place + 1 == words.size()) {
@@ -103,7 +103,7 @@ public:
 
     const std::vector<statement>& statements() const { return all_; }
 
-    // left - right.
+    // left - right of an equation.
     expression difference(const statement& words) const {
         const std::size_t equals = equals_of(words);
         return formula(words, 0, equals) - formula(words, equals + 1, words.size());
@@ -123,7 +123,7 @@ public:
 
     equation_system& result() { return result_; }
 
-    // The parameters that stand in their definition alone.
+    // The parameters that occur only in their definition.
     std::vector<std::string> unused() const {
         std::map<std::string_view, int> times;
         for (const statement& words : all_) {
@@ -148,7 +148,7 @@ private:
         for (const statement& words : all_) {
             if (is_keyword(words, "variable")) {
                 if (words.size() > 2 || words[1].kind != token_kind::name || words[1].primes > 0) {
-                    refuse(whole(words), words[0].at, "names no variable: write variable x");
+                    refuse(whole(words), words[0].at, "does not name a variable: write variable x");
                 }
                 if (found) {
                     refuse(whole(words), words[0].at, "is a second independent variable: leave one out");
@@ -195,7 +195,7 @@ private:
         const std::string of = primed(std::string(name.text), name.primes);
         if (!names_.unknowns.contains(name.text)) {
             refuse(whole(words), name.at,
-                   "is a start of no unknown: add an equation with " + std::string(name.text) + "'");
+                   "is not an initial value of an unknown: add an equation with " + std::string(name.text) + "'");
         }
         if (equals == 4 && words[2].text == names_.variable) {
             refuse(of + "(" + names_.variable + ")", name.at, "has an argument: write " + of);
@@ -208,7 +208,7 @@ private:
     void read_parameter(const statement& words) {
         const std::string name(words[0].text);
         if (!defined_.insert(name).second) {
-            refuse(whole(words), words[0].at, "gives " + name + " a second value: give it one");
+            refuse(whole(words), words[0].at, "gives " + name + " a second value: give it only one");
         }
         result_.parameters.push_back({name, constant(words, 2, words.size(), "value"), words[0].at});
     }
@@ -216,11 +216,13 @@ private:
     void read_exact_solution(const statement& words) {
         const std::size_t equals = equals_of(words);
         if (equals != 2 || words[1].primes > 0 || !names_.unknowns.contains(words[1].text)) {
-            refuse(whole(words), words[0].at, "names no unknown: write exact f = ... in the variable and parameters");
+            refuse(whole(words), words[0].at,
+                   "does not name an unknown: write exact f = ... in the variable and parameters");
         }
         expression value = formula(words, 3, words.size());
         if (value.has_unknowns()) {
-            refuse(whole(words), words[0].at, "has an unknown on its right: write it in the variable and parameters");
+            refuse(whole(words), words[0].at,
+                   "has an unknown on its right-hand side: write it in the variable and parameters");
         }
         result_.exact.push_back({std::string(words[1].text), std::move(value), words[0].at});
     }
@@ -231,7 +233,7 @@ private:
     std::set<std::string> defined_;
 };
 
-// A parameter that a problem does not have.
+// Reports a parameter that is not in the problem.
 [[noreturn]] void refuse_parameter(const definition& of, const equation_system& system) {
     std::vector<std::string> own;
     std::ranges::transform(system.parameters, std::back_inserter(own), &definition::name);
@@ -257,7 +259,8 @@ equation_system changed(equation_system system, std::string_view text) {
     }
     const equation_system& more = reader.result();
     if (!more.equations.empty()) {
-        refuse(std::string(text), more.equations.front().at, "is no parameter and no start: write k = 1 or f(0) = 1");
+        refuse(std::string(text), more.equations.front().at,
+               "is neither a parameter nor an initial value: write k = 1 or f(0) = 1");
     }
     for (const definition& each : more.parameters) {
         if (system.parameter_of(each.name) == nullptr) {
@@ -270,7 +273,7 @@ equation_system changed(equation_system system, std::string_view text) {
             std::ranges::find_if(system.starts, [&](const start& s) { return same_form(s.of, each.of); });
         if (found == system.starts.end()) {
             refuse(primed(each.of.name(), each.of.derivative()), each.at,
-                   "has no start in this problem: choose one of its own");
+                   "has no initial value in this problem: choose one that has");
         }
         *found = each;
     }
@@ -280,7 +283,7 @@ equation_system changed(equation_system system, std::string_view text) {
 expression parse_condition(const equation_system& of, std::string_view text) {
     const problem_reader reader(text, of);
     if (reader.statements().size() != 1) {
-        refuse(std::string(text), {}, "is no condition: write one equation, as x' = 0");
+        refuse(std::string(text), {}, "is not a condition: write one equation, as x' = 0");
     }
     return with_values(reader.difference(reader.statements().front()), of);
 }
@@ -292,7 +295,7 @@ start parse_point_condition(const equation_system& of, std::string_view text) {
         reader.read_equality(all.front());
     }
     if (reader.result().starts.size() != 1) {
-        refuse(std::string(text), {}, "is no condition at a time: write one, as f'(5) = 1");
+        refuse(std::string(text), {}, "is not a condition at a time: write one, as f'(5) = 1");
     }
     start result = reader.result().starts.front();
     result.point = with_values(result.point, of);
@@ -305,7 +308,7 @@ namespace {
 expression constant_in(std::string_view text, const known_names& names, formula_role role) {
     const auto all = statements_of(text);
     if (all.size() != 1) {
-        refuse(std::string(text), {}, "is no number: write one");
+        refuse(std::string(text), {}, "is not a number: write one");
     }
     return read_formula(all[0], 0, all[0].size(), names, role);
 }

@@ -14,7 +14,7 @@ namespace {
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool goes_on_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// The text from left to right.
+// Reads the text from left to right.
 class reader {
 public:
     explicit reader(std::string_view text) : rest_(text) {}
@@ -79,7 +79,7 @@ private:
         }
         if (made.kind == token_kind::name && length + static_cast<std::size_t>(made.primes) > longest_name) {
             refuse(std::string(rest_.substr(0, length)), at_,
-                   "has more than " + std::to_string(longest_name) + " characters, primes among them: choose another");
+                   "has more than " + std::to_string(longest_name) + " characters, including primes: choose another");
         }
         made.text = rest_.substr(0, length);
         advance(length + static_cast<std::size_t>(made.primes));
@@ -99,7 +99,7 @@ private:
         try {
             const auto number = take_number(tail);
             if (!number) {
-                refuse(".", at_, "is no number: write digits");
+                refuse(".", at_, "is not a number: write digits");
             }
             made.kind = token_kind::numeral;
             made.value = number->value();
@@ -112,7 +112,7 @@ private:
         return rest_.size() - tail.size();
     }
 
-    // Where a comma parts the arguments of a function.
+    // Whether a comma separates the arguments of a function here.
     bool in_parentheses() const {
         const auto count = [this](char c) { return std::ranges::count(words_, c, &token::symbol); };
         return count('(') > count(')');
@@ -133,13 +133,13 @@ private:
         }
         const std::string shown = c > ' ' && c < '\x7f' ? std::string(1, c) : std::string("\\") + "?";
         switch (c) {
-            case ',': refuse(shown, at_, "is no part of a problem: write a point in decimals and ; between statements");
-            case '\'': refuse(shown, at_, "stands behind no name: write primes directly behind an unknown, as f''");
+            case ',': refuse(shown, at_, "is not expected: write a decimal point, and ; between statements");
+            case '\'': refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
             case '[':
-            case '{': refuse(shown, at_, "is no parenthesis here: write (");
+            case '{': refuse(shown, at_, "is not a parenthesis here: write (");
             case '<':
-            case '>': refuse(shown, at_, "is no equation: write =");
-            default: refuse(shown, at_, "is no part of a problem: write names, numbers, + - * / ^ ( ) = and ;");
+            case '>': refuse(shown, at_, "is not an equation: write =");
+            default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");
         }
     }
 

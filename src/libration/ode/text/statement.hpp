@@ -1,4 +1,4 @@
-// The words of a problem's text, in statements.
+// The tokens of a problem's text, grouped into statements.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace libration::ode {
 
 enum class token_kind { numeral, name, symbol };
 
-/// A word of the text: a number, a name with its primes, or a symbol ( ) + - * / ^ =.
+/// A token of the text: a number, a name with its primes, or a symbol ( ) + - * / ^ =.
 struct token {
     token_kind kind = token_kind::symbol;
     std::string_view text;
@@ -19,16 +19,16 @@ struct token {
     char symbol = ' ';
     int primes = 0;
     place at;
-    bool touches = false;  ///< the token before, without a blank
+    bool touches = false;  ///< whether it follows the previous token without a blank
 };
 
-/// The words up to ; or the end of a line, at least one.
+/// The tokens up to ; or the end of a line, at least one.
 using statement = std::vector<token>;
 
-/// The text in statements, without comments and blanks. Throws error for what is no word.
+/// The text in statements, without comments and blanks. Throws error for characters that form no token.
 std::vector<statement> statements_of(std::string_view text);
 
-/// The text that the tokens first .. last - 1 stand in.
+/// The text spanned by the tokens first .. last - 1.
 std::string text_of(const statement& words, std::size_t first, std::size_t last);
 
 }  // namespace libration::ode
