@@ -1,4 +1,4 @@
-// The asymptotic behaviour of a solution, which the equations do not contain: required by asymptotic approximants.
+// The asymptotic behaviour of a solution, known in addition to its equations: required by asymptotic approximants.
 #pragma once
 
 #include <functional>

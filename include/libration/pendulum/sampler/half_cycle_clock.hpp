@@ -67,7 +67,7 @@ public:
     }
 
     [[gnu::always_inline]] place locate(const T& time) const {
-        // t + s = since + lost without rounding; then since - 2 T* j; then what is small.
+        // t + s = since + lost without rounding; then since - 2 T* j; then the small part.
         const T t = time * of_.per_unit;
         const T since = t + of_.start.high;
         const T part = since - t;
