@@ -17,7 +17,7 @@ struct row_question {
     bool proved = true;
     /// The digits of the first attempt for a given number of decimal places.
     std::function<long(long places)> first_digits;
-    /// The true values of the compared columns, at the working precision of this many digits, or std::nullopt if that is too
+    /// The true values of the compared columns, at the working precision of this many digits; empty if that is too
     /// low. May throw precision_exhausted.
     std::function<std::vector<true_value>(long digits)> truths;
     /// The condition number of the first column, or the largest of all columns, depending on the source, three digits;
