@@ -179,8 +179,8 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
     }
     CHECK_THROWS_WITH(
         problem_text("blasus"),
-        "problem 'blasus' is not in the catalogue (did you mean blasius?): `libration problems` lists it, a file has a "
-        "/ or ends in .ode, a text has =");
+        "problem 'blasus' is not in the catalogue (did you mean blasius?): `libration problems` lists it; a file "
+        "contains / or ends in .ode, a text contains =");
 }
 
 TEST_CASE("every problem's series fulfils its equations, its integrals and its closed forms", "[problem][catalogue]") {

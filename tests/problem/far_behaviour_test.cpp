@@ -84,7 +84,7 @@ TEST_CASE("what the approximants of Sakiadis' layer predict is the published tab
 }
 
 TEST_CASE("a problem without a known far behaviour is refused", "[problem][asymptotic]") {
-    CHECK_THROWS_WITH(of("lorenz"), Catch::Contains("has no known far behaviour"));
+    CHECK_THROWS_WITH(of("lorenz"), Catch::Contains("has no known asymptotic behaviour"));
     CHECK_THROWS_WITH(of("rayleigh", {"R'(0) = 1"}), Catch::Contains("from rest alone"));
 }
 

@@ -1,5 +1,5 @@
-// The pendulum: exact motions, their solution, series, resummations and errors; digits.hpp for decimals without a
-// choice of precision.
+// The pendulum: exact motions, their solution, series, resummations and errors; digits.hpp computes decimals without
+// the need to choose a precision.
 #pragma once
 
 #include "libration/pendulum/arc/arc_pade.hpp"

@@ -10,24 +10,24 @@
 
 namespace libration {
 
-/// What the values of an axis are: exact numbers, whole numbers from 0 on, words, or a single exact number.
+/// The kind of values of an axis: exact numbers, whole numbers from 0 on, words, or a single exact number.
 enum class axis_form { numbers, whole, words, one_number };
 
 /// An axis.
 struct axis {
     std::string name;    ///< gap
     std::string option;  ///< --gaps
-    std::string help;    ///< what its values are, for the command line
+    std::string help;    ///< a description of its values, for the command line
     std::string unit;    ///< of the values; empty for pure numbers
     axis_form form;
-    std::string remedy;  ///< what to write instead of what was wrong
-    /// Throws error saying why a value (of an axis of words: its text) is outside the range, as
+    std::string remedy;  ///< the advice printed for an invalid value
+    /// Throws error with the reason why a value (of an axis of words: its text) is outside the range, as
     /// "has '3', which makes the energy negative".
     std::function<void(const exact&)> check;
-    /// The coordinate that the value stands for. Axes of the same coordinate are ways to say the same: the energy 2 - g
-    /// by its gap g. Values of one put the usual ones of the others aside.
+    /// The coordinate that the value represents. Axes of the same coordinate are alternatives: the energy 2 - g can be
+    /// given by its gap g. Values of one replace the defaults of the others.
     std::string coordinate;
-    /// The value of the coordinate; empty where the axis is its coordinate itself.
+    /// The value of the coordinate; empty if the axis is its coordinate itself.
     std::function<exact(const exact&)> to_coordinate;
     /// The largest value of an axis of whole numbers; 0 for no bound.
     long largest = 0;
@@ -35,11 +35,11 @@ struct axis {
     exact coordinate_of(const exact& value) const;
 };
 
-/// Values by the name of their axis; words stand in the text of their value.
+/// Values by the name of their axis; words are the text of their value.
 class axis_values {
 public:
     void set(const std::string& name, std::vector<exact> values) { all_[name] = std::move(values); }
-    /// Nothing where the axis has no value.
+    /// An empty list if the axis has no value.
     const std::vector<exact>& of(const std::string& name) const;
     /// Those of an axis of whole numbers.
     std::vector<integer> whole(const std::string& name) const;
@@ -51,11 +51,11 @@ private:
     std::map<std::string, std::vector<exact>> all_;
 };
 
-/// Throws error for what has a unit: "has '90deg', which is not a decimal or a fraction".
+/// Throws error for a number with a unit: "has '90deg', which is not a decimal or a fraction".
 void require_plain_number(const exact& value);
 
-/// A number without unit as a decimal: as it was typed where that is one, exactly where a decimal ends, else to
-/// `digits` digits. Angles in radians. Throws error for multiples of a period, which only a motion knows.
+/// A number without unit as a decimal: unchanged if it was given as one, exactly if the decimal terminates, else to
+/// `digits` digits. Angles in radians. Throws error for multiples of a period, which are defined only for a motion.
 std::string decimal_of(const exact& value, long digits);
 
 /// The same of a fraction.

@@ -19,7 +19,7 @@ const std::vector<catalogue_entry>& catalogue();
 /// The text of a problem. Throws error for a name that is not in the catalogue.
 std::string_view problem_text(std::string_view name);
 
-/// What a problem is, in a line: its first comment.
+/// A one-line description of a problem: its first comment.
 std::string title_of(const catalogue_entry& entry);
 
 }  // namespace libration

@@ -1,4 +1,4 @@
-// How a solution behaves far from its start, which no text of equations says: what asymptotic approximants need.
+// The asymptotic behaviour of a solution, known in addition to its equations: required by asymptotic approximants.
 #pragma once
 
 #include <functional>
@@ -24,22 +24,22 @@ enum class far_form {
     branch                   ///< (1 - (t/end)^2)^(2/5) sum A_n t^n: branch_approximant
 };
 
-/// The far behaviour of one unknown of a problem, to so many digits, each of them heuristic.
+/// The asymptotic behaviour of one unknown of a problem, to a given number of digits, each of them heuristic.
 struct far_behaviour {
     std::string problem;
     std::string unknown;
     far_form form;
-    ode::explicit_system system;      ///< its free start is the one that reaches the far end
-    series::power_series<mpfr> line;  ///< what the unknown tends to, of degree 0 or 1
-    mpfr rate;                        ///< of the exponential, per unit of the variable; 0 for power and branch
-    mpfr end;  ///< where the unknown has come to its far behaviour within 10^-digits; of a branch the branch point
-    std::map<std::string, mpfr> values;  ///< numbers that belong to it, by the names of the literature
+    ode::explicit_system system;      ///< its free initial value is the one that reaches the asymptotic regime
+    series::power_series<mpfr> line;  ///< the asymptote of the unknown, of degree 0 or 1
+    mpfr rate;                        ///< of the exponential, per unit of t; 0 for power and branch
+    mpfr end;  ///< where the unknown is within 10^-digits of its asymptotic behaviour; of a branch the branch point
+    std::map<std::string, mpfr> values;  ///< related numbers, by the names of the literature
 
     /// Of the unknown in the system.
     int index() const;
 };
 
-/// The approximant that has the series f, a_0 .. a_N, at the start: a function of the variable. std::nullopt where a
+/// The approximant of the series f, a_0 .. a_N, at the start: a function of the variable. std::nullopt if a
 /// Pade approximant does not exist.
 std::optional<std::function<mpfr(const mpfr&)>> asymptotic_approximant(const far_behaviour& far,
                                                                        const series::power_series<mpfr>& f);

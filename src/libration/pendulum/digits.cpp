@@ -17,7 +17,7 @@ using namespace pendulum;
 
 namespace {
 
-// One number without a bound of its error.
+// One number without an error bound.
 template <class Compute>
 rounded_decimal agreed(long digits, const Compute& compute, const std::function<std::vector<bool>()>& vanishing = {}) {
     const auto run = [&](long guard) {
@@ -27,7 +27,7 @@ rounded_decimal agreed(long digits, const Compute& compute, const std::function<
     return {to_decimal(agreed_values(digits, run, vanishing).front(), digits)};
 }
 
-// One number within so many epsilon of itself.
+// One number with an error of at most this many epsilon of itself.
 template <class Compute>
 rounded_decimal bounded(long digits, int epsilons, const Compute& compute) {
     const auto run = [&] {
@@ -38,7 +38,7 @@ rounded_decimal bounded(long digits, int epsilons, const Compute& compute) {
     return {to_decimal(value_within_bound(given_digits(digits), lost, run), digits)};
 }
 
-// T* times a number of them. The energies are within an epsilon and k, k', the rate and the unit within 4; the chain
+// A multiple of T*. The energies are within an epsilon and k, k', the rate and the unit within 4; the chain
 // has at most 64 levels, each of which adds less than 2.
 rounded_decimal quarters(const pendulum::given_motion& given, int count, long digits) {
     const pendulum::motion m = exact_motion(given);

@@ -74,7 +74,7 @@ typed_motion exact_numbers(const given_motion& given) {
         throw error(error_kind::argument, "motion", "", "needs an energy, a gap, or theta0 and omega0");
     }
     if (!energetic && !given.direction.empty()) {
-        refuse_both("direction", given.direction, "omega0, which has a sign of its own");
+        refuse_both("direction", given.direction, "omega0, which includes the sign");
     }
     typed_motion typed;
     typed.squared_frequency = squared_frequency_of(given);

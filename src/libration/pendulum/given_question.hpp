@@ -1,4 +1,4 @@
-// What the rounded and the proved digits of a motion are asked, read exactly.
+// The arguments of the rounded and the proved digits of a motion, parsed exactly.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ namespace libration::pendulum {
 /// A time of this motion; throws error of the kind argument for an angle and for a multiple of an infinite period.
 exact exact_time(const motion& m, const std::string& text);
 
-/// The decimal of E or 2 - E where it ends within so many digits: exact, with nothing to compute.
+/// The decimal of E or 2 - E if it terminates within this many digits: exact, without computation.
 std::optional<std::string> short_decimal(const std::optional<rational>& value, long digits);
 
 /// The point of an expansion and its power; throws error of the kind argument.
 expansion_point exact_point(const motion& m, const std::string& point, long n);
 
-/// The energy of a motion that has an error norm; throws error of the kind argument for E = 0 and 2, for one that is
-/// not rational, and for an order below 0.
+/// The energy of a motion for which the error norm is defined; throws error of the kind argument for E = 0 and 2, for
+/// one that is not rational, and for an order below 0.
 rational energy_of_norm(const motion& m, int order);
 
 }  // namespace libration::pendulum

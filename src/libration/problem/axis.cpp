@@ -10,7 +10,7 @@ namespace libration {
 
 namespace {
 
-// Digits, a point among them and an exponent behind them at most: what stands as it was typed.
+// Digits, with at most a point among them and an exponent after them: a text that is kept unchanged.
 bool is_plain_decimal(std::string_view text) {
     const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
     text.remove_prefix(text.starts_with('-') ? 1 : 0);

@@ -18,7 +18,7 @@ std::string_view problem_text(std::string_view name) {
                                [](const catalogue_entry& each) { return std::string(each.name); });
         throw error(error_kind::argument, "problem", std::string(name),
                     "is not in the catalogue" + suggestion(name, names) +
-                        ": `libration problems` lists it, a file has a / or ends in .ode, a text has =");
+                        ": `libration problems` lists it; a file contains / or ends in .ode, a text contains =");
     }
     return found->text;
 }

@@ -2,10 +2,10 @@
 //
 // In s = x^2, x = t/T*, theta = a_0 + x^p g(s) with p = 0 or 1, and g has logarithmic branch points at the squares of
 // the lattice. Rate: the approximants [n/n] converge in capacity off the cuts of least capacity that join the branch
-// points, the error falling like exp(-2 n G), G the Green function at 1/s of the complement of the cuts
-// [Stahl1997]; there is no closed form for this lattice. Measured, it is between the rate of the series and that
-// of the uniform resummation, and it tends to 1 at E = 2. In capacity only: a pole may come to lie on [0, 1],
-// and nothing bounds the error.
+// points, the error decreasing like exp(-2 n G), G the Green function at 1/s of the complement of the cuts
+// [Stahl1997]; there is no closed form for this lattice. The measured rate is between that of the series and that
+// of the uniform resummation, and it tends to 1 at E = 2. In capacity only: a pole may be on [0, 1],
+// and there is no bound of the error.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ public:
 
     const pade_approximant<T>& in_square() const { return in_square_; }
 
-    /// The least x of [0, 1] where Q is 0: the approximant has no norm there. Nothing where it is not.
+    /// The least x of [0, 1] where Q is 0: the approximant has no norm then. std::nullopt if there is none.
     std::optional<T> first_pole() const {
         using std::sqrt;
         const auto square = first_root(in_square_.denominator);
@@ -52,9 +52,9 @@ private:
     pade_approximant<T> in_square_;
 };
 
-/// The approximant from `count` coefficients of powers of t that are not 0 by symmetry: [L/M] with M as large as
+/// The approximant from `count` coefficients of powers of t that are nonzero by symmetry: [L/M] with M as large as
 /// possible up to half of the degrees in s, or the next smaller M for which it exists (at E = 1 every second
-/// coefficient is 0); M = 0 is the series. The system loses about 3/2 digits a degree of Q. O(count^3). Throws
+/// coefficient is 0); M = 0 is the series. The system loses about 3/2 digits per degree of Q. O(count^3). Throws
 /// error when count < 1.
 template <rounding_scalar T>
 arc_pade<T> pade_from_top(const fundamental_arc<T>& arc, int count) {

@@ -5,11 +5,11 @@
 // t_s^-n for n >= 3, hence |a_n| <= (2/n) R^(4-n) S4 for n >= 4, because |t_s|^-n <= R^(4-n) |t_s|^-4. From the top
 // t_s = +-(2p+1) T* +- i (2q+1) K~', |t_s|^2 >= 2 (2p+1)(2q+1) T* K~', so S4 <= 4 (pi^2/8)^2/(4 T*^2 K~'^2) and
 //     |a_n| <= (8 M/n) R^-n,   M = pi^4 R^4/(256 T*^2 K~'^2).
-// Only every second a_n differs from 0, so on [0, t] the tail from N' >= 4 on is at most
+// Only every second a_n is nonzero, so on [0, t] the tail from N' >= 4 on is at most
 //     (8 M/N') (t/R)^N' / (1 - (t/R)^2).
 //
-// Theorem A2. theta_N is the Hermite interpolation of theta by degree N + 2, so with u = t/T* it leaves of each
-// monomial t^(N+1+j) no more than T*^(N+1+j) u^(N+1) (1-u)^2 j(j-1)/2; summing A over j with rho = T*/R,
+// Theorem A2. theta_N is the Hermite interpolation of theta by degree N + 2, so with u = t/T* its error for each
+// monomial t^(N+1+j) is at most T*^(N+1+j) u^(N+1) (1-u)^2 j(j-1)/2; summing A over j with rho = T*/R,
 //     ||theta - theta_N|| <= (8 M/(N+3)) rho^(N+3)/(1-rho)^3 max_u u^(N+1) (1-u)^2,  N >= 1,
 // and the maximum is (2/(N+3))^2 ((N+1)/(N+3))^(N+1). (The inequality (1-u)^2 sum (j-1-i) u^i <= (1-u)^2 j(j-1)/2 is
 // that of u <= 1 in each term, and j(j-1)/2 rho^j sums to rho^2/(1-rho)^3.)
@@ -42,7 +42,7 @@ struct top_bounds {
         return {period, radius, period / radius, mean * mean, o.regime == regime::rotation ? 1 : 0};
     }
 
-    /// Bound of |a_n| R^n. Throws error for n < 4, where the theorem says nothing.
+    /// Bound of |a_n| R^n. Throws error for n < 4, to which the theorem does not apply.
     T coefficient(int n) const {
         if (n < 4) {
             throw error(error_kind::argument, "power", std::to_string(n), "is below 4, where theorem A begins");
@@ -50,7 +50,7 @@ struct top_bounds {
         return prefactor * 8 / n;
     }
 
-    /// The first power after N that the series has.
+    /// The first power after N that occurs in the series.
     int first_omitted(int order) const { return order + 1 + ((order + 1) % 2 == parity ? 0 : 1); }
 
     /// Bound of |theta - sigma_N| on [0, T*]. Throws error when the first omitted power is below 4.

@@ -1,4 +1,4 @@
-// The poles of Pade approximants of omega about the top of a motion, which settle on the lattice of singularities.
+// The poles of Pade approximants of omega about the top of a motion, which converge to the lattice of singularities.
 //
 // omega is odd in t for libration and even for rotation: in s = (t/R)^2, R omega / x (x = t/R) and R omega are
 // power series in s, meromorphic, with one simple pole at the square of each pair +-t_s of singularities. A
@@ -19,12 +19,12 @@
 
 namespace libration::pendulum {
 
-/// One of the four mirror images +-re +- i im of a pole, the one with re, im >= 0, since the top.
+/// One of the four mirror images +-re +- i im of a pole, the one with re, im >= 0, relative to the top.
 template <scalar T>
 struct pade_pole {
     complex_number<T> time;
     complex_number<T> residue;
-    complex_number<T> nearest;  ///< the singularity next to it, odd multiples of T* and K~'
+    complex_number<T> nearest;  ///< the singularity nearest to it, odd multiples of T* and K~'
     T distance;                 ///< from that singularity
 };
 
@@ -54,8 +54,8 @@ series::power_series<T> speed_in_square(const series::power_series<T>& theta, re
     return series::power_series<T>(std::move(c));
 }
 
-/// The poles of a Pade approximant of the series in s, as times. Nothing where the roots of the denominator did not
-/// settle or do not come as real ones and conjugate pairs, which a higher precision mends.
+/// The poles of a Pade approximant of the series in s, as times. std::nullopt if the roots of the denominator did not
+/// converge or are not real or in conjugate pairs, which a higher precision remedies.
 template <rounding_scalar T>
 std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>& approximant, regime r,
                                                        const T& radius, const singularity_lattice<T>& lattice) {
@@ -82,7 +82,7 @@ std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>
     if (!roots.converged || seen != roots.all.size()) {
         return std::nullopt;
     }
-    // In double, so that rounding does not part the equal moduli of E = 1; those go by height.
+    // In double, so that rounding does not separate the equal moduli of E = 1; those are ordered by height.
     const auto place = [](const pade_pole<T>& p) {
         return std::pair(convert<double>(modulus_of(p.time)), convert<double>(p.time.im));
     };
@@ -92,7 +92,7 @@ std::optional<std::vector<pade_pole<T>>> poles_in_time(const pade_approximant<T>
 
 /// The approximant [L/M] from the series to t^N, L + M + 1 the number of its coefficients and M <= L + 1 as large as
 /// possible, or the next smaller M for which it exists up to `negligible` (at E = 1 every second coefficient is 0);
-/// M = 0 is the series itself, which has no pole. Nothing as poles_in_time(). Throws error at E = 2.
+/// M = 0 is the series itself, which has no pole. std::nullopt as in poles_in_time(). Throws error at E = 2.
 template <rounding_scalar T>
 std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T& negligible) {
     const fundamental_arc<T> arc = arc_of<T>(m);
@@ -112,8 +112,8 @@ std::optional<pade_poles<T>> poles_of_speed(const motion& m, int order, const T&
     return pade_poles<T>{speed.order(), 0, {}};
 }
 
-/// The distance from the first singularity, T* + i K~', to the nearest of the poles next to it; nothing where no pole
-/// is.
+/// The distance from the first singularity, T* + i K~', to the nearest of the poles assigned to it; std::nullopt if
+/// there is none.
 template <rounding_scalar T>
 std::optional<T> distance_from_first(const pade_poles<T>& found, const singularity_lattice<T>& lattice) {
     std::optional<T> least;

@@ -14,9 +14,9 @@ namespace libration::pendulum {
 ///   libration  theta - 2 pi turns = f near the top +theta_max, -f near the top -theta_max
 ///   rotation   theta = 2 pi (turns + d i) + d f after a top, 2 pi - f before it (d the direction).
 ///
-/// T* is exact, or that of a rule: then it is the T* of everything, of the modulo, of the mirrors at T*, 2 T* and 3 T*
-/// and of the shift of the origin by whole T*, and f has to be made with the same one (arc_of with the rule). A T*
-/// that is off by dT* puts the motion out of step by 4 dT* (rotation 2 dT*) in every period.
+/// T* is exact, or that of a rule: then it is used throughout, for the modulo, for the mirrors at T*, 2 T* and 3 T*
+/// and for the shift of the origin by whole T*, and f must be computed with the same one (arc_of with the rule). A T*
+/// with an error dT* puts the motion out of step by 4 dT* (rotation 2 dT*) in every period.
 template <scalar T, class F>
 class periodic_extension {
 public:
@@ -37,8 +37,8 @@ public:
         const T away = p.offset * p.side / effective_period_;
         series::jet<T> part = top ? f_(away) : before_bottom(away);
         part.slope /= effective_period_;
-        // Before the nearest top the fundamental arc runs backwards. At a bottom "after" means coming down from the top
-        // before.
+        // Before the nearest top the fundamental arc is traversed backwards. At a bottom "after" means coming down from
+        // the top before.
         const bool after = top ? p.side >= 0 : p.side <= 0;
         const integer nearest_top = top ? p.quarter : integer(p.quarter + (after ? -1 : 1));
         return motion_.regime() == regime::rotation ? rotating(part, nearest_top, after)
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    // An f that takes the time before the bottom is given that: 1 - away would lose the digits of a small one.
+    // An f that accepts the time before the bottom receives that: 1 - away would lose the digits of a small one.
     series::jet<T> before_bottom(const T& away) const {
         if constexpr (requires { f_.before_bottom(away); }) {
             return f_.before_bottom(away);

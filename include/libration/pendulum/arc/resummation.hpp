@@ -10,12 +10,12 @@
 
 namespace libration::pendulum {
 
-/// The canonical motion on its way from the top down to the bottom: libration from (theta_max, 0) to (0, -sqrt(2E)),
+/// The canonical motion from the top down to the bottom: libration from (theta_max, 0) to (0, -sqrt(2E)),
 /// rotation counterclockwise from (pi, sqrt(2E-4)) to (2 pi, sqrt(2E)). All other motions are its mirror images and
-/// shifts [paper (seriesfixed), with the sign of (omegab) as it must be for a bob that falls].
+/// shifts [paper (seriesfixed), with the sign of (omegab) corrected for a falling bob].
 ///
-/// With the T* of a rule that is not exact, what is made of the fundamental arc is what the paper's formulas make with
-/// that T*: the resummation has theta* and omega* there, though the motion has them at another time.
+/// With the T* of a rule that is not exact, the results are those of the paper's formulas with that T*: the resummation
+/// has theta* and omega* there, though the motion has them at another time.
 template <scalar T>
 class fundamental_arc {
 public:
@@ -43,7 +43,7 @@ public:
     /// theta* and omega*.
     const series::jet<T>& bottom() const { return bottom_; }
 
-    /// What recurrences about the top begin with.
+    /// The initial values of the recurrences about the top.
     taylor_start<T> start() const {
         const bool rotates = level_.regime == regime::rotation;
         return {top_, level_.pair, rotates ? series::parity::odd : series::parity::even};
@@ -68,9 +68,9 @@ series::power_series<T> arc_series(const fundamental_arc<T>& arc, int order, rec
     return taylor_coefficients(arc.start(), order, arc.effective_period(), by);
 }
 
-/// a_n T*^n, n = 0 .. N, about the top: in mpfr and on balls by the cheapest way (coefficients_about), which knows them
-/// up to the turns and the direction of the motion. The fixed scalars keep to the recurrence, whose rounding is what is
-/// asked of them.
+/// a_n T*^n, n = 0 .. N, about the top: in mpfr and on balls by the cheapest method (coefficients_about), which
+/// computes them up to the turns and the direction of the motion. The fixed scalars use the recurrence, whose rounding
+/// is the object of study there.
 template <scalar T>
 series::power_series<T> arc_series(const fundamental_arc<T>& arc, int order) {
     if constexpr (fixed_scalar<T>) {
@@ -95,7 +95,7 @@ std::vector<T> arc_endpoint(const fundamental_arc<T>& arc) {
     return {arc.bottom().value, arc.bottom().slope * arc.effective_period()};
 }
 
-/// sigma_N as a function of x [paper (seriesfixed)]: error decays like rho^N, rho = T*/R.
+/// sigma_N as a function of x [paper (seriesfixed)]: the error decreases like rho^N, rho = T*/R.
 template <scalar T>
 truncated_series<T> series_from_top(const fundamental_arc<T>& arc, int order) {
     return {arc_series(arc, order), T(1)};

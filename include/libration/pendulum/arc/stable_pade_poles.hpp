@@ -1,4 +1,4 @@
-// Pade poles with digits that are right: their systems are ill-conditioned, so they are computed in growing precisions.
+// Pade poles with correct digits: their systems are ill-conditioned, so they are computed at increasing precisions.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline bool same_poles(const pade_poles<mpfr>& a, const pade_poles<mpfr>& b, lon
                       });
 }
 
-/// z without the real or imaginary part that is below `negligible` of |z|: what symmetry makes 0 and rounding does not.
+/// z without the real or imaginary part that is below `negligible` of |z|: a part that is 0 by symmetry up to rounding.
 template <rounding_scalar T>
 complex_number<T> without_noise(const complex_number<T>& z, const T& negligible) {
     using std::abs;
@@ -32,9 +32,9 @@ complex_number<T> without_noise(const complex_number<T>& z, const T& negligible)
     return {abs(z.re) < least ? T(0) : z.re, abs(z.im) < least ? T(0) : z.im};
 }
 
-/// The poles with `digits` correct digits: computed again with more working digits until nothing changes. What is
-/// below 10^-(half of the working digits) of its scale, a pivot or a part of a complex number, counts as 0. Throws
-/// error of the kind undecided when 20000 working digits do not do.
+/// The poles with `digits` correct digits: recomputed with more working digits until the result does not change. A
+/// pivot or a part of a complex number below 10^-(half of the working digits) of its scale counts as 0. Throws
+/// error of the kind undecided when 20000 working digits are not enough.
 inline pade_poles<mpfr> stable_pade_poles(const motion& m, int order, long digits) {
     const auto compute = [&](const precision_run& run) {
         const mpfr negligible = pow(mpfr(10), static_cast<int>(-run.more / 2));

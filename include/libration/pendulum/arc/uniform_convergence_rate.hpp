@@ -1,4 +1,4 @@
-// How fast the uniform resummation converges.
+// The rate of convergence of the uniform resummation.
 #pragma once
 
 #include "libration/pendulum/arc/bounds.hpp"
@@ -6,7 +6,7 @@
 
 namespace libration::pendulum {
 
-/// T*/|(2P+1) T* + i K~'|, the rate of the uniform resummation a power of t.
+/// T*/|(2P+1) T* + i K~'|, the rate of the uniform resummation per power of t.
 template <scalar T>
 T uniform_convergence_rate(const top_bounds<T>& b, int columns) {
     using std::sqrt;
@@ -14,8 +14,8 @@ T uniform_convergence_rate(const top_bounds<T>& b, int columns) {
     return b.effective_period / sqrt(square * (4 * columns * (columns + 1)) + b.radius * b.radius);
 }
 
-/// Decimal digits by which the error to the power N, P = 1, is below 1: those of its rate, and next to E = 2, where the
-/// kept columns become the whole motion, the two of exp(-2y). What a computation of the error has to carry.
+/// Decimal digits by which the error to the power N, P = 1, is below 1: those of its rate, and near E = 2, where the
+/// kept columns become the whole motion, the two of exp(-2y). A computation of the error must carry this many digits.
 inline long uniform_digits_below(const motion& m, int order) {
     const precision_scope scope(20);
     const energy_level<mpfr> o = energy_level_of<mpfr>(m);

@@ -7,14 +7,14 @@
 // Both sums over p >= P and j converge absolutely, the one over p is geometric, and so
 //     theta - columns p < P = (-1)^P pi (rotation: pi) + sum_n b_n x^n,   n even (rotation: odd),
 //     b_n = s sum_{j>=0} (-1)^j 4/(2j+1) v_j^n/n! e^(-2 P v_j)/cosh v_j   (rotation: sinh v_j),   s = (-1)^(P+1) (1).
-// No term exceeds 4/(2j+1) e^(-2 P v_j), because v^n/n! <= cosh v (sinh v): nothing cancels against more than that, at
-// any energy, and what the terms j >= J leave out of b_n is at most 4/(2J+1) e^(-2 P v_J)/(1 - e^(-4 P y)).
+// No term exceeds 4/(2j+1) e^(-2 P v_j), because v^n/n! <= cosh v (sinh v): cancellation is limited to that size, at
+// any energy, and the part of b_n from the terms j >= J is at most 4/(2J+1) e^(-2 P v_J)/(1 - e^(-4 P y)).
 //
-// Theorem U. With m = 2P+1 and L_n = sum_{p>=P} (2p+1)^-n, for n >= 2 and every E other than 0 and 2
+// Theorem U. With m = 2P+1 and L_n = sum_{p>=P} (2p+1)^-n, for n >= 2 and every E not equal to 0 or 2
 //     |b_n| <= B_n = (4/n + 8/sqrt(2 pi n)) L_n,   L_n <= m^-n + (m+2)^-n (1 + (m+2)/(2(n-1))).
 // Proof: |b_n| <= 8 y sum_j g(v_j), g(v) = sum_{p>=P} v^(n-1) e^-(2p+1)v/n! = v^(n-1) e^-mv/(n! (1 - e^-2v)). g is
 // log-concave, since (log g)'' = -(n-1)/v^2 + 1/sinh^2 v <= 0, so it rises to its maximum at v* and falls. The v_j have
-// the step 2y and begin at y. Where v* >= y the sum 2y sum_j g is at most int g + 2y max g, and y max g <= v* g(v*);
+// the step 2y and start at y. If v* >= y the sum 2y sum_j g is at most int g + 2y max g, and y max g <= v* g(v*);
 // else it is at most 2y g(y) + int g. Both are at most int g + 2 sup v g. Now int g = L_n/n by the gamma function, and
 // v^n e^-(2p+1)v is largest at v = n/(2p+1), so that v g <= (n/e)^n/n! L_n <= L_n/sqrt(2 pi n) by Stirling. The bound
 // of L_n is its first two terms and the integral over the rest. From one power to the next of the same parity B_n falls
@@ -50,19 +50,19 @@ struct uniform_bounds {
     int parity;   ///< 0 for libration, 1 for rotation
     int columns;  ///< P
 
-    /// B_n. Throws error for n < 2, where the theorem says nothing.
+    /// B_n. Throws error for n < 2, to which the theorem does not apply.
     T coefficient(int n) const {
         using std::pow;
         using std::sqrt;
         if (n < 2) {
-            throw error(error_kind::argument, "power", std::to_string(n), "is below 2, where theorem U begins");
+            throw error(error_kind::argument, "power", std::to_string(n), "is below 2, the lowest power in theorem U");
         }
         const int m = 2 * columns + 1;
         const T further = pow(1 / T(m + 2), n) * (1 + T(m + 2) / (2 * (n - 1)));
         return (T(4) / n + 8 / sqrt(pi<T>() * 2 * n)) * (pow(1 / T(m), n) + further);
     }
 
-    /// The first power after N that the series has.
+    /// The first power after N that occurs in the series.
     int first_omitted(int order) const { return order + ((order + 1) % 2 == parity ? 1 : 2); }
 
     /// Bounds of the remainder after x^N and of its slope for |x| <= 1. Throws error when the first omitted
@@ -84,8 +84,8 @@ struct uniform_bounds {
 };
 
 /// b_n, n = 0 .. N, for P >= 1, without the multiple of pi. Absolute error a few epsilon B_n for n >= 2, a few
-/// epsilon log(1/y) for the others; their relative digits are lost where y is small, because there the columns sum up
-/// to a smooth function. O(N J), J terms: O(digits/(P y)) of them unless given. Throws error when P < 1 or N < 0.
+/// epsilon log(1/y) for the others; their relative digits are lost if y is small, because then the columns sum up
+/// to a smooth function. O(N J), J terms: by default O(digits/(P y)). Throws error when P < 1 or N < 0.
 template <scalar T>
 series::power_series<T> uniform_remainder(regime r, const T& half_distance, int columns, int order,
                                           std::optional<long> most_terms = {}) {
@@ -97,7 +97,7 @@ series::power_series<T> uniform_remainder(regime r, const T& half_distance, int 
     }
     auto rest = series::power_series<T>::zero(order);
     const bool rotates = r == regime::rotation;
-    // v_J >= bits log 2/(2 P), log 2 < 7/10. It decides the cost; what it leaves out is enclosed whatever it is.
+    // v_J >= bits log 2/(2 P), log 2 < 7/10. It determines the cost; the truncation error is enclosed whatever it is.
     const long bits = digits<T>() + 8;
     const long terms =
         most_terms ? *most_terms

@@ -3,14 +3,14 @@
 // theta(t) is a sum over columns of separatrix solutions [separatrix_sum.hpp]. With the columns +-(2p+1) T*, p < P, in
 // closed form, the singularities of the rest nearest to the top are +-(2P+1) T* +- i K~', so that the partial sum to
 // x^N converges on [0, T*] exactly at the rate
-//     (T*/|(2P+1) T* + i K~'|)^N <= (2P+1)^-N,   3^-N for P = 1, at every energy other than 0 and 2,
+//     (T*/|(2P+1) T* + i K~'|)^N <= (2P+1)^-N,   3^-N for P = 1, at every energy except 0 and 2,
 // while that of the series and of the paper's resummation, (T*/|T* + i K~'|)^N, tends to 1 at the separatrix. Theorem U
 // [uniform_remainder.hpp] bounds the error by 4.5e-17 (rotation: 1.4e-16) with 16 powers, n <= 32 (31), whatever E.
 //
-// This is absolute. At tiny energies a column is 2 gd(y), up to pi, while theta is sqrt(2E): its relative digits
-// cancel, as they do in what the truncation leaves. There the plain series is better, whose rate T*/R is itself below
-// 1/3 where E < 0.0044 or E > 904 and which keeps the relative digits; between, theta is above 0.09 and one digit is at
-// stake.
+// This error is absolute. At tiny energies a column is 2 gd(y), up to pi, while theta is sqrt(2E): its relative digits
+// cancel, as they do in the truncation error. There the plain series is better, whose rate T*/R is itself below
+// 1/3 where E < 0.0044 or E > 904 and which preserves the relative digits; between, theta is above 0.09 and at most one
+// digit is lost.
 #pragma once
 
 #include <utility>
@@ -24,12 +24,12 @@
 namespace libration::pendulum {
 
 /// theta as a function of x = t/T* on the fundamental arc from the top to the bottom, with its slope in x: the
-/// canonical motions of arc_of(). Made by uniform_from_top(). An ulp or two of absolute error; on balls, proved for |x|
-/// <= 1. O(N + P).
+/// canonical motions of arc_of(). Constructed by uniform_from_top(). An ulp or two of absolute error; on balls, proved
+/// for |x| <= 1. O(N + P).
 template <scalar T>
 class uniform_resummation {
 public:
-    /// rest: b_0 .. b_N by uniform_remainder(); constants: b_0 + k pi with what theorem U's identity adds, k = -2P ..
+    /// rest: b_0 .. b_N by uniform_remainder(); constants: b_0 + k pi with the term of theorem U's identity, k = -2P ..
     /// 2P.
     uniform_resummation(regime r, T half_distance, int columns, const series::power_series<T>& rest,
                         std::vector<T> constants)
@@ -60,8 +60,8 @@ public:
     /// At the fraction x of T* after the top.
     series::jet<T> operator()(const T& x) const { return at(x, T(1 - x)); }
 
-    /// At the fraction `away` of T* before the bottom: keeps the digits of a small `away`, which near E = 2 are many,
-    /// because T* is long.
+    /// At the fraction `away` of T* before the bottom: preserves the digits of a small `away`, which near E = 2 are
+    /// many, because T* is long.
     series::jet<T> before_bottom(const T& away) const { return at(T(1 - away), away); }
 
     /// The value alone.
@@ -117,7 +117,7 @@ private:
     series::jet<T> proved_remainder(const T& x) const {
         using std::abs;
         if (certainly_less(T(1), T(abs(x)))) {
-            throw error(error_kind::argument, "fraction of T*", "", "is beyond 1, where theorem U ends");
+            throw error(error_kind::argument, "fraction of T*", "", "is above 1, the limit of theorem U");
         }
         return bounds_.remainder(order_, x);
     }

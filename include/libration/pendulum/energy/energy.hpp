@@ -1,4 +1,4 @@
-// The energy of a motion as a conditioned pair, and the modulus and time scale that follow from it.
+// The energy of a motion as a well-conditioned pair, and the modulus and time scale that follow from it.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace libration::pendulum {
 
-/// E and 2-E, both to full relative precision: near E = 2 the second carries all the digits of the period, and a number
-/// that stands for E alone has lost them.
+/// E and 2-E, both to full relative precision: near E = 2 the second carries all the digits of the period, which a
+/// single number for E has lost.
 template <scalar T>
 struct energy_pair {
     T energy;
     T gap;  ///< 2 - E
 };
 
-/// Refuses a value that T cannot hold: zero or infinite in T where it is neither.
+/// Throws error for a value that T cannot represent: one that becomes zero or infinite in T.
 template <scalar T>
 void require_in_range(const wide_t<T>& value, const char* what) {
     const long exponent = binary_exponent(value);
@@ -27,8 +27,8 @@ void require_in_range(const wide_t<T>& value, const char* what) {
 }
 
 /// E = 1 - cos theta0 + omega0^2/2 and 2-E = 1 + cos theta0 - omega0^2/2 of the motion (dimensionless, units of m g l),
-/// with as many extra digits as the motion cancels. Within an ulp. Throws error of the kind range where E or 2-E is
-/// below the range of a fixed scalar.
+/// computed with as many extra digits as the motion cancels. Within an ulp. Throws error of the kind range if E or 2-E
+/// is below the range of a fixed scalar.
 template <scalar T>
 energy_pair<T> energies(const motion& m) {
     using W = wide_t<T>;
@@ -55,7 +55,7 @@ energy_pair<T> energies(const motion& m) {
     return {narrow<T>(energy), narrow<T>(gap)};
 }
 
-/// What every formula of the motion needs: the pair (E, 2-E), the modulus, and the rate that turns time into the
+/// The common data of all formulas of a motion: the pair (E, 2-E), the modulus, and the rate that converts time to the
 /// argument of the elliptic functions. Not for E = 2.
 ///   libration  k^2 = E/2,  k'^2 = (2-E)/2,  u = t
 ///   rotation   k^2 = 2/E,  k'^2 = (E-2)/E,  u = t sqrt(E/2)
@@ -86,7 +86,7 @@ energy_level<T> energy_level_of(const motion& m) {
     return {m.regime(), std::move(pair), elliptic::modulus<T>::from_both(k, complement), T(1)};
 }
 
-/// Seconds in a unit of dimensionless time, sqrt(length/gravity); 1 where no units were given.
+/// Seconds per unit of dimensionless time, sqrt(length/gravity); 1 if no units were given.
 template <scalar T>
 T time_unit(const motion& m) {
     using std::sqrt;

@@ -15,19 +15,19 @@ T effective_period(const energy_level<T>& o) {
     return complete_integral(o.modulus) / o.time_scale;
 }
 
-/// T*, from (Kold) cut after k^(2N).
+/// T*, from (Kold) truncated after k^(2N).
 template <scalar T>
 T effective_period_series(const energy_level<T>& o, int order) {
     return complete_integral_series(o.modulus, order) / o.time_scale;
 }
 
-/// T*, from (Knew) cut after k^(2N).
+/// T*, from (Knew) truncated after k^(2N).
 template <scalar T>
 T effective_period_resummed(const energy_level<T>& o, int order) {
     return complete_integral_resummed(o.modulus, order) / o.time_scale;
 }
 
-/// Ways to T*: the arithmetic-geometric mean, or a partial sum of (Kold) or (Knew) up to k^(2N).
+/// Methods for T*: the arithmetic-geometric mean, or a partial sum of (Kold) or (Knew) up to k^(2N).
 enum class period_method { agm, series, resummed };
 
 /// agm | series | resummed.
@@ -35,7 +35,7 @@ constexpr std::string_view name_of(period_method method) {
     return method == period_method::agm ? "agm" : method == period_method::series ? "series" : "resummed";
 }
 
-/// A way to T* with its order N, which the mean has no use for.
+/// A method for T* with its order N, which the mean ignores.
 struct period_rule {
     period_method method = period_method::agm;
     int order = 0;
@@ -52,10 +52,10 @@ T effective_period_by(const period_rule& rule, const energy_level<T>& o) {
     return effective_period(o);
 }
 
-/// How many T* make a period: 4 for libration (and the limit E = 0), 2 for rotation.
+/// The number of T* in a period: 4 for libration (and the limit E = 0), 2 for rotation.
 constexpr int quarters_per_period(regime r) { return r == regime::rotation ? 2 : 4; }
 
-/// K~' = K'(k)/rate, the height of the singularities over the real time axis. Throws error at E = 0, where
+/// K~' = K'(k)/rate, the height of the singularities above the real time axis. Throws error at E = 0, where
 /// it is infinite.
 template <scalar T>
 T singularity_height(const energy_level<T>& o) {

@@ -1,4 +1,4 @@
-// What the partial sums (Kold) and (Knew) leave out of T*: proved bounds, and the digits that seeing it takes.
+// The truncation error of the partial sums (Kold) and (Knew) of T*: proved bounds, and the digits needed to resolve it.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace libration::pendulum {
 
 /// Bound of T* - effective_period_by(rule, o), which is never negative: the bounds of complete_integral_series.hpp over
-/// the rate; 0 for the mean, which has no order. At most 1.4 times what is left out. O(N).
+/// the rate; 0 for the mean, which has no order. At most 1.4 times the truncation error. O(N).
 template <scalar T>
 T effective_period_bound(const period_rule& rule, const energy_level<T>& o) {
     switch (rule.method) {
@@ -19,8 +19,9 @@ T effective_period_bound(const period_rule& rule, const energy_level<T>& o) {
     return T(0);
 }
 
-/// Decimal digits by which the error of (Knew), the smaller of the two, is below T* at this order: what a computation
-/// has to carry beyond the digits wanted in the error. Two more cover bound over error and rounding.
+/// Decimal digits by which the error of (Knew), the smaller of the two, is below T* at this order: the digits that a
+/// computation must carry in addition to those wanted in the error. Two more cover the ratio of bound to error and
+/// rounding.
 inline long period_digits_below(const motion& m, int order) {
     const precision_scope scope(20);
     const energy_level<mpfr> o = energy_level_of<mpfr>(m);

@@ -1,7 +1,7 @@
-// The approximations of theta on [0, T*], side by side at the same number of coefficients.
+// The approximations of theta on [0, T*], compared at the same number of coefficients.
 //
-// What counts is every number that is not 0 by symmetry and belongs to a power of t: Taylor coefficients at the top
-// and, of those that take derivatives at the bottom, also these. Constants are free, and so are T* and K~', which any
+// Every number that is nonzero by symmetry and belongs to a power of t is counted: Taylor coefficients at the top and,
+// for those that use derivatives at the bottom, also these. Constants are not counted, nor are T* and K~', which every
 // use needs (series and resummations T*, the uniform one both).
 #pragma once
 
@@ -42,7 +42,7 @@ struct approximation_size {
     int conditions;
 };
 
-/// The conditions at the bottom of those with a fixed number of them.
+/// The number of conditions at the bottom, for the approximations with a fixed number of them.
 constexpr int fixed_conditions(approximation a) {
     switch (a) {
         case approximation::resummed: return 2;
@@ -56,9 +56,9 @@ constexpr int fixed_conditions(approximation a) {
     return 0;
 }
 
-/// The size that takes `count` coefficients, theta's parity about the top being 0 (libration) or 1; nothing where there
-/// is none. At the bottom the m/2 odd derivatives count; the two-point expansion of rotation takes equally many of both
-/// ends.
+/// The size that uses `count` coefficients, theta's parity about the top being 0 (libration) or 1; std::nullopt if
+/// there is none. At the bottom the m/2 odd derivatives count; the two-point expansion of rotation uses equally many at
+/// both ends.
 constexpr std::optional<approximation_size> size_for(approximation a, int count, int parity) {
     if (a == approximation::two_point) {
         const bool possible = count >= 1 && (parity == 0 || count % 2 == 0);
@@ -69,8 +69,8 @@ constexpr std::optional<approximation_size> size_for(approximation a, int count,
     return from_top >= 1 ? std::optional(approximation_size{2 * from_top - parity, conditions}) : std::nullopt;
 }
 
-/// Exactly the factor by which one more coefficient multiplies the error in the long run (of the two-point expansion:
-/// the square root of that of two); nothing for Pade, which has no closed form.
+/// The exact asymptotic factor by which one more coefficient multiplies the error (for the two-point expansion: the
+/// square root of the factor of two more); std::nullopt for Pade, which has no closed form.
 template <scalar T>
 std::optional<T> convergence_rate(approximation a, const top_bounds<T>& b) {
     const T by_power = a == approximation::uniform ? uniform_convergence_rate(b, 1) : b.rho;
@@ -86,8 +86,8 @@ std::optional<T> convergence_rate(approximation a, const top_bounds<T>& b) {
     return by_power * by_power;
 }
 
-/// The bound that is proved for it: theorem A for the series, A2 and its generalisation for those with conditions at
-/// the bottom, U for the uniform one. Nothing for Pade, and below the orders where they hold.
+/// Its proved bound: theorem A for the series, A2 and its generalisation for those with conditions at the bottom, U for
+/// the uniform one. std::nullopt for Pade, and below the orders where the theorems hold.
 template <scalar T>
 std::optional<T> proved_norm(approximation a, const approximation_size& size, const top_bounds<T>& b) {
     if (a == approximation::uniform) {
@@ -103,7 +103,7 @@ std::optional<T> proved_norm(approximation a, const approximation_size& size, co
                                                  : std::nullopt;
 }
 
-/// Calls use(f) with the approximation as a function of x, at the working precision in force.
+/// Calls use(f) with the approximation as a function of x, at the current working precision.
 template <class Use>
 auto with_approximation(approximation a, const motion& m, const fundamental_arc<mpfr>& arc, int count, const Use& use) {
     const int parity = parity_from_top(m.regime());

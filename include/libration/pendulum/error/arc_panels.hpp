@@ -1,5 +1,5 @@
-// theta on the way from the top to the bottom at many points: short Taylor polynomials about the middles of panels, so
-// that a value costs a few dozen products in place of a Jacobi function.
+// theta between the top and the bottom at many points: short Taylor polynomials about the middles of panels, so that a
+// value costs a few dozen products instead of a Jacobi function.
 #pragma once
 
 #include <map>
@@ -11,12 +11,12 @@
 
 namespace libration::pendulum {
 
-/// theta of the canonical motion and its slope d theta/dx at x = t/T*, at the working precision in force.
+/// theta of the canonical motion and its slope d theta/dx at x = t/T*, at the current working precision.
 ///
 /// [0, 1] is cut into K >= 16 T*/K~' panels. Every singularity is at least R >= K~' away from a middle, so that with
-/// the half width d = T*/(2K) a power of theta falls by d/R <= 1/32, 5 bits: |a_n| d^n is about (8/n) (d/R)^n, and as
-/// many powers are kept as there are bits over 5, and 2 for the factor n of the slope. A panel is expanded where points
-/// are asked for that make it worth the while; elsewhere Jacobi's functions answer. Not for several threads at once.
+/// the half width d = T*/(2K) a power of theta decreases by d/R <= 1/32, 5 bits: |a_n| d^n is about (8/n) (d/R)^n, and
+/// the number of powers is that of the bits over 5, plus 2 for the factor n of the slope. A panel is expanded if enough
+/// points are requested in it; elsewhere Jacobi's functions are used. Not for several threads at once.
 class arc_panels {
 public:
     /// Cost of a panel: a Jacobi function and O(bits^2) products, once.
@@ -40,7 +40,7 @@ public:
         });
     }
 
-    /// The same at one point, by its panel where that is expanded.
+    /// The same at one point, by its panel if that is expanded.
     series::jet<mpfr> at(const mpfr& x) const {
         const auto panel = expanded_.find(panel_of(x));
         if (panel == expanded_.end()) {
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    static constexpr long worth = 3;  ///< points that cost as much by Jacobi's functions as a panel does
+    static constexpr long worth = 3;  ///< points that cost as much by Jacobi's functions as a panel
 
     static int mirrors(const motion& m) { return m.regime() == regime::rotation ? m.direction() : 1; }
 

@@ -1,13 +1,13 @@
-// The errors of sigma_N and theta_N on [0, T*] from the terms that they leave out, for all N on the way down from a
-// high one: no cancellation against theta, so a fixed scalar sees errors far below its epsilon.
+// The errors of sigma_N and theta_N on [0, T*] from their omitted terms, for all N downwards from a high order: there
+// is no cancellation against theta, so a fixed scalar resolves errors far below its epsilon.
 //
 // With x = t/T* and a_n scaled likewise, T_N(x) = sum_{n>N} a_n x^(n-N-1) obeys T_{N-1} = a_N + x T_N, and
 //     theta - sigma_N = x^(N+1) T_N(x),
 //     theta - theta_N = x^(N+1) [T_N(x) - T_N(1) - (x-1) T_N'(1)],
-// because theta_N takes off the polynomial that has the value and the slope of the rest at x = 1. From N + 1 to N
+// because theta_N subtracts the polynomial that has the value and the slope of the rest at x = 1. From N + 1 to N
 //     theta - sigma_N = theta - sigma_{N+1} + a_{N+1} x^(N+1),
 //     theta - theta_N = theta - theta_{N+1} + x^(N+1) (1-x)^2 T_{N+1}'(1),
-// which bounds by how much the largest error grows.
+// which bounds the growth of the largest error.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace libration::pendulum {
 
-/// The errors at points 0 < x <= 1. Starts at the order of the series, where nothing is left out, and steps down.
+/// The errors at points 0 < x <= 1. Starts at the order of the series, where no term is omitted, and steps down.
 template <fixed_scalar T>
 class arc_tails {
 public:
@@ -52,7 +52,7 @@ public:
         order_ = order;
     }
 
-    /// |error| at each point, into a vector of their number. An underflow of x^N is of no account: the error there is as
+    /// |error| at each point, into a vector of their number. An underflow of x^N is harmless: the error there is as
     /// far below the norm. O(points).
     void errors(arc_method method, std::vector<T>& result) const {
         using std::abs;
@@ -66,8 +66,8 @@ public:
         }
     }
 
-    /// No less than what the largest |error| grows by from N + 1 to N: |a_{N+1}|, and |T_{N+1}'(1)| times the largest
-    /// x^(N+1) (1-x)^2, which is at x = (N+1)/(N+3). O(1).
+    /// An upper bound of the growth of the largest |error| from N + 1 to N: |a_{N+1}|, and |T_{N+1}'(1)| times the
+    /// largest x^(N+1) (1-x)^2, which is at x = (N+1)/(N+3). O(1).
     T growth(arc_method method, int order) const {
         using std::abs;
         using std::pow;

@@ -1,5 +1,5 @@
 // The error norm of the paper's figure "error": the largest difference between an approximation and the exact solution
-// on the way from the top to the bottom, t in [0, T*].
+// from the top to the bottom, t in [0, T*].
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 
 namespace libration::pendulum {
 
-/// Decimal digits by which the error of order N is below theta itself, from its rate (T*/R)^N: what a computation has
-/// to carry beyond the digits wanted in the norm. N^-2 and a few digits for the constants are added.
+/// Decimal digits by which the error of order N is below theta itself, from its rate (T*/R)^N: the digits that a
+/// computation must carry in addition to those wanted in the norm. N^-2 and a few digits for the constants are added.
 inline long digits_below(const motion& m, int order) {
     const precision_scope scope(20);
     const energy_level<mpfr> o = energy_level_of<mpfr>(m);
@@ -31,8 +31,8 @@ inline long digits_below(const motion& m, int order) {
     return 8 + static_cast<long>(nearest_integer(powers));
 }
 
-/// Error norms of one motion, with the truth sampled once. All of it at the working precision in force, which has to
-/// hold the wanted digits of the norm below theta: add digits_below().
+/// Error norms of one motion, with the exact solution sampled once. All at the current working precision, which must
+/// cover the wanted digits of the norm below theta: add digits_below().
 class arc_errors {
 public:
     /// Throws error for E = 0 (theta is constant) and E = 2.
@@ -66,9 +66,9 @@ public:
         return abs(approximation(x).value - second_theta(x));
     }
 
-    /// The largest error of the same approximation computed in T, over Chebyshev points and the place where the exact
-    /// arithmetic has its maximum. Theta itself stays in mpfr, at the same x, so all of T's rounding is in the error.
-    /// Where norm() has been asked for before, only the points count that its errors and T's rounding leave.
+    /// The largest error of the same approximation computed in T, over Chebyshev points and the location of the maximum
+    /// in exact arithmetic. Theta itself remains in mpfr, at the same x, so all of T's rounding is in the error. If
+    /// norm() has been called before, only the points that its errors and T's rounding do not exclude are evaluated.
     template <fixed_scalar T>
     norm_at<mpfr> norm_in(arc_method method, int order, const motion& m, const mpfr& place) {
         const fundamental_arc<T> arc = arc_of<T>(m);
@@ -81,7 +81,7 @@ public:
                                             : norm_of_rounded(resummation_from_top(arc, order));
     }
 
-    /// The same in mpfr of that many digits and no guard: what the arithmetic itself reaches.
+    /// The same in mpfr of that many digits without guard digits: the accuracy attained by the arithmetic itself.
     norm_at<mpfr> norm_in_digits(long digits, arc_method method, int order, const motion& m, const mpfr& place) {
         const auto norm_of_rounded = [&](const auto& approximation, const mpfr& rounded_place) {
             const auto value = [&](const mpfr& x) {
@@ -101,15 +101,15 @@ public:
                    : norm_of_rounded(rounded([&] { return resummation_from_top(arc, order); }), rounded_place);
     }
 
-    /// The norm of f - theta for any function f of x, made at the working precision in force. Points as for
+    /// The norm of f - theta for any function f of x, computed at the current working precision. Points as for
     /// a polynomial of degree `order`.
     template <class F>
     norm_at<mpfr> norm_of(const F& approximation, int order) {
         return error_of(approximation, points_for(order)).largest;
     }
 
-    /// Enough points to part the stationary points of a polynomial of degree `order`, more than twice that; in numbers
-    /// each of which has the points of the smaller ones.
+    /// Enough points to separate the stationary points of a polynomial of degree `order`, more than twice that; each
+    /// number of points is such that it includes those of the smaller ones.
     static int points_for(int order) {
         int intervals = 64;
         while (intervals < 2 * order + 10) {
@@ -118,7 +118,7 @@ public:
         return intervals + 1;
     }
 
-    /// The same with the samples it was found from, at so many Chebyshev points.
+    /// The same with the samples from which it was computed, at this many Chebyshev points.
     template <class F>
     sampled_error error_of(const F& approximation, int count) {
         auto points = chebyshev_points(count);
@@ -134,10 +134,10 @@ public:
         return {std::move(points), std::move(differences), std::move(largest)};
     }
 
-    /// The largest error at 1001 Chebyshev points and one more place, which is rounded already, of an approximation in
-    /// any arithmetic: value(x) is what it gives, as a wide number. With the exact error of the same approximation
-    /// points are left out where 64 times the rounding that is seen at its samples could not make up for what it is
-    /// below its maximum.
+    /// The largest error at 1001 Chebyshev points and one additional point, already rounded, of an approximation in any
+    /// arithmetic: value(x) returns its value as a wide number. With the exact error of the same approximation, points
+    /// are omitted if 64 times the rounding observed at its samples cannot compensate for the distance of the error
+    /// from its maximum there.
     template <class T, class F>
     norm_at<mpfr> rounded_norm(const F& value, const T& place, const sampled_error* exact = nullptr) {
         norm_at<mpfr> largest{mpfr(0), mpfr(0)};
@@ -162,7 +162,7 @@ private:
         return truth_.canonical(second_route_.at(phase_from_top<mpfr>(arc_.of(), x, arc_.effective_period())).value);
     }
 
-    // The truth at increasing points, at each of them made once.
+    // The exact solution at increasing points, computed once at each of them.
     std::vector<series::jet<mpfr>> jets_at(const std::vector<double>& points) {
         std::vector<double> asked;
         std::ranges::copy_if(points, std::back_inserter(asked), [&](double x) { return !jets_.contains(x); });
@@ -178,7 +178,7 @@ private:
         return all;
     }
 
-    // The largest change that T's rounding makes to the error at the samples, and epsilon of T at least.
+    // The largest change of the error at the samples by T's rounding, and at least epsilon of T.
     template <class T, class F>
     mpfr rounding_seen(const F& value, const sampled_error& exact) {
         const std::vector<series::jet<mpfr>> truth = jets_at(exact.points);
@@ -194,7 +194,7 @@ private:
     fundamental_arc<mpfr> arc_;
     arc_panels truth_;
     top_bounds<mpfr> bounds_;
-    std::map<double, series::jet<mpfr>> jets_;                    ///< theta at the points asked for
+    std::map<double, series::jet<mpfr>> jets_;                    ///< theta at the requested points
     std::map<std::pair<arc_method, int>, sampled_error> errors_;  ///< by method and order
     rounded_grid grid_;
 };

@@ -1,11 +1,11 @@
-// One Taylor expansion for the whole way from the top to the bottom: about which point of it?
+// One Taylor expansion for the entire arc from the top to the bottom: which expansion point is best?
 //
-// About the time x T* after the top the nearest singularity is ((1-x) T*, K~') away, and the far end of [0, T*] lies
-// max(x, 1-x) T* away, so that the error there falls at the rate a power
+// About the time x T* after the top the nearest singularity is ((1-x) T*, K~') away, and the far end of [0, T*] is
+// max(x, 1-x) T* away, so that the error there decreases at the rate per power
 //     rate(x) = max(x, 1-x) T*/R(x),   R(x)^2 = (1-x)^2 T*^2 + K~'^2.
-// R falls from the top (x = 0) to the bottom (x = 1); but the rate falls with x up to 1/2, where 1/rate^2 =
-// 1 + (K~'/((1-x) T*))^2, and grows after it: at every energy the half way point is the best one, and the top the best
-// only in its radius.
+// R decreases from the top (x = 0) to the bottom (x = 1); but the rate decreases with x up to 1/2, where 1/rate^2 =
+// 1 + (K~'/((1-x) T*))^2, and increases after it: at every energy the midpoint is the best expansion point, and the top
+// is the best only in its radius.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace libration::pendulum {
 
-/// The expansion about x T* after the top against [0, T*].
+/// The expansion about x T* after the top compared with [0, T*].
 template <scalar T>
 struct expansion_coverage {
     T effective_period;  ///< T*
@@ -27,11 +27,11 @@ struct expansion_coverage {
     T radius;            ///< R(x)
     T reach;             ///< max(x, 1-x) T*
     T convergence_rate;  ///< reach/R(x)
-    int covers;  ///< sign of R(x) - reach: 1 where the circle of convergence holds [0, T*], 0 where it ends there
+    int covers;          ///< sign of R(x) - reach: 1 if the disc of convergence contains [0, T*], 0 if it ends there
 };
 
 /// The sign of R(x) - max(x, 1-x) T*, that is of K~'^2 - (2x-1) T*^2. At the bottom it is that of 1 - E or E - 4,
-/// exactly; up to x = 1/2 it is 1; between them it takes the values of T at their word.
+/// exactly; up to x = 1/2 it is 1; between them the values of T are taken as exact.
 template <rounding_scalar T>
 int coverage_sign(const motion& m, const rational& x, const singularity_lattice<T>& lattice) {
     const rational beyond_half = x * 2 - 1;
@@ -46,7 +46,7 @@ int coverage_sign(const motion& m, const rational& x, const singularity_lattice<
     return decided_sign(widen(T(lattice.height * lattice.height - along)));
 }
 
-/// The cover from a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws error at
+/// The coverage about a fraction x of T*, 0 <= x <= 1. A few units in the last place. Throws error at
 /// E = 0 and 2.
 template <rounding_scalar T>
 expansion_coverage<T> coverage_from(const motion& m, const rational& x) {
@@ -59,16 +59,16 @@ expansion_coverage<T> coverage_from(const motion& m, const rational& x) {
             coverage_sign(m, x, lattice)};
 }
 
-/// Decimal digits by which the error of order N is below theta, from its rate, and a few for the constants; what a
-/// computation has to carry beyond the digits wanted in a norm.
+/// Decimal digits by which the error of order N is below theta, from its rate, and a few for the constants: the digits
+/// that a computation must carry in addition to those wanted in a norm.
 inline long coverage_digits_below(const motion& m, const rational& x, int order) {
     const precision_scope scope(20);
     const mpfr gained = -log10(coverage_from<mpfr>(m, x).convergence_rate) * (order + 2) + log10(mpfr(order + 1));
     return 8 + std::max(0L, static_cast<long>(nearest_integer(gained)));
 }
 
-/// The norms on [0, T*] of |sigma_N - theta|, sigma_N about any point of it, for one motion. The working precision in
-/// force has to hold the wanted digits below theta: add coverage_digits_below().
+/// The norms on [0, T*] of |sigma_N - theta|, sigma_N about any point of it, for one motion. The current working
+/// precision must cover the wanted digits below theta: add coverage_digits_below().
 class coverage_errors {
 public:
     explicit coverage_errors(const motion& m) : truth_(m) {}

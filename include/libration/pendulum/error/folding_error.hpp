@@ -1,4 +1,4 @@
-// What the accuracy of T* costs at late times: the exact solution on [0, T*], folded by a T* that is off.
+// The effect of the accuracy of T* at late times: the exact solution on [0, T*], folded by an inexact T*.
 #pragma once
 
 #include <utility>
@@ -8,8 +8,8 @@
 
 namespace libration::pendulum {
 
-/// The exact canonical motion on its way from the top, as a function of x = t/T* with the T* of a rule. Between the
-/// bottom and that T* it goes on as the motion does.
+/// The exact canonical motion from the top, as a function of x = t/T* with the T* of a rule. Between the bottom and
+/// that T* it continues as the motion does.
 template <scalar T>
 class exact_arc {
 public:
@@ -39,9 +39,9 @@ struct angle_pair {
 };
 
 /// The largest error of theta at the times (p + i/points) T, i = 0 .. points, of the canonical motion of an energy,
-/// counterclockwise, whose fundamental arc is exact and whose folding has the T* of a rule [paper (newseries)]: nothing
-/// but T* errs. All bottoms are among the times where 4 (rotation 2) divides points. points + 1 evaluations. Throws
-/// error at E = 2.
+/// counterclockwise, whose fundamental arc is exact and whose folding has the T* of a rule [paper (newseries)]: T* is
+/// the only source of error. All bottoms are among the times if 4 (rotation 2) divides points. points + 1 evaluations.
+/// Throws error at E = 2.
 template <rounding_scalar T>
 angle_pair<T> folding_error(const exact& energy, const period_rule& by, const integer& periods, int points) {
     using std::abs;
@@ -61,8 +61,8 @@ angle_pair<T> folding_error(const exact& energy, const period_rule& by, const in
     return worst;
 }
 
-/// sqrt(2E) |dT| (p + 1) for an error dT of T: what folding_error is to first order in dT, where that T is too short.
-/// The motion is out of step by p + 1 times dT when it passes the last bottom of the period, with the speed sqrt(2E).
+/// sqrt(2E) |dT| (p + 1) for an error dT of T: folding_error to first order in dT, if that T is too short. The motion
+/// is out of step by p + 1 times dT when it passes the last bottom of the period, with the speed sqrt(2E).
 template <scalar T>
 T folding_error_estimate(const exact& energy, const T& period_error, const integer& periods) {
     using std::sqrt;

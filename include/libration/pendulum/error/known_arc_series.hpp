@@ -1,4 +1,4 @@
-// The pendulum's own series as one whose radius is known: what radius tests are judged by.
+// The pendulum's own series as one of known radius, with which radius tests are checked.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace libration::pendulum {
 
-/// theta about the fraction x of T* after the top, in dimensionless time: logarithms at (1-x) T* + i K~' and its mirror
-/// images, four about the top (at E = 1 in one power of t) and two elsewhere; about the bottom they lie on the
+/// theta about the fraction x of T* after the top, in dimensionless time: logarithms at (1-x) T* + i K~' and the points
+/// symmetric to it, four about the top (at E = 1 in one power of t) and two elsewhere; about the bottom they are on the
 /// imaginary axis. Throws error at E = 0 and 2.
 inline convergence::known_series<mpfr> known_arc_series(std::string name, const motion& m, const rational& x) {
     const auto expand = [m, x](int order) {

@@ -1,4 +1,4 @@
-// The least order N from which on the series, or its resummation, has D digits on [0, T*].
+// The least order N such that from N on the series, or its resummation, has D digits on [0, T*].
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace libration::pendulum {
 
-/// The proved order: the least N >= 4 whose bound A (series) or A2 (resummed) is at most 10^-D. Both bounds fall with
-/// N, so from there on no norm is above it.
+/// The proved order: the least N >= 4 whose bound A (series) or A2 (resummed) is at most 10^-D. Both bounds decrease
+/// with N, so from there on no norm exceeds 10^-D.
 inline int proved_order(const top_bounds<mpfr>& bounds, arc_method method, long digits) {
     const mpfr goal = pow(mpfr(10), static_cast<int>(-digits));
     const auto enough = [&](int order) {
@@ -39,28 +39,28 @@ inline int proved_order(const top_bounds<mpfr>& bounds, arc_method method, long 
     return high;
 }
 
-/// D ln 10/ln(R/T*): the order that the rate alone predicts.
+/// D ln 10/ln(R/T*): the order predicted by the rate alone.
 inline mpfr predicted_order(const top_bounds<mpfr>& bounds, long digits) {
     return log(mpfr(10)) * static_cast<int>(digits) / -log(bounds.rho);
 }
 
 /// The working precision for errors near 10^-D: D below theta, the 20 bits that the recurrence loses by N = 4000 and
-/// twice the digits of N, which sigma_N'(1) has before its point. Add the digits wanted in the error.
+/// twice the digits of N, those of sigma_N'(1) before its point. Add the digits wanted in the error.
 inline long working_digits_for(const motion& m, long digits) {
     const precision_scope scope(20);
     const auto bounds = top_bounds<mpfr>::of(energy_level_of<mpfr>(m));
     return digits + 15 + 2 * static_cast<long>(nearest_integer(log10(mpfr(predicted_order(bounds, digits) + 1000))));
 }
 
-/// Where the digits are reached.
+/// The order at which the digits are reached.
 struct least_order {
     int order;                   ///< N: its norm and those of all larger orders are at most 10^-D
     mpfr norm;                   ///< at N
-    std::optional<mpfr> before;  ///< at N - 1, above 10^-D; nothing for N = 0
+    std::optional<mpfr> before;  ///< at N - 1, above 10^-D; empty for N = 0
 };
 
-/// The search. All orders down from one that theorems A and A2 prove to be enough are sampled in long double from the
-/// terms left out; next to 10^-D the true maximum in mpfr decides, at the working precision in force.
+/// The search. All orders down from one that theorems A and A2 prove to be sufficient are sampled in long double from
+/// the omitted terms; near 10^-D the true maximum in mpfr decides, at the current working precision.
 class arc_orders {
 public:
     static constexpr long most_digits = 4000;
@@ -72,7 +72,7 @@ public:
             throw error(error_kind::argument, "number of digits", std::to_string(digits),
                         "is more than " + std::to_string(most_digits));
         }
-        // 5 digits more make what the sampling leaves out 1e-5 of what it sees.
+        // 5 more digits make the part omitted by the sampling 1e-5 of what it resolves.
         const int highest = std::max(proved_order(bounds_, arc_method::series, digits + 5),
                                      proved_order(bounds_, arc_method::resummed, digits));
         series_ = arc_series(arc_, highest);
@@ -88,7 +88,7 @@ public:
 
     const top_bounds<mpfr>& bounds() const { return bounds_; }
 
-    /// One result for each number of digits, which have to fall. O(N^(3/2)) samples and O(N) for each true maximum.
+    /// One result for each number of digits, in decreasing order. O(N^(3/2)) samples and O(N) for each true maximum.
     std::vector<least_order> least(arc_method method, const std::vector<int>& falling_digits) const {
         std::vector<long double> narrow_series;
         narrow_series.reserve(series_.coefficients().size());
@@ -128,7 +128,7 @@ public:
         return found;
     }
 
-    /// The largest |sigma_N - theta| or |theta_N - theta| next to the places where samples come within a tenth of their
+    /// The largest |sigma_N - theta| or |theta_N - theta| near the points at which samples come within a tenth of their
     /// largest.
     mpfr true_norm(arc_method method, int order, const std::vector<double>& points,
                    const std::vector<long double>& samples) const {
@@ -175,10 +175,10 @@ private:
         return points;
     }
 
-    // Samples miss a peak by 2% at most at that spacing; 5% are granted.
+    // At that spacing samples miss a peak by 2% at most; 5% are allowed.
     static bool is_near(long double largest, long double goal) { return largest * 105 / 100 > goal; }
 
-    // The order below to look at next: that above the first one whose samples may be near, or the next one.
+    // The next lower order to examine: that above the first one whose samples may be near, or the next one.
     static int next_order(arc_method method, const arc_tails<long double>& tails,
                           const std::vector<long double>& samples, int digits) {
         const auto goal = narrow<long double>(level(digits));
@@ -199,7 +199,7 @@ private:
                    : std::nullopt;
     }
 
-    // sigma_N by Horner's rule in x^2, as every second a_n is 0 (but a_0 = pi in rotation).
+    // sigma_N by Horner's rule in x^2, as every second a_n is 0 (except a_0 = pi in rotation).
     series::jet<mpfr> partial_sum(int order, const mpfr& x) const {
         const int parity = bounds_.parity;
         const mpfr square = x * x;

@@ -1,5 +1,5 @@
-// The error of the Runge-Kutta march on the separatrix, where the closed solution (critical) judges it: the horizontal
-// line of the paper's figure "error".
+// The error of the Runge-Kutta method on the separatrix, measured against the closed solution (critical): the
+// horizontal line of the paper's figure "error".
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@
 
 namespace libration::pendulum {
 
-/// What the march from (0, 2) misses. The solution departs from its neighbours like e^t on its way to the
-/// top, so a step's own error arrives at time t multiplied by about e^(t-s): `undone` is the largest
-/// |error| e^-t, without that growth.
+/// The error of the integration from (0, 2). The solution departs from its neighbours like e^t towards the top, so the
+/// error of a single step is multiplied by about e^(t-s) at time t: `undone` is the largest |error| e^-t, without that
+/// growth.
 struct march_error {
     mpfr norm;    ///< largest |theta - (critical)|, radians
     mpfr time;    ///< where it is
     mpfr undone;  ///< largest |theta - (critical)| e^-t, radians
 };
 
-/// Steps of h, rounded to the nearest whole number, from 0 to the end. Throws error for less than one step
+/// Steps of h, rounded to the nearest integer, from 0 to the end. Throws error for less than one step
 /// and for more than runge_kutta_march allows.
 inline long march_steps(const rational& step, const rational& end) {
     const precision_scope scope(60);
     const integer steps = nearest_integer(from_rational<mpfr>(rational(end / step)));
     if (steps < 1 || steps > runge_kutta_march<double>::most_steps) {
         throw error(error_kind::argument, "step", "",
-                    "takes " + steps.str() + " Runge-Kutta steps to time " + end.str() + ", not 1 to " +
+                    "needs " + steps.str() + " Runge-Kutta steps to time " + end.str() + ", not 1 to " +
                         std::to_string(runge_kutta_march<double>::most_steps));
     }
     return steps.convert_to<long>();
 }
 
-/// The march of `steps` steps of h in T, compared after each of `samples` even parts of them, the last one included.
-/// The times are whole multiples of h as T holds it, so no rounding of the clock is in the error. Compared at the
-/// working precision in force, which has to be above that of T.
+/// The integration by `steps` steps of h in T, compared after each of `samples` equal parts of them, the last one
+/// included. The times are integer multiples of h as represented in T, so the error contains no rounding of the times.
+/// Compared at the current working precision, which must be above that of T.
 template <fixed_scalar T>
 march_error separatrix_march_error(const rational& step, long steps, int samples) {
     const motion on_separatrix = motion::of_energy(2);

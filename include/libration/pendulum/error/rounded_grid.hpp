@@ -1,6 +1,6 @@
-// Where the error of an approximation computed in a scalar that rounds may be largest. At most of the points of a fine
-// grid it cannot: there the exact error stays below its maximum by more than rounding changes it. So theta is asked
-// for at the others alone.
+// Where the error of an approximation computed in a scalar that rounds may be largest. At most points of a fine grid it
+// cannot be: there the exact error is below its maximum by more than the change by rounding. So theta is computed at
+// the other points alone.
 #pragma once
 
 #include <cstddef>
@@ -30,12 +30,12 @@ inline std::vector<bool> intervals_above(const sampled_error& error, const mpfr&
     return above;
 }
 
-/// The 1001 Chebyshev points of [0, 1], with theta at those that were asked for.
+/// The 1001 Chebyshev points of [0, 1], with theta at those that were requested.
 class rounded_grid {
 public:
     const std::vector<double>& points() const { return points_; }
 
-    /// The places in points() where the error may exceed `level`; all of them where nothing is known of it.
+    /// The indices in points() at which the error may exceed `level`; all of them if the exact error is not given.
     std::vector<std::size_t> places_above(const sampled_error* error, const mpfr& level) const {
         std::vector<std::size_t> places;
         std::vector<bool> above;
@@ -54,7 +54,7 @@ public:
         return places;
     }
 
-    /// theta at these places, those that are new in one batch.
+    /// theta at these indices, the new ones in one batch.
     void ask(const std::vector<std::size_t>& places, arc_panels& truth) {
         std::vector<std::size_t> asked;
         std::vector<double> at;
@@ -70,7 +70,7 @@ public:
         }
     }
 
-    /// theta at a place that was asked for.
+    /// theta at an index that was requested.
     const mpfr& theta(std::size_t place) const { return theta_[place].value(); }
 
 private:

@@ -1,5 +1,5 @@
-// The Taylor coefficients of theta about a point of the way from the top to the bottom, as a list for radius tests:
-// each right to a rounding of its scalar, and what is exactly known of their ratios.
+// The Taylor coefficients of theta about a point between the top and the bottom, as a list for radius tests: each
+// correct up to one rounding of its scalar, and exactly known facts about their ratios.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,9 @@ struct arc_list {
     T unit;  ///< dimensionless time
 };
 
-/// The list about the fraction x of T*, in a unit of `radii` radii of convergence; other than 1 it hides the radius
-/// from the tests. The coefficients come from the recurrence in more digits than T has, so that rounding them is their
-/// only noise. O(N^2) products. Throws error at E = 0 and 2, and for a negative order.
+/// The list about the fraction x of T*, in a unit of `radii` radii of convergence; a value not equal to 1 hides the
+/// radius from the tests. The coefficients are computed by the recurrence in more digits than those of T, so that
+/// rounding them is their only noise. O(N^2) products. Throws error at E = 0 and 2, and for a negative order.
 template <rounding_scalar T>
 arc_list<T> series_on_arc(const motion& m, const rational& x, int order, const rational& radii = 1) {
     constexpr long guard_digits = 25;
@@ -40,21 +40,21 @@ arc_list<T> series_on_arc(const motion& m, const rational& x, int order, const r
     return {series::power_series<T>(std::move(rounded)), narrow<T>(unit)};
 }
 
-/// The nearest singularity (of least argument) as seen from the fraction x of T*: (1-x) T* + i K~'.
+/// The nearest singularity (of least argument) to the fraction x of T*, relative to it: (1-x) T* + i K~'.
 template <scalar T>
 complex_number<T> nearest_on_arc(const expansion_coverage<T>& cover, const rational& x) {
     return {from_rational<T>(rational(1 - x)) * cover.effective_period, cover.height};
 }
 
-/// How many singularities are nearest: four about the top, two elsewhere. Each pair R e^(+-i phi) of logarithms 2i
-/// makes (4/n) R^-n sin(n phi + const) of a_n, so that |a_n| R^n n is at most twice this number, up to (R/R2)^n for the
-/// next ones at a distance R2.
+/// The number of nearest singularities: four about the top, two elsewhere. Each pair R e^(+-i phi) of logarithms 2i
+/// contributes (4/n) R^-n sin(n phi + const) to a_n, so that |a_n| R^n n is at most twice this number, up to (R/R2)^n
+/// for the next ones at a distance R2.
 inline int nearest_count_on_arc(const rational& x) { return x == 0 ? 4 : 2; }
 
-/// The limit of a_n/a_{n-p} R^p, the ratios of the series in t^p: 1 or -1 where all nearest singularities R e^(i phi)
-/// are one in t^p; nothing where they are a pair there, whose ratios scatter for ever. They are one about the bottom,
+/// The limit of a_n/a_{n-p} R^p, the ratios of the series in t^p: 1 or -1 if all nearest singularities R e^(i phi)
+/// are one in t^p; std::nullopt if they are a pair there, whose ratios scatter forever. They are one about the bottom,
 /// where phi = +-pi/2, in t^2, and about the top at E = 1, where phi is an odd multiple of pi/4, in t^4; nowhere else
-/// for all the powers 1, 2 and 4 that symmetry leaves.
+/// for any of the powers 1, 2 and 4 that symmetry leaves.
 inline std::optional<int> limit_of_ratios(const motion& m, const rational& x, int power) {
     const bool square = m.energy() && *m.energy() == 1;
     if (x == 1 && power % 2 == 0) {

@@ -1,6 +1,6 @@
-// The exact motion: initial conditions of theta'' + sin theta = 0 as typed, with every decision about them (regime,
-// direction, winding, symmetric start) already taken exactly. A plain value without template parameter: all scalars
-// compute from the same motion.
+// The exact motion: initial conditions of theta'' + sin theta = 0 as given, with every decision about them (regime,
+// direction, winding, symmetric initial point) already made exactly. A plain value without template parameter: all
+// scalars compute from the same motion.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace libration::pendulum {
 
-/// A motion of the pendulum, dimensionless unless it was given a length and a gravity: then its times are seconds and
+/// A motion of the pendulum, dimensionless unless a length and a gravity are given: then its times are seconds and
 /// its angular velocities rad/s, t = t_dimensionless sqrt(length/gravity). The energy is always in units of m g l.
 class motion {
 public:
     /// The canonical motion of energy E: from rest at +arccos(1-E) below 2; from the top (pi, +-sqrt(2E-4)) above; from
     /// the bottom (0, +-2) at 2. direction is +1 or -1. Throws error for a negative energy, libration::error
-    /// of kind undecided where no precision shows the sign of E or of 2 - E.
+    /// of kind undecided if no precision shows the sign of E or of 2 - E.
     static motion of_energy(const exact& energy, int direction = 1);
     static motion of_energy(const rational& energy, int direction = 1) { return of_energy(exactly(energy), direction); }
 
@@ -30,7 +30,7 @@ public:
     }
 
     /// From the angle theta0 with angular velocity omega0; squared frequency is gravity/length in the units of omega0
-    /// squared. Throws error for an omega0 that is a bare fraction of pi, error of the kind undecided where no
+    /// squared. Throws error for an omega0 that is a bare fraction of pi, error of the kind undecided if no
     /// precision shows the regime.
     static motion of_state(const exact& theta0, const exact& omega0, const exact& squared_frequency = exactly(1));
     static motion of_state(const exact& theta0, const exact& omega0, const rational& squared_frequency) {
@@ -52,30 +52,30 @@ public:
     int direction() const { return direction_; }
     /// Sign of omega0.
     int omega0_sign() const { return omega0_sign_; }
-    /// The whole turns in theta0: the motion swings about, or starts next to, 2 pi turns().
+    /// The whole turns in theta0: the motion oscillates about, or starts next to, 2 pi turns().
     const integer& turns() const { return turns_; }
-    /// E where it is rational: always for motions given by energy, and for angles with a rational cosine.
+    /// E if it is rational: always for motions given by energy, and for angles with a rational cosine.
     const std::optional<rational>& energy() const { return energy_; }
-    /// theta0 as typed, where it was typed.
+    /// theta0 as given, if it was given.
     const std::optional<exact>& theta0() const { return theta0_; }
-    /// E and 2-E as exact numbers: where E was given, and where it is rational or follows from a formula.
+    /// E and 2-E as exact numbers: if E was given, and if it is rational or follows from a formula.
     const std::optional<exact>& exact_energy() const { return exact_energy_; }
     const std::optional<exact>& exact_gap() const { return exact_gap_; }
-    /// omega0^2, dimensionless, where it is rational.
+    /// omega0^2, dimensionless, if it is rational.
     std::optional<rational> omega0_squared() const {
         return exact_omega0_squared_ && exact_omega0_squared_->is_fraction()
                    ? std::optional(exact_omega0_squared_->coefficient)
                    : std::nullopt;
     }
-    /// omega0^2, dimensionless, where it is an exact number that was given.
+    /// omega0^2, dimensionless, if it is an exact number that was given.
     const std::optional<exact>& exact_omega0_squared() const { return exact_omega0_squared_; }
     /// gravity/length.
     const exact& squared_frequency() const { return squared_frequency_; }
-    /// Where the motion starts exactly on a symmetric point: 0 bottom, 1 top, 2 the other way through the bottom, -1 or
-    /// 3 the opposite top; the phase of the start in units of T*, counted in the direction of motion (the clockwise
-    /// canonical rotation starts at -1).
+    /// If the motion starts exactly on a symmetric point: 0 bottom, 1 top, 2 the opposite passage of the bottom, -1 or
+    /// 3 the opposite top; the phase of the initial point in units of T*, counted in the direction of motion (the
+    /// clockwise canonical rotation starts at -1).
     const std::optional<int>& start_quarter() const { return quarter_; }
-    /// Bits that computing E, 2-E and the start from the typed numbers may cancel.
+    /// Bits that may cancel in the computation of E, 2-E and the initial point from the given numbers.
     long condition_bits() const { return condition_bits_ + turn_bits_; }
 
 private:
@@ -91,9 +91,9 @@ private:
     void set_energy_and_gap(exact energy, exact gap);
     void set_angle(const exact& theta0);
     void set_omega0_squared(exact squared);
-    // E of a start whose energy is no fraction.
+    // E of an initial state whose energy is not a fraction.
     void set_energy_of_start(const exact& kinetic);
-    // Regime and symmetric start from the signs of 2-E, of omega0 and of theta0 - 2 pi turns.
+    // Regime and symmetric initial point from the signs of 2-E, of omega0 and of theta0 - 2 pi turns.
     void finish();
     void place_symmetric_start();
 
@@ -111,7 +111,7 @@ private:
     exact squared_frequency_ = exactly(1);
     std::optional<int> quarter_;
     long condition_bits_ = 0;  // of E, 2-E, omega0 and theta0 - 2 pi turns
-    long turn_bits_ = 0;       // of the turns, which come on top of each of them
+    long turn_bits_ = 0;       // of the turns, in addition to each of them
 };
 
 }  // namespace libration::pendulum

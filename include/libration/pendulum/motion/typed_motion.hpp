@@ -1,4 +1,4 @@
-// The numbers that give a motion, as typed or as the doubles that another program received.
+// The numbers that define a motion, as given or as the doubles that another program received.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,13 @@ struct typed_motion {
 
     bool by_state() const { return theta0 && omega0; }
 
-    /// E, exactly. Throws error where neither gap nor energy is given.
+    /// E, exactly. Throws error if neither gap nor energy is given.
     exact exact_energy() const;
 
-    /// The motion; throws error as motion does, where an energy is negative or does not reach theta0.
+    /// The motion; throws error as motion does, if an energy is negative or does not reach theta0.
     pendulum::motion motion() const;
 
-    /// With the nearest double in the place of each number.
+    /// With each number replaced by the nearest double.
     typed_motion in_double() const;
 };
 

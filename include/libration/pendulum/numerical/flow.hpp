@@ -1,5 +1,5 @@
-// The pendulum's equation integrated along straight lines in the complex time plane, by Taylor series of the equation
-// alone: no elliptic function, no period, no place of a singularity. It judges what is said of those.
+// The pendulum's equation integrated along straight lines in the complex t-plane, by Taylor series of the equation
+// alone: no elliptic function, no period, no known singularity. Used to check the results about those.
 #pragma once
 
 #include <algorithm>
@@ -23,9 +23,9 @@ using flow_state = flow_variables<complex_number<T>>;
 
 /// A motion of theta'' + sin theta = 0 as the system of four equations [Fairen1988]
 ///     theta' = omega,  omega' = -s,  s' = c omega,  c' = -s omega,
-/// whose right-hand sides are polynomials. A step takes 11/10 as many powers as the precision has digits, plus 10, and
-/// is as long as the last of them allow. It never ends on a path through a singularity. Errors: some epsilon a step,
-/// grown by the flow itself (like e^t next to the top).
+/// whose right-hand sides are polynomials. A step uses 11/10 as many powers as the precision has digits, plus 10, and
+/// is as long as the last of them allow. It never ends on a path through a singularity. Errors: some epsilon per step,
+/// amplified by the flow itself (like e^t near the top).
 template <rounding_scalar T>
 class flow {
 public:
@@ -53,8 +53,8 @@ public:
     }
 
 private:
-    // One step on the way, over the real numbers where everything is real, which saves three of four products. Whether
-    // it was the last.
+    // One step along the path, over the real numbers if everything is real, which saves three of four products. Returns
+    // whether it was the last.
     template <field R>
     bool step(const complex_number<T>& path) {
         const auto series = expand<R>();

@@ -1,4 +1,4 @@
-// The numerical solution at a list of times: the Runge-Kutta march, each step taken once.
+// The numerical solution at a list of times: the Runge-Kutta method, each step computed once.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace libration {
 
-/// (theta, omega) at dimensionless times, in their order, from the state at time 0 in steps of h > 0: one march
-/// forwards through the times from 0 on and one backwards through those before. advance(way, i) takes the
+/// (theta, omega) at dimensionless times, in their order, from the state at time 0 in steps of h > 0: one integration
+/// forwards through the times from 0 on and one backwards through those before. advance(way, i) advances the
 /// runge_kutta_march `way` to the time of index i and returns the state there. O((longest + earliest time)/h).
 template <scalar T, class Advance>
 std::vector<series::jet<T>> numerical_solution(const series::jet<T>& start, const std::vector<T>& times, const T& step,
@@ -30,8 +30,8 @@ std::vector<series::jet<T>> numerical_solution(const series::jet<T>& start, cons
     return states;
 }
 
-/// The same without a word on the way.
-/// Throws error when a march takes more than runge_kutta_march::most_steps.
+/// The same without a progress callback.
+/// Throws error when an integration needs more than runge_kutta_march::most_steps.
 template <scalar T>
 std::vector<series::jet<T>> numerical_solution(const series::jet<T>& start, const std::vector<T>& times,
                                                const T& step) {

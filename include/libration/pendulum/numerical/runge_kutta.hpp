@@ -1,4 +1,4 @@
-// The classical fourth-order Runge-Kutta method with a fixed step: the numerical solution that the paper compares with.
+// The classical fourth-order Runge-Kutta method with a fixed step: the numerical solution used in the paper.
 #pragma once
 
 #include <cstdlib>
@@ -26,8 +26,8 @@ series::jet<T> runge_kutta_step(const series::jet<T>& y, const T& h) {
     return {y.value + h * (k1 + (k2 + k3) * 2 + k4) / 6, y.slope + h * (l1 + (l2 + l3) * 2 + l4) / 6};
 }
 
-/// Marches from one time to another in steps of h, the last one shortened or lengthened to arrive. The paper's step is
-/// 1e-5.
+/// Integrates from one time to another in steps of h, the last one shortened or lengthened to arrive. The paper's step
+/// is 1e-5.
 template <scalar T>
 class runge_kutta_march {
 public:
@@ -36,13 +36,13 @@ public:
     runge_kutta_march(series::jet<T> start, T step) : y_(std::move(start)), step_(std::move(step)) {}
 
     /// The state at dimensionless time t, from the state at the time of the last call (0 at first).
-    /// Throws error when that takes more than most_steps steps.
+    /// Throws error when that needs more than most_steps steps.
     const series::jet<T>& advance_to(const T& t) {
         const integer steps = nearest_integer(widen(T((t - now_) / step_)));
         if (abs(steps) > most_steps) {
             throw error(
                 error_kind::argument, "time", "",
-                "takes " + integer(abs(steps)).str() + " Runge-Kutta steps, more than " + std::to_string(most_steps));
+                "needs " + integer(abs(steps)).str() + " Runge-Kutta steps, more than " + std::to_string(most_steps));
         }
         const long count = steps.convert_to<long>();
         const T h = count < 0 ? T(-step_) : step_;

@@ -1,4 +1,4 @@
-// How much theta moves when the numbers that were typed move: what no program can be blamed for.
+// The change of theta per change of the given numbers: errors that no algorithm can avoid.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace libration::pendulum {
 
 /// A motion with its variation (variation.hpp), for
 ///     condition = (|t omega| + sum_x |x dtheta/dx|) / max(1, |theta|),
-/// x the typed numbers: when each of them, and t, is off by a relative epsilon, theta is off by up to condition *
-/// epsilon * max(1, |theta|) to first order; a number that is 0 is taken as exact, and a multiple of T moves with T.
-/// The derivatives are closed forms in rounded arithmetic, in double where its 53 bits are enough, of which bits_for()
-/// makes three digits right: heuristic, and without correct digits where theta hardly depends on the inputs. Infinite
-/// where theta is no differentiable function of the inputs: energy 2 from its canonical start, which jumps there, and a
-/// start at rest by energy and theta0.
+/// x the given numbers: if each of them, and t, has a relative error epsilon, theta has an error of up to condition *
+/// epsilon * max(1, |theta|) to first order; a number equal to 0 is taken as exact, and a multiple of T varies with T.
+/// The derivatives are closed forms in rounded arithmetic, in double if its 53 bits are enough, with bits_for() bits
+/// for three correct digits: heuristic, and without correct digits if theta hardly depends on the inputs. Infinite
+/// where theta is not a differentiable function of the inputs: energy 2 from its canonical initial state, which is
+/// discontinuous there, and an initial state at rest by energy and theta0.
 class conditioned_motion {
 public:
     /// At the working precision. Throws as proved_motion.
@@ -34,12 +34,12 @@ public:
 
     const proved_motion& of() const { return motion_; }
 
-    /// The bits that three digits of the condition at a time of this binary exponent need.
+    /// The bits needed for three digits of the condition at a time of this binary exponent.
     static long bits_for(const pendulum::motion& m, long time_exponent) {
         return 30 + m.condition_bits() + 2 * std::max(0L, time_exponent);
     }
 
-    /// The condition at a time, for the state there; nothing where it is infinite or beyond e^1000.
+    /// The condition at a time, for the state there; std::nullopt if it is infinite or beyond e^1000.
     std::optional<mpfr> at(const exact& time, const enclosed_state& state) const {
         const pendulum::motion& m = motion_.of();
         const auto elapsed = dimensionless_time<mpfr>(m, time);
@@ -78,7 +78,7 @@ private:
         return !jumps && !rests;
     }
 
-    // Whether double does at a time, or an angle, of this binary exponent. Beyond its range of energies it does not.
+    // Whether double suffices at a time, or an angle, of this binary exponent. Not outside its range of energies.
     static bool serves_double(const pendulum::motion& m, long exponent) {
         return !at_critical_energy(m.regime()) && bits_for(m, exponent) <= digits<double>() &&
                (m.energy() ? *m.energy() < largest_energy : !m.exact_energy() || is_moderate(*m.exact_energy()));
@@ -89,7 +89,7 @@ private:
         return from_exact<mpfr>(energy) < largest_energy;
     }
 
-    // The part of the time that is a multiple of T: 1 of T/4, 0 of 5, between or beyond of T/4+5.
+    // The part of the time that is a multiple of T: 1 for T/4, 0 for 5, in between or outside for T/4+5.
     mpfr share_of_periods(const exact& time, const mpfr& elapsed) const {
         if (!time.has_periods() || time.only_periods()) {
             return time.measure == unit::period ? 1 : 0;
@@ -97,7 +97,7 @@ private:
         return 1 - dimensionless_time<mpfr>(motion_.of(), time.without_periods()) / elapsed;
     }
 
-    // The solutions at a time of which a share moves with T.
+    // The solutions at a time of which a share varies with T.
     template <class T>
     static variation_pair<T> at_share(const variation<T>& v, const T& share, const T& elapsed, const T& theta,
                                       const T& omega) {
@@ -141,7 +141,7 @@ private:
     proved_motion motion_;
     typed_motion typed_;
     bool differentiable_;
-    std::optional<variation<double>> in_double_;  ///< where 53 bits do
+    std::optional<variation<double>> in_double_;  ///< if 53 bits suffice
     std::optional<variation<mpfr>> precise_;
 };
 

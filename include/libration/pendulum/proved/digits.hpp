@@ -1,4 +1,4 @@
-// Proved digits of a pendulum's motion, as many as are asked for: start here. No precision has to be chosen.
+// Proved digits of a pendulum's motion, to any requested number: start here. No working precision has to be chosen.
 #pragma once
 
 #include <string>
@@ -7,23 +7,23 @@
 #include "libration/pendulum/given_motion.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
-/// Each digit is proved: the exact number is less than one unit of the last away.
-/// Times are exact as written, "1e12", "3/2", "T/4" as a part of the period, and like all results in the motion's
-/// units: sqrt(l/g), or seconds where it has a length and a gravity. libration::proved has to be linked. Each throws
-/// error: of the kind argument, with the quantity and its value, for what is no motion, time or order; of the kind
-/// undecided where no precision within the limits gives the digits.
+/// Each digit is proved: the exact number is less than one unit of the last digit away.
+/// Times are exact as written, "1e12", "3/2", "T/4" for a fraction of the period, and like all results in the units of
+/// the motion: sqrt(l/g), or seconds if it has a length and a gravity. Requires linking with libration::proved. Each
+/// throws error: of the kind argument, with the quantity and its value, for an invalid motion, time or order; of the
+/// kind undecided if no precision within the limits yields the digits.
 namespace libration::proved {
 
 /// The angle, not reduced to one turn, and the angular velocity.
 proved_decimal theta(const pendulum::given_motion& motion, const std::string& time, long digits);
 proved_decimal omega(const pendulum::given_motion& motion, const std::string& time, long digits);
 
-/// The period T, of a rotation the time of one turn, and the effective period T*, from the top to the bottom [paper
+/// The period T (for rotation the time of one turn) and the effective period T*, from the top to the bottom [paper
 /// (T), (Tstar)]; inf at E = 2.
 proved_decimal period(const pendulum::given_motion& motion, long digits);
 proved_decimal effective_period(const pendulum::given_motion& motion, long digits);
 
-/// E, and 2 - E, which says how far the separatrix is.
+/// E, and 2 - E, the distance from the separatrix.
 proved_decimal energy(const pendulum::given_motion& motion, long digits);
 proved_decimal gap(const pendulum::given_motion& motion, long digits);
 
@@ -35,7 +35,7 @@ proved_decimal coefficient(const pendulum::given_motion& motion, const std::stri
 proved_decimal radius(const pendulum::given_motion& motion, const std::string& point, long digits);
 
 /// max |theta - approximation| on [0, T*] from the top, in radians, of the series or its resummation of order N [paper
-/// fig:error]; of a motion whose energy is rational and neither 0 nor 2.
+/// fig:error]; for a motion whose energy is rational and neither 0 nor 2.
 proved_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits);
 
 }  // namespace libration::proved

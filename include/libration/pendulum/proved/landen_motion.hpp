@@ -1,5 +1,5 @@
 // theta and omega of the canonical motion, proved, at the least cost known to us: the mean and a few Landen steps on
-// balls, the theta series at the small nome that is left, and back through the levels by products.
+// balls, the theta series at the small remaining nome, and back through the levels by products.
 //
 // Below 2: a_0 = 1, b_0 = k' = sqrt((2-E)/2), c_0 = k = sqrt(E/2), from theta(0) = arccos(1-E).
 // Above 2: a_0 = sqrt(E/2), b_0 = sqrt((E-2)/2), c_0 = 1, from theta(0) = pi, counterclockwise.
@@ -14,8 +14,8 @@
 //   libration: tan(theta/4) = c_0 X_1/2, that is sin(theta/2) = c_0 X_0 = k cd,    omega = 2 c_0 w/(d^2 + c_0^2/4 x^2);
 //   rotation: theta = pi + 2 psi, (cos psi, sin psi) = (a_0 x d, -w)/(d^2 + c_0^2/4 x^2) = (sn, -cn) at the time from
 //   the bottom,   omega = 2 a_0 (d^2 - c_0^2/4 x^2)/(d^2 + c_0^2/4 x^2) = 2 a_0 dn there.
-// No branch of the libration is to be chosen, |theta/4| < pi/4. In the rotation z is reduced by n pi, any n that brings
-// it into (-pi, pi) for certain, where psi = atan2 is continuous; theta gains 2 pi n.
+// The libration involves no choice of a branch, |theta/4| < pi/4. In rotation z is reduced by n pi, with any n for
+// which it is certainly in (-pi, pi), where psi = atan2 is continuous; theta gains 2 pi n.
 #pragma once
 
 #include "libration/elliptic/proved/theta_values.hpp"
@@ -26,15 +26,15 @@
 
 namespace libration::pendulum {
 
-/// One energy, any number of times. Everything that depends on the energy alone is done when it is made. A time costs a
-/// cosine, an arctangent, a division a level and a few products. Absolute error of theta: about 2^8 units of the
+/// One energy, any number of times. The constructor computes everything that depends on the energy alone. A time costs
+/// a cosine, an arctangent, one division per level and a few products. Absolute error of theta: about 2^8 units of the
 /// working precision times max(1, t M) max(1, log 1/k'); omega near the top of a motion close to E = 2 loses up to
-/// log2(1/k') bits, k'^2 = |2-E|/2 or |2-E|/E. Precision only widens: the result is always proved.
-/// Use it in a precision_scope of the size it was made in.
+/// log2(1/k') bits, k'^2 = |2-E|/2 or |2-E|/E. A low precision only widens: the result is always proved. Use it in a
+/// precision_scope of the size in which it was constructed.
 class landen_motion {
 public:
-    /// E and 2-E, exactly; with fewer steps where they are given. Throws error at E <= 0 and at E = 2, error where they
-    /// do not add up to 2, precision_exhausted where the working precision does not even give a nome.
+    /// E and 2-E, exactly; with fewer steps if `most` is given. Throws error at E <= 0 and at E = 2, error if they do
+    /// not add up to 2, precision_exhausted if the working precision is too low even for a nome.
     landen_motion(const rational& energy, const rational& gap, const elliptic::nome_steps& most = {})
         : rotates_(gap < 0),
           half_energy_(half(checked(energy, gap))),
@@ -56,7 +56,7 @@ public:
                         "and the gap " + gap.str() + " do not add up to 2");
         }
         if (energy.sign() <= 0 || gap.is_zero()) {
-            throw error(error_kind::argument, "energy", energy.str(), "has no period of its own");
+            throw error(error_kind::argument, "energy", energy.str(), "has no period");
         }
     }
 
@@ -129,7 +129,7 @@ private:
     static ball reduced(const ball& z, const integer& turns) {
         ball rest = z - pi<ball>() * from_rational<ball>(rational(turns));
         if (!certainly_less(abs(rest), pi<ball>())) {
-            throw precision_exhausted("the turn at a time");
+            throw precision_exhausted("the number of turns at a time");
         }
         return rest;
     }

@@ -1,5 +1,5 @@
-// theta and omega of the canonical motion, proved, by the cheaper of two routes: fixed point where it serves, else
-// balls.
+// theta and omega of the canonical motion, proved, by the cheaper of two routes: fixed point where it is applicable,
+// else balls.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace libration::pendulum {
 
-/// One energy, any number of times: what landen_motion gives, from proved_libration where that serves the energy and
-/// the working precision. Where it leaves a time out (|cos z| < 1/16), a landen_motion is made for that time alone. Use
-/// it in a precision_scope of the size it was made in.
+/// One energy, any number of times: the results of landen_motion, by proved_libration where that is applicable to the
+/// energy and the working precision. For a time that it excludes (|cos z| < 1/16) a landen_motion is constructed for
+/// that time alone. Use it in a precision_scope of the size in which it was constructed.
 class proved_canonical {
 public:
     /// E and 2-E, exactly. Throws as landen_motion.
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    // Fixed point gives up where its radii grow, at huge times say; balls then say what is proved.
+    // Fixed point fails if its radii grow too large, for instance at huge times; balls are used then.
     template <class Route>
     static auto served(const Route& route) -> decltype(route()) {
         try {

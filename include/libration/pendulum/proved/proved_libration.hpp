@@ -1,19 +1,19 @@
-// theta and omega of the libration from the top in fixed point: the route of landen_motion where neither k nor k' nor
-// cos z is small and the digits are few, at a third of its cost.
+// theta and omega of the libration from the top in fixed point: the route of landen_motion if none of k, k' and cos z
+// is small and the digits are few, at a third of its cost.
 //
 // Chain, nome, theta series and return are those of landen_nome.hpp and landen_motion.hpp, with one term of the series
-// throughout, and V = 1/X on the way back:
+// throughout, and V = 1/X in the return:
 //   V_r = scale theta_3(z)/theta_2(z),   V_n = V_{n+1} + (c_n^2/4)/V_{n+1},   tan(theta/4) = c_0/(2 V_1) = s,
 //   w_r = b_r scale theta_1(z) theta_4(z)/(scale theta_3(z))^2,
 //   w_n = w_{n+1} V_{n+1} (V_{n+1} - (c_n^2/4)/V_{n+1})/V_n^2,
 //   omega = -2 c_0 w_1/(1 + s^2),
-// w = V'/V^2, theta_1 and theta_2 without the factor 2 P^(1/4). The radius of every operation is counted
-// (fixed_point.hpp); what the series leave out, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, l >= 5:
-//   P = e (1 + 4 e^2) lacks at most e 4 k^4/(1 - k^2), k = 4e (landen_nome (1), two terms): below 2^(11 - 5l);
-//   P < 1.01 e, so theta_3 and theta_4 lack at most 4 P^4 < 2^(3 - 4l), the other two 10 P^6 < 2^(4 - 6l)
+// w = V'/V^2, theta_1 and theta_2 without the factor 2 P^(1/4). The radius of every operation is tracked
+// (fixed_point.hpp); the truncation errors of the series, with u = 2^(-64 n) and e = k_{r+1}/4 <= 2^-l, l >= 5:
+//   P = e (1 + 4 e^2) has an error below e 4 k^4/(1 - k^2), k = 4e (landen_nome (1), two terms): below 2^(11 - 5l);
+//   P < 1.01 e, so theta_3 and theta_4 have errors of at most 4 P^4 < 2^(3 - 4l), the other two 10 P^6 < 2^(4 - 6l)
 //   (landen_nome (2)).
-// The descent goes on until 4 l >= 64 n + 4: then each is below u, and counts as u. One that is stopped before counts
-// what it leaves out.
+// The chain continues until 4 l >= 64 n + 4: then each is below u, and is counted as u. A chain that is ended earlier
+// counts its truncation errors.
 #pragma once
 
 #include <algorithm>
@@ -27,19 +27,19 @@
 
 namespace libration::pendulum {
 
-/// One energy, any number of times. Cost: a square root, two products a level, 3 or 4 divisions, and a division a level
-/// for a time. Absolute errors: some 2^8 units of 2^-bits(), times max(1, t) in theta. Not proved, but empty, where cos
-/// z is small: theta is next to 0 there and deserves relative digits, which fixed point has not.
+/// One energy, any number of times. Cost: a square root, two products per level, 3 or 4 divisions, and one division per
+/// level for a time. Absolute errors: some 2^8 units of 2^-bits(), times max(1, t) in theta. Returns std::nullopt if
+/// cos z is small: theta is near 0 there and requires relative digits, which fixed point does not have.
 class proved_libration {
 public:
-    /// Whether it serves an energy and a precision: k^2 and k'^2 in [2^-8, 1), up to 1200 bits.
+    /// Whether it is applicable to an energy and a precision: k^2 and k'^2 in [2^-8, 1), up to 1200 bits.
     static bool serves(const rational& energy, const rational& gap, long bits) {
         return bits <= most_bits && mpq_cmp_ui(energy.backend().data(), 1, 128) >= 0 &&
                mpq_cmp_ui(gap.backend().data(), 1, 128) >= 0;
     }
 
-    /// E and 2-E, exactly, which it serves; a descent of so many levels at most, but enough for l >= 5. Throws
-    /// precision_exhausted where a radius grows too wide.
+    /// E and 2-E, exactly, to which it is applicable; a chain of at most this many levels, but enough for l >= 5.
+    /// Throws precision_exhausted if a radius grows too wide.
     proved_libration(const rational& energy, const rational& gap, long bits, std::size_t levels = most_levels)
         : n_(static_cast<int>((bits + 63) / 64)),
           cut_(fixed_ball::root_of_half(n_, energy)),
@@ -122,7 +122,7 @@ private:
     fixed_ball third_at(const fixed_ball& square) const { return third_ + third_slope_ * square; }
     fixed_ball one() const { return {n_, mp_limb_t{1}}; }
 
-    // 2^exponent in units, at least 1; what no double holds is too wide.
+    // 2^exponent in units, at least 1; a value beyond the range of double is too wide.
     double units(long exponent) const {
         if (exponent + bits() > 900) {
             throw precision_exhausted("a nome");
@@ -153,8 +153,8 @@ private:
     fixed_ball third_slope_;
 };
 
-// Until one term does. e = (a-b)/(4 (a+b)): all a and b are at least b_1 = sqrt(k') >= 1/4, and a > M > 0.35, so
-// 4 (a+b) > 2; and it is above 4 where b is seen to be at least 5/8.
+// Until one term suffices. e = (a-b)/(4 (a+b)): all a and b are at least b_1 = sqrt(k') >= 1/4, and a > M > 0.35, so
+// 4 (a+b) > 2; and it is above 4 if b is found to be at least 5/8.
 inline void proved_libration::descend(std::size_t levels) {
     fixed_ball difference = a_ - b_;
     while (levels_ < most_levels) {

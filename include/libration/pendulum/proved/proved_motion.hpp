@@ -1,10 +1,10 @@
-// Any motion in balls: theta, omega, T* and R as proofs, each from the cheapest route that serves the motion.
+// Any motion in balls: proved theta, omega, T* and R, each by the cheapest route applicable to the motion.
 //
-// Where E is rational and the motion starts on a symmetric point (every motion given by its energy; from rest at
-// 90deg), a few Landen steps on exact E and 2-E do: proved_canonical. Every other start needs an incomplete
-// integral, and an energy such as 1 - cos 2.5 is itself a ball: exact_solution does that. At whole quarters from
-// a symmetric start there is nothing to compute but the energy, and what vanishes by symmetry is the number 0,
-// which no precision would show.
+// If E is rational and the motion starts on a symmetric point (every motion given by its energy; from rest at
+// 90deg), a few Landen steps on exact E and 2-E suffice: proved_canonical. Every other initial state needs an
+// incomplete integral, and an energy such as 1 - cos 2.5 is itself a ball: exact_solution is used. At whole quarters
+// from a symmetric start only the energy has to be computed, and a value that vanishes by symmetry is the number 0,
+// which no precision could establish.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@
 
 namespace libration::pendulum {
 
-/// One motion, any number of times, in the motion's units (seconds and rad/s where it has a length and a gravity). The
-/// cost at a time is that of the route. Use it in a precision_scope of the size it was made in; what a wider one needs
-/// is made anew. Throws precision_exhausted where the precision does not decide a branch.
+/// One motion, any number of times, in the motion's units (seconds and rad/s if it has a length and a gravity). The
+/// cost at a time is that of the route. Use it in a precision_scope of the size in which it was constructed; the parts
+/// that need a wider one are recomputed. Throws precision_exhausted if the precision does not decide a branch.
 class proved_motion {
 public:
     explicit proved_motion(const motion& m) : motion_(m), seconds_(time_unit<ball>(m)) {
@@ -36,10 +36,10 @@ public:
     bool at_rest() const {
         return motion_.regime() == regime::stable_equilibrium || motion_.regime() == regime::unstable_equilibrium;
     }
-    /// Whether it swings or rotates.
+    /// Whether it is a libration or a rotation.
     bool periodic() const { return motion_.regime() == regime::libration || motion_.regime() == regime::rotation; }
 
-    /// theta and omega at an exact time, a multiple of T among them. 0 is the exact ball where symmetry makes it so.
+    /// theta and omega at an exact time, which may be a multiple of T. 0 is the exact ball where symmetry implies it.
     /// Throws error for a multiple of T at E = 2.
     enclosed_state at(const exact& time) const {
         if (at_rest()) {
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    // Start and elapsed time in T* since the bottom, where both are exact.
+    // Initial point and elapsed time in T* since the bottom, if both are exact.
     std::optional<rational> quarters_at(const exact& time) const {
         if (!periodic() || !motion_.start_quarter() || !time.only_periods()) {
             return std::nullopt;
@@ -104,7 +104,7 @@ private:
         return {middle, sqrt(energy * 2) * sign / seconds_};
     }
 
-    // A fraction of T* after the bottom: whole periods are taken off exactly. The engine starts at the top, quarter 1.
+    // A fraction of T* after the bottom: whole periods are subtracted exactly. The engine starts at the top, quarter 1.
     enclosed_state at_part(const rational& quarters) const {
         const int cycle = quarters_per_period(motion_.regime());
         const integer whole = nearest_integer(rational(quarters / cycle)) * cycle;
@@ -121,7 +121,7 @@ private:
         return placed(engine_->state_at(z + pi<ball>() * from_rational<ball>(rational(from_top / 2))), whole);
     }
 
-    // From the canonical motion to this one; `whole` is an even number of quarters that rotation has gained besides.
+    // From the canonical motion to this one; `whole` is the even number of quarters that rotation has gained.
     enclosed_state placed(const enclosed_state& canonical, const integer& whole) const {
         const ball middle = whole_turns<ball>(motion_.turns());
         if (motion_.regime() == regime::libration) {

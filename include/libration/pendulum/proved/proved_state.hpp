@@ -1,4 +1,4 @@
-// What is proved of a motion at one time.
+// Proved values of a motion at one time.
 #pragma once
 
 #include "libration/scalar/ball/ball.hpp"

@@ -1,5 +1,5 @@
-// theta, omega and the constants of one motion as proved decimals: what depends on the energy alone is made once for
-// every working precision and shared by all times.
+// theta, omega and the constants of one motion as proved decimals: the part that depends on the energy alone is
+// computed once for every working precision and shared by all times.
 #pragma once
 
 #include <map>
@@ -32,9 +32,9 @@ public:
     };
 
     /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws error of the kind
-    /// undecided where the precision ends before the digits are proved.
+    /// undecided if the precision is exhausted before the digits are proved.
     state_text at(const exact& time);
-    /// The same, with the bounds of what the decimals miss.
+    /// The same, with bounds of the errors of the decimals.
     std::vector<proved_decimal> both_at(const exact& time) { return state_at(time); }
     /// One of the two.
     proved_decimal theta_at(const exact& time) { return state_at(time)[0]; }
@@ -43,12 +43,12 @@ public:
     /// E and 2-E.
     std::vector<std::string> energies();
 
-    /// A time as a decimal of so many proved digits: a multiple of the period, of pi, or a fraction.
+    /// A time as a decimal of this many proved digits: a multiple of the period, of pi, or a fraction.
     std::string time_text(const exact& time, long digits);
 
     /// Whether the enclosures of theta and omega overlap with those of a second proved route, the sum over separatrix
     /// solutions (on the separatrix the closed formula), when these are narrower than one unit of the last digit. At
-    /// rest there is nothing to compare. Throws error of the kind undecided where they do not get so narrow.
+    /// rest there is no comparison. Throws error of the kind undecided if they do not become that narrow.
     bool confirms(const exact& time);
 
 private:

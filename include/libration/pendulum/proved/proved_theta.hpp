@@ -1,4 +1,4 @@
-// theta of the canonical motion to any number of places, proved, and how much it feels the last digit of the energy.
+// theta of the canonical motion to any number of places, proved, and its sensitivity to the last digit of the energy.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace libration::pendulum {
 
 /// theta at an exact time of the canonical motion of energy E, 2-E = gap [DLMF 22.19.2], with a radius below
-/// 10^-places: the guard digits are doubled until that is so. Any precision may be in force; the result keeps its own.
-/// Cost: that of a proved_canonical, a few times. Throws as landen_motion, and error of the kind undecided where
-/// most_guard_digits more do not prove it.
+/// 10^-places: the guard digits are doubled until that holds. Independent of the current precision; the result has its
+/// own. Cost: that of a proved_canonical, a few times. Throws as landen_motion, and error of the kind undecided if
+/// most_guard_digits more do not suffice for the proof.
 inline ball proved_theta(const rational& energy, const rational& gap, const rational& time, long places) {
     const auto attempt = [&](const precision_run& /*run*/) -> std::optional<ball> {
         const proved_canonical motion(energy, gap);

@@ -1,4 +1,4 @@
-// The state of a motion on its way up from the bottom, at rounded times: what the tables of the sampler are made of.
+// The state of a motion rising from the bottom, at rounded times: the source of the tables of the sampler.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace libration::pendulum {
 
-/// theta and omega since a passage through the bottom with theta = 0 rising, whatever the start, the turns and the
-/// direction of the motion [paper (subcritical), (supercritical), (critical)]. An equilibrium stays at 0.
+/// theta and omega since a passage through the bottom with theta = 0 rising, whatever the initial state, the turns and
+/// the direction of the motion [paper (subcritical), (supercritical), (critical)]. An equilibrium remains at 0.
 /// Dimensionless.
 template <rounding_scalar T>
 class half_cycle {
@@ -24,9 +24,9 @@ public:
 
     const energy_pair<T>& pair() const { return pair_; }
     bool has_top() const { return level_.has_value(); }
-    /// T*, where there is a top.
+    /// T*, if there is a top.
     const T& effective_period() const { return effective_period_; }
-    /// K~', the height of the nearest singularities over the bottom; pi/2 on the separatrix. Not for equilibria.
+    /// K~', the height of the nearest singularities above the bottom; pi/2 on the separatrix. Not for equilibria.
     T height() const { return level_ ? singularity_height(*level_) : T(pi<T>() / 2); }
     bool constant() const { return !level_ && regime_ != regime::separatrix; }
 

@@ -1,4 +1,4 @@
-// From a time in floating point, however late, to the nearest passage through the bottom.
+// From a floating-point time of any size to the nearest passage through the bottom.
 #pragma once
 
 #include "libration/pendulum/sampler/sampling_constants.hpp"
@@ -10,7 +10,7 @@
 
 namespace libration::pendulum {
 
-/// x as a number of T and what it lacks, rounded.
+/// x as a number of T and its rounding error, rounded.
 template <fixed_scalar T>
 split_number<T> split(const mpfr& x) {
     const T high = narrow<T>(x);
@@ -18,19 +18,19 @@ split_number<T> split(const mpfr& x) {
 }
 
 /// Passages come every 2 T*: a time t, s after the start's passage, belongs to passage j = the integer nearest to
-/// (t + s)/(2 T*), and lies y = t + s - 2 T* j after it, |y| <= T* up to rounding.
+/// (t + s)/(2 T*), and is y = t + s - 2 T* j after it, |y| <= T* up to rounding.
 ///
 /// The reduction is Cody and Waite's [CodyWaite1980]: 2 T* in three parts, the first two with as many bits fewer
-/// than T as j may have, so that t + s - j first - j second is exact but for the rounding of t + s, which is kept;
-/// the third brings 2 T* to about twice the digits. So y is right to 2^(32 - 2 digits) T* and half an epsilon of
-/// itself times an epsilon, for |j| <= 2^31 and t taken as exact. Needs rounding to nearest, and neither -ffast-math
+/// than T as j may have, so that t + s - j first - j second is exact up to the rounding of t + s, which is kept;
+/// the third extends 2 T* to about twice the digits. So y is correct to 2^(32 - 2 digits) T* and half an epsilon of
+/// itself times an epsilon, for |j| <= 2^31 and t taken as exact. Requires rounding to nearest, and neither -ffast-math
 /// nor doubles in wider registers.
 template <fixed_scalar T>
 class half_cycle_clock {
 public:
     static constexpr int passage_bits = 32;
 
-    /// Where a time is: passage j, and x = |y| in the unit of the panels with what it lacks; side is the sign of y.
+    /// The position of a time: passage j, and x = |y| in the unit of the panels with its error; side is the sign of y.
     struct place {
         T passage;
         T x;
@@ -60,14 +60,14 @@ public:
 
     const clock_constants<T>& constants() const { return of_; }
 
-    /// Whether locate() may be asked; false for what is not a number, too.
+    /// Whether locate() may be called; false for NaN, too.
     [[gnu::always_inline]] bool reaches(const T& time) const {
         const T passages = (time * of_.per_unit + of_.start.high) * of_.per_passage;
         return (passages < 0 ? T(-passages) : passages) <= of_.largest;
     }
 
     [[gnu::always_inline]] place locate(const T& time) const {
-        // t + s = since + lost without rounding; then since - 2 T* j; then what is small.
+        // t + s = since + lost without rounding; then since - 2 T* j; then the small part.
         const T t = time * of_.per_unit;
         const T since = t + of_.start.high;
         const T part = since - t;

@@ -1,5 +1,5 @@
-// One panel of a motion between the bottom and the top: theta and omega as short polynomials, and which
-// panel a time is in.
+// One panel of a motion between the bottom and the top: theta and omega as short polynomials, and the
+// panel that contains a time.
 #pragma once
 
 #include <algorithm>
@@ -16,15 +16,15 @@
 
 namespace libration::pendulum {
 
-/// How many powers of a panel are kept, an even number: 4.7 bits each; the bound 8/n R^-n of a coefficient [THEOREMS A]
-/// and the derivative's n take 3 more than the digits.
+/// The number of powers kept per panel, an even number: 4.7 bits each; the bound 8/n R^-n of a coefficient [THEOREMS A]
+/// and the derivative's n need 3 more than the digits.
 template <fixed_scalar T>
 inline constexpr std::size_t panel_terms = std::same_as<T, double>                              ? double_panel_terms
                                            : std::same_as<T, long double>&& LDBL_MANT_DIG == 64 ? 16
                                                                                                 : 26;
 
-/// How many of them are kept in T: the powers from the 14th on are below 2^-66 of the value, and where 26 are kept,
-/// double has digits enough for those and is forty times faster.
+/// The number of them that are kept in T: the powers from the 14th on are below 2^-66 of the value, and if 26 are kept,
+/// double has enough digits for those and is forty times faster.
 template <fixed_scalar T>
 inline constexpr std::size_t panel_head = panel_terms<T> == 26 ? 14 : panel_terms<T>;
 
@@ -49,7 +49,7 @@ struct alignas(64) panel {
         }
     }
 
-    /// theta and its slope at x = centre + step, even and odd powers side by side.
+    /// theta and its slope at x = centre + step, even and odd powers in parallel.
     [[gnu::always_inline]] series::jet<T> at(const T& step) const {
         const T square = step * step;
         constexpr std::size_t last = 2 * panel_head<T> - 4;
@@ -78,14 +78,14 @@ private:
     }
 };
 
-/// Where x is: the panel and its centre.
+/// The location of x: the panel and its centre.
 struct panel_place {
     std::size_t index;
     double centre;
 };
 
-/// The place of x >= 0, a few operations on the bits of z. A z that rounds across an edge does no harm: the polynomials
-/// of neighbours agree there.
+/// The location of x >= 0, by a few operations on the bits of z. A z that rounds across an edge is harmless: the
+/// polynomials of neighbours agree there.
 inline panel_place place_of(double x) {
     constexpr int below = DBL_MANT_DIG - 1 - panel_octave_bits;
     constexpr std::uint64_t first = std::uint64_t{DBL_MAX_EXP - 1} << panel_octave_bits;

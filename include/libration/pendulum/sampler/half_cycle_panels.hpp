@@ -4,7 +4,7 @@
 // With x the time since the bottom in a unit u, a power of two, and z = 1 + x, the panels are the sixteenths of the
 // octaves [1,2), [2,4), ... of z, so that the leading bits of z are the number of its panel. From the centre of a panel
 // the nearest singularity is at R >= sqrt(x^2 + K~'^2/u^2) and u <= (2/pi) min(K~', T*), so the half width of a panel
-// is below R/26 (largest at z = 4), and a power of theta in x brings 4.7 bits.
+// is below R/26 (largest at z = 4), and a power of theta in x contributes 4.7 bits.
 #pragma once
 
 #include <cfloat>
@@ -35,7 +35,7 @@ struct finer_scalar<long double> {
 template <fixed_scalar T>
 using finer_t = typename finer_scalar<T>::type;
 
-/// x rounded once, without the detour through mpfr where the machine can do it.
+/// x rounded once, directly rather than through mpfr if the hardware supports it.
 template <fixed_scalar T, rounding_scalar F>
 T rounded_to(const F& x) {
     if constexpr (std::same_as<F, mpfr>) {
@@ -45,14 +45,14 @@ T rounded_to(const F& x) {
     }
 }
 
-/// The panels of one motion from the bottom to the top. Where the way takes longer than all digits of T can tell the
-/// state from rest on top, they end there. Not more than 110 panels.
+/// The panels of one motion from the bottom to the top. If after some time the digits of T cannot distinguish the state
+/// from rest on top, they end there. Not more than 110 panels.
 template <fixed_scalar T>
 class half_cycle_panels {
 public:
-    /// The motion's times are counted in its own units (seconds where it has a length and a gravity). Cost: a Jacobi
-    /// function and a Taylor series of panel_terms powers each. Throws error of the kind range where the square of the
-    /// unit leaves the range of T (E above 10^307 in double), and as energies.
+    /// The motion's times are counted in its own units (seconds if it has a length and a gravity). Cost: a Jacobi
+    /// function and a Taylor series of panel_terms powers each. Throws error of the kind range if the square of the
+    /// unit is outside the range of T (E above 10^307 in double), and as energies.
     explicit half_cycle_panels(const motion& m) {
         using std::ldexp;
         using W = finer_t<T>;
@@ -77,7 +77,7 @@ public:
 
     /// u, a power of two.
     const T& unit() const { return unit_; }
-    /// The largest x; theta and omega stay what they are there.
+    /// The largest x; beyond it theta and omega are constant.
     const T& end() const { return end_; }
     std::size_t size() const { return panels_.size(); }
     const panel<T>* data() const { return panels_.data(); }
@@ -91,12 +91,12 @@ private:
         if (half.has_top() && half.effective_period() < reach) {
             reach = half.effective_period();
         }
-        // A few digits more than none: u = 1 where K~' is pi/2 up to rounding.
+        // Slightly enlarged: u = 1 where K~' is pi/2 up to rounding.
         const finer largest = reach * seconds * 2 / pi<finer>();
         return binary_exponent(finer(largest + largest / 1024)) - 1;
     }
 
-    // T* and 2^-20 of it, for times that round into the other side; but no more than the time after which the distance
+    // T* and 2^-20 of it, for times that round into the other side; but at most the time after which the distance
     // to the top, 4 e^-t, is below an eighth of an epsilon.
     static finer last_time(const half_cycle<finer>& half) {
         const finer settled = finer((digits<T>() + 6) * 7) / 10;

@@ -1,12 +1,12 @@
-// theta after a passage through the bottom from that of the swing: signs and whole turns.
+// theta after a passage through the bottom from that of the half-cycle: signs and whole turns.
 #pragma once
 
 #include "libration/pendulum/sampler/half_cycle_clock.hpp"
 
 namespace libration::pendulum {
 
-/// theta of the motion from that of the swing, g(y), after passage j: (-1)^j g in the libration, 2 pi (turns + d j) + d
-/// g in the rotation, d its direction.
+/// theta of the motion from that of the half-cycle, g(y), after passage j: (-1)^j g in libration, 2 pi (turns + d j) +
+/// d g in rotation, d its direction.
 template <fixed_scalar T>
 class half_cycle_turns {
 public:
@@ -31,19 +31,19 @@ public:
         return of_.sign - of_.sign * of_.alternation * (odd < 0 ? T(-odd) : odd);
     }
 
-    /// theta, where part = g(y) times the sign.
+    /// theta, if part = g(y) times the sign.
     [[gnu::always_inline]] T theta(const T& passage, const T& part) const {
         const T turns = of_.turns + of_.winding * passage;
         return of_.base.high + (turns * of_.turn.high + (turns * of_.turn.low + (of_.base.low + part)));
     }
 
-    /// The turns of theta at a passage, from the start's one where it is counted from there.
+    /// The turns of theta at a passage, from those of the start if they are counted from there.
     static integer turns_of(const motion& m, const integer& passage) {
         return m.regime() == regime::rotation ? integer(m.turns() + passage * m.direction()) : m.turns();
     }
 
 private:
-    // Turns that T counts are kept as a number, so that they may cancel; others as an angle.
+    // Turns that T can represent are kept as a number, so that they may cancel; others as an angle.
     static bool counts(const motion& m, const integer& passage) {
         return m.regime() != regime::unstable_equilibrium &&
                abs(turns_of(m, passage)) < pow(integer(2), static_cast<unsigned>(digits<T>() - 3));

@@ -1,5 +1,5 @@
-// theta and omega at many times: what depends on the motion alone is done once, and then a time costs a reduction
-// modulo the period, a look-up and some products, a few nanoseconds in double.
+// theta and omega at many times: the part that depends on the motion alone is computed once, and then a time costs a
+// reduction modulo the period, a look-up and some products, a few nanoseconds in double.
 #pragma once
 
 #include <algorithm>
@@ -12,29 +12,29 @@
 
 namespace libration::pendulum {
 
-/// One motion, from exact initial conditions, at floating times in any order, in the motion's units (seconds and rad/s
-/// where it has a length and a gravity). A time counts as exact, and T is known to twice the digits: 10^9 periods
-/// away the phase is as good as in the first one. theta is unwrapped.
+/// One motion, from exact initial conditions, at floating-point times in any order, in the motion's units (seconds and
+/// rad/s if it has a length and a gravity). A time is taken as exact, and T is known to twice the digits: 10^9 periods
+/// away the phase is as accurate as in the first one. theta is unwrapped.
 ///
 /// Errors at every energy, next to E = 2, at E = 2 and at rest, in units epsilon 2^floor(log2 max(1, |x|)):
 ///   theta   at most 4, x = theta
-///   omega   at most 4, x = the largest |omega| of the motion; no relative digits where omega is next to 0
-/// (sampling_tables.hpp says why; the tests compare with proved values).
+///   omega   at most 4, x = the largest |omega| of the motion; no relative digits where omega is near 0
+/// (derived in sampling_tables.hpp; the tests compare with proved values).
 ///
-/// Cost in double: 15 to 50 microseconds once; then about 2 ns a time with AVX-512, 3.5 with AVX2, 8 with SSE, 25 ns
-/// where it is asked alone (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds a
-/// time. Nothing changes after construction: any number of threads may ask one sampler. The last digit depends on the
-/// vectors that the processor has (sample_vectors.hpp).
+/// Cost in double: 15 to 50 microseconds once; then about 2 ns per time with AVX-512, 3.5 with AVX2, 8 with SSE, 25 ns
+/// for a single time (`./run bench trajectory` measures it). In quad: some milliseconds once, 2 microseconds per time.
+/// Immutable after construction: any number of threads may use one sampler. The last digit depends on the SIMD
+/// instructions available (sample_vectors.hpp).
 template <fixed_scalar T>
 class sampler {
 public:
-    /// Throws error of the kind range where E or 2-E is 0 or infinite to a finer scalar than T (10^-4931 in double),
-    /// and where T cannot hold the square of the time to the top (E above 10^307).
+    /// Throws error of the kind range if E or 2-E is 0 or infinite in a finer scalar than T (10^-4931 in double),
+    /// and if T cannot represent the square of the time to the top (E above 10^307).
     explicit sampler(const motion& m) : sampler(m, precision_scope(working_precision())) {}
 
     const motion& of() const { return motion_; }
 
-    /// At one time. Throws error where it is not finite, error of the kind range where theta is not.
+    /// At one time. Throws error if it is not finite, error of the kind range if theta is not.
     series::jet<T> operator()(const T& time) const {
         if (tables_.clock.reaches(time)) {
             return sampled_at(tables_, time);
@@ -44,14 +44,14 @@ public:
         return state;
     }
 
-    /// Whether the clock reaches all times, so that nothing is reduced in mpfr, which allocates.
+    /// Whether all times are within the range of the clock, so that nothing is reduced in mpfr, which allocates.
     bool reaches(std::span<const T> times) const {
         return std::all_of(times.begin(), times.end(), [&](const T& time) { return tables_.clock.reaches(time); });
     }
 
-    /// theta and omega at all times; any of the three may be the same memory. Throws error where their
-    /// sizes differ, error where a time is not finite and error of the kind range where theta is not: what
-    /// the arrays hold then is unspecified.
+    /// theta and omega at all times; any of the three may be the same memory. Throws error if their
+    /// sizes differ, error if a time is not finite and error of the kind range if theta is not: the
+    /// contents of the arrays are then unspecified.
     void operator()(std::span<const T> times, std::span<T> theta, std::span<T> omega) const {
         if (theta.size() != times.size() || omega.size() != times.size()) {
             throw error(error_kind::argument, "number of times", std::to_string(times.size()),
@@ -86,7 +86,7 @@ private:
         }
     }
 
-    // Whole blocks; one that holds a time beyond the clock goes by itself.
+    // Whole blocks; one with a time outside the range of the clock is processed separately.
     void sample_blocks(std::span<const T> times, T* theta, T* omega) const {
         for (std::size_t i = 0;; i += vector_block) {
             i += sample_vectors(tables_.vectors(), times.data() + i, times.size() - i, theta + i, omega + i);
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    // Times beyond the clock, reduced in mpfr.
+    // Times outside the range of the clock, reduced in mpfr.
     void sample_late(std::span<const T> times, T* theta, T* omega) const {
         const precision_scope scope(working_precision());
         const T& end = tables_.panels.end();

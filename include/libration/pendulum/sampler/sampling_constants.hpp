@@ -1,5 +1,5 @@
-// What the sampler knows of a motion, as plain numbers: half_cycle_clock.hpp and half_cycle_turns.hpp make them and say
-// what is computed from them; the loops over vectors read them.
+// The sampler's data of a motion, as plain numbers: computed in half_cycle_clock.hpp and half_cycle_turns.hpp, which
+// document their use; read by the loops over vectors.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace libration::pendulum {
 /// Panels are the 2^-panel_octave_bits parts of octaves.
 inline constexpr int panel_octave_bits = 4;
 
-/// How many powers of a panel are kept in double.
+/// The number of powers kept per panel in double.
 inline constexpr std::size_t double_panel_terms = 12;
 
 /// The sum of two numbers, the second below half a unit of the first's last place.
@@ -25,7 +25,7 @@ template <class T>
 struct clock_constants {
     T per_unit;
     split_number<T> start;
-    /// The largest |j| that may be asked for.
+    /// The largest admissible |j|.
     T largest;
     /// Adding and subtracting it rounds to integers.
     T rounder;

@@ -1,4 +1,4 @@
-// What the sampler keeps of a motion, and one time through it.
+// The sampler's data of a motion, and its evaluation at one time.
 #pragma once
 
 #include <concepts>
@@ -9,7 +9,7 @@
 
 namespace libration::pendulum {
 
-/// What the sampler keeps of a motion.
+/// The sampler's data of a motion.
 template <fixed_scalar T>
 struct sampling_tables {
     half_cycle_panels<T> panels;
@@ -31,12 +31,12 @@ private:
         : panels(m), clock(interval, start.time, panels.unit()), turns(m, start.passage) {}
 };
 
-/// theta and omega at a time that the clock reaches.
+/// theta and omega at a time within the range of the clock.
 ///
 /// Error of theta, in units of the last place of max(1, |theta|): its constant coefficient is rounded in twice that
-/// unit at worst (the centre of the panel may lie above 2 and theta below it), so are the sum of the even powers, and
+/// unit at worst (the centre of the panel may be above 2 and theta below it), so are the sum of the even powers, and
 /// once more the sum with the odd ones, in its own unit; rotation adds half a unit for the turns: 3 units, and some
-/// tenths for what the panels leave out, the products and the time. The same for omega in units of max(1, its maximum).
+/// tenths for truncation of the panels, the products and the time. The same for omega, in units of max(1, its maximum).
 template <fixed_scalar T>
 series::jet<T> sampled_at(const sampling_tables<T>& tables, const T& time) {
     const auto at = tables.clock.locate(time);

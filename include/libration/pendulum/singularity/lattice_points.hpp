@@ -1,4 +1,4 @@
-// The lattice of singularities as points of the complex time plane, seen from the top.
+// The lattice of singularities as points of the complex t-plane, relative to the top.
 #pragma once
 
 #include <vector>

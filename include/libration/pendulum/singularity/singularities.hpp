@@ -1,4 +1,4 @@
-// The singularities of theta(t) in the complex time plane and the radius of convergence of its Taylor series.
+// The singularities of theta(t) in the complex t-plane and the radius of convergence of its Taylor series.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ struct singularity_lattice {
     }
 };
 
-/// The lattice of a motion, nothing for the equilibria, whose theta is entire.
+/// The lattice of a motion; std::nullopt for the equilibria, whose theta is entire.
 template <scalar T>
 std::optional<singularity_lattice<T>> singularities(const motion& m) {
     switch (m.regime()) {

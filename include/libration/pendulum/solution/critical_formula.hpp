@@ -1,4 +1,4 @@
-// The closed solution on the separatrix as the paper writes it.
+// The closed solution on the separatrix in the notation of the paper.
 #pragma once
 
 #include "libration/pendulum/time/phase.hpp"
@@ -7,7 +7,7 @@
 namespace libration::pendulum {
 
 /// w = e^t tan((theta0 + pi)/4), theta0 within its turn and in the direction of motion: theta = 4 arctan w - pi there.
-/// Throws error for a motion with an energy other than 2.
+/// Throws error for a motion with an energy not equal to 2.
 template <scalar T>
 T critical_growth(const motion& m, const T& t) {
     using std::exp;
@@ -21,7 +21,7 @@ T critical_growth(const motion& m, const T& t) {
 
 /// theta = -pi + 4 arctan(e^t tan((theta0 + pi)/4)) at dimensionless time t [paper (critical)], which holds for
 /// omega0 = +2 cos(theta0/2) and |theta0| < pi; here for every motion with E = 2, by reflection and whole turns. It
-/// loses relative digits next to theta = +-pi, where the arctangent saturates; exact_solution does not. Throws
+/// loses relative digits near theta = +-pi, where the arctangent saturates; exact_solution does not. Throws
 /// error for a motion with another energy.
 template <scalar T>
 T critical_formula(const motion& m, const T& t) {

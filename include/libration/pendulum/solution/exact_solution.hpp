@@ -1,4 +1,4 @@
-// The exact solution through Jacobi's functions, unwrapped, at every energy: the truth against which series are judged.
+// The exact solution through Jacobi's functions, unwrapped, at every energy: the reference for the errors of series.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace libration::pendulum {
 
-/// theta and omega at one instant, with sin(theta/2) and cos(theta/2) to full relative precision next to their zeros
-/// (theta less 4 pi times whole turns; only their products and squares have a meaning of their own).
+/// theta and omega at one instant, with sin(theta/2) and cos(theta/2) to full relative precision near their zeros
+/// (theta less 4 pi times whole turns; only their products and squares are meaningful by themselves).
 template <scalar T>
 struct pendulum_state {
     T theta;
@@ -19,7 +19,7 @@ struct pendulum_state {
     T half_sine;
     T half_cosine;
 
-    /// sin theta and cos theta, relative next to the zeros of sin theta; no cancellation that the halves do not have.
+    /// sin theta and cos theta, relative near the zeros of sin theta; no cancellation other than that of the halves.
     T sine() const { return half_sine * half_cosine * 2; }
     T cosine() const { return (half_cosine - half_sine) * (half_cosine + half_sine); }
 };
@@ -32,8 +32,8 @@ struct pendulum_state {
 ///   equilibria  constant.
 /// Between the bottom and the top everything is computed from the nearer of the two. Absolute error a few epsilon times
 /// max(1, |theta|) in theta and a few epsilon relative to its maximum in omega, at times taken as exact. Everything is
-/// dimensionless, omega too: divide it by time_unit() for rad/s. Use it in the precision_scope it was made in; a wider
-/// one throws std::logic_error.
+/// dimensionless, omega too: divide it by time_unit() for rad/s. Use it in the precision_scope in which it was
+/// constructed; a wider one throws std::logic_error.
 template <scalar T>
 class exact_solution {
 public:
@@ -51,7 +51,7 @@ public:
     /// State at an exact time.
     pendulum_state<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
-    /// State at a fraction x in [0, 1] of the way from the top (or, at E = 2, nowhere: throws) down to the bottom.
+    /// State at a fraction x in [0, 1] of the arc from the top (at E = 2 there is none: throws) down to the bottom.
     pendulum_state<T> from_top(const T& x) const {
         if (!level_) {
             throw error(error_kind::argument, "energy", "2", "leaves the motion without a top");
@@ -74,7 +74,7 @@ public:
         return librating(p);
     }
 
-    /// The quarter of the top that canonical motions start from: +theta_max or (turns + 1/2) 2 pi.
+    /// The quarter of the top from which canonical motions start: +theta_max or (turns + 1/2) 2 pi.
     static integer top_quarter(const motion& m) {
         return m.regime() == regime::rotation && m.direction() < 0 ? integer(-1) : integer(1);
     }

@@ -10,7 +10,7 @@
 
 namespace libration::pendulum {
 
-/// A point of a motion to expand about. The top is the one that canonical motions start from (+theta_max, or pi after
+/// A point of a motion to expand about. The top is the one from which canonical motions start (+theta_max, or pi after
 /// the whole turns), the bottom the passage T* later.
 struct expansion_point {
     enum class place { top, bottom, start, time } where = place::top;
@@ -36,7 +36,7 @@ inline expansion_point read_expansion_point(std::string_view text) {
     return {place::time, std::move(time)};
 }
 
-/// The phase of a point of a motion; clock(), its phase map, is asked for starts and times alone. Throws
+/// The phase of a point of a motion; clock(), its phase map, is called for "start" and times alone. Throws
 /// error for the top at E = 2, which is reached after infinite time.
 template <scalar T, class Clock>
 phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& clock) {
@@ -66,8 +66,8 @@ phase<T> phase_of(const expansion_point& point, const motion& m) {
     return phase_of<T>(point, m, [&] { return phase_map<T>(m); });
 }
 
-/// The phase at the fraction x of T* after the top that canonical motions start from, 0 <= x <= 1, x a rational or a T.
-/// It is counted from the nearer end of the way, half way from the top; the offset is one product. Not for E = 2.
+/// The phase at the fraction x of T* after the top at which canonical motions start, 0 <= x <= 1, x a rational or a T.
+/// It is counted from the nearer end of the arc, at its midpoint from the top; the offset is one product. Not at E = 2.
 template <scalar T, class X>
 phase<T> phase_from_top(const motion& m, const X& x, const T& effective_period) {
     const int whole = x * 2 > 1 ? 1 : 0;

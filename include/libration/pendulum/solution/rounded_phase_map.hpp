@@ -1,4 +1,4 @@
-// The clock of a program that has no exact times: what the phase map is there to avoid.
+// The phase computed from rounded times, as in a program without exact times: the error that the phase map avoids.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace libration::pendulum {
 
 /// The phase of a motion that starts at a top or a bottom, by the remainder of the rounded time and the rounded period,
 /// fmod(t, T) [paper (newseries), the modulo]. The remainder itself is exact, but t and T each have an error of up to
-/// half an epsilon of themselves, and that of T counts once a period: at time t the phase is off by up to epsilon t.
+/// half an epsilon of themselves, and that of T counts once per period: at time t the phase is off by up to epsilon t.
 template <fixed_scalar T>
 class rounded_phase_map {
 public:
-    /// Throws error at E = 2, and for a start between the quarters.
+    /// Throws error at E = 2, and for an initial point between the quarters.
     explicit rounded_phase_map(motion m) : motion_(std::move(m)) {
         if (!motion_.start_quarter()) {
             throw error(error_kind::argument, "motion", "", "starts neither at a top nor at a bottom");
@@ -44,7 +44,7 @@ private:
     T period_ = T(0);
 };
 
-/// sqrt(2E) (p + 1) T epsilon: the largest error of theta that the rounding of t and T makes within the period after p
+/// sqrt(2E) (p + 1) T epsilon: the largest error of theta by the rounding of t and T within the period after p
 /// whole ones, to first order; half of it by t, half by T.
 template <fixed_scalar T>
 mpfr rounded_phase_map_bound(const exact& energy, const integer& periods) {
@@ -54,7 +54,7 @@ mpfr rounded_phase_map_bound(const exact& energy, const integer& periods) {
     return sqrt(mpfr(o.pair.energy * 2)) * latest * widen(epsilon<T>());
 }
 
-/// A phase with the whole periods taken out of its quarter.
+/// A phase with the whole periods removed from its quarter.
 template <class T>
 phase<T> within_period(phase<T> p, regime r) {
     const int in_period = quarters_per_period(r);
@@ -71,9 +71,9 @@ inline mpfr angle_between(const mpfr& a, const mpfr& b, regime r) {
     return abs(mpfr(difference - from_rational<mpfr>(rational(turns)) * turn));
 }
 
-/// The largest |error| of theta, whole turns left aside, over times near (p + i/points) T, i = 0 .. points, typed with
-/// 20 decimals: of the exact solution in T at the phases that a clock gives, against the exact solution in mpfr. The
-/// motion is the canonical one of an energy. At the working precision in force. Throws error at E = 2.
+/// The largest |error| of theta, up to whole turns, over times near (p + i/points) T, i = 0 .. points, given with
+/// 20 decimals: of the exact solution in T at the phases computed by a clock, compared with the exact solution in mpfr.
+/// The motion is the canonical one of an energy. At the current working precision. Throws error at E = 2.
 template <fixed_scalar T, class Clock>
 mpfr phase_map_error(const exact& energy, const Clock& clock, const integer& periods, int points) {
     const motion m = motion::of_energy(energy);

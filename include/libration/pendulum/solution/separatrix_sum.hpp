@@ -1,11 +1,11 @@
 // A second route to the exact solution: every motion of the pendulum is a sum of separatrix solutions in scaled time.
-// It shares T*, K~' and the start of the clock with the first route, and no elliptic function.
+// It shares T*, K~' and the initial phase of the clock with the first route, but no elliptic function.
 //
 // With c = pi/(2 K~'), gd(z) = atan sinh z and r the time since the nearest passage through the bottom, a_i = 2 i c T*,
 //     libration  theta = (-1)^j [2 gd(c r) + sum_{i>=1} (-1)^i 4 atan(sinh(c r)/cosh a_i)]
 //     rotation   theta = 2 pi j + 2 gd(c r) + sum_{i>=1} 4 atan(sinh(c r)/cosh a_i)
-// where j counts the passages. This is the sum over columns (-1)^j 2 gd(c (s - 2 j T*)) over all passages j, taken in
-// pairs around the nearest column by gd(a + z) - gd(a - z) = 2 atan(sinh z/cosh a), which does not cancel.
+// where j counts the passages. This is the sum over columns (-1)^j 2 gd(c (s - 2 j T*)) over all passages j, combined
+// in pairs around the nearest column by gd(a + z) - gd(a - z) = 2 atan(sinh z/cosh a), which does not cancel.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@
 namespace libration::pendulum {
 
 /// theta and omega by the sum. Absolute error a few epsilon per pair of columns; at tiny energies theta is small and
-/// its relative digits cancel (terms are near 0.4): ask for more digits there. Cost: digits log 2/(2 c T*) pairs.
+/// its relative digits cancel (terms are near 0.4): use more digits there. Cost: digits log 2/(2 c T*) pairs.
 template <scalar T>
 class separatrix_sum {
 public:
-    /// With so many pairs, at least 1; as many as the precision needs unless given. Throws error at E = 2 (where there
+    /// With this many pairs, at least 1; by default as many as the precision needs. Throws error at E = 2 (where there
     /// is one column) and E = 0 (where they are infinitely many).
     explicit separatrix_sum(const motion& m, std::optional<long> pairs = {}) : motion_(m), phase_map_(m) {
         const energy_level<T> o = energy_level_of<T>(m);
@@ -35,11 +35,11 @@ public:
     /// At an exact time.
     series::jet<T> operator()(const exact& time) const { return at(phase_map_.at(time)); }
 
-    /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the pairs
-    /// left out sum to at most the last one kept over cosh d - 1, for theta and for omega.
+    /// At a phase. From a_i to a_{i+1} = a_i + d, d = 2 c T*, cosh grows at least by the factor cosh d; so the omitted
+    /// pairs sum to at most the last one kept over cosh d - 1, for theta and for omega.
     series::jet<T> at(const phase<T>& p) const {
         born_.require();
-        // The nearest passage through the bottom is an even quarter: this one, or the one on our side of the top.
+        // The nearest passage through the bottom is an even quarter: this one, or the one on this side of the top.
         const bool near_top = elliptic::quarter_of_four(p.quarter) % 2 != 0;
         const int toward = near_top ? (p.side < 0 ? -1 : 1) : 0;
         const integer passage = (p.quarter + toward) / 2;
@@ -54,8 +54,8 @@ public:
     }
 
 private:
-    // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number decides the cost; what it leaves out
-    // is enclosed whatever it is.
+    // A pair is exp(-2 c T*) of the one before it, and log 2 < 7/10. This number determines the cost; the truncation
+    // error is enclosed whatever it is.
     long pairs_for_precision() const {
         using W = wide_t<T>;
         const W decay = widen(T(rate_ * effective_period_ * 2));

@@ -1,18 +1,18 @@
-// How theta at a fixed time moves with the energy and with the start: solutions of the linearised pendulum.
+// The derivatives of theta at a fixed time by the energy and the initial state: solutions of the linearised pendulum.
 //
 // y'' = -cos(theta(t)) y has the solution omega, a shift of time. With D = E(2-E) and J = integral of omega^2 from the
 // start,
 //   phi = (sin theta - omega J/4)/D
-// is another, with omega phi' + sin(theta) phi = 1: J' = omega^2 makes D phi' = cos(theta) omega + sin(theta)
+// is another, with omega phi' + sin(theta) phi = 1: J' = omega^2 implies D phi' = cos(theta) omega + sin(theta)
 // J/4 - omega^3/4, so D (omega phi' + sin(theta) phi) = omega^2 cos theta - omega^4/4 + sin^2 theta = 1 - (E-1)^2 = D
-// with omega^2/2 = E - 1 + cos theta. So phi moves to a neighbour whose energy is larger by 1, and
+// with omega^2/2 = E - 1 + cos theta. So phi is the derivative in the direction of increasing energy, and
 //   dtheta/domega0 = omega0 phi - phi0 omega,     dtheta/dtheta0 = phi0' omega + sin(theta0) phi   (at fixed omega0),
 //   dtheta/dE = phi - (phi0/omega0) omega,        dtheta/dtheta0 = omega/omega0                (at fixed E, theta0),
-// as y and y' at the start show; from a canonical start, at rest or on top, dtheta/dE = phi. J follows from the zeta
-// function:
+// as y and y' at the initial point show; from a canonical one, at rest or on top, dtheta/dE = phi. J follows from the
+// zeta function:
 //   libration  J = 4 (Z - Z_0 + mean(k^2 cn^2) t),   (sin am, cos am) = (sin(theta/2)/k, omega/(2k)), theta less turns;
 //   rotation   J = 4 r (Z - Z_0 + mean(dn^2) r t),   am = theta/2 in the direction of motion, r = sqrt(E/2).
-// The mean of omega^2/4 makes J T/4 of a period, by which phi falls by omega (J_T/4)/D = omega dT/dE.
+// The mean of omega^2/4 determines J T/4 of a period, by which phi decreases by omega (J_T/4)/D = omega dT/dE.
 // On the separatrix, s after the bottom, phi = (sinh s + s/cosh s)/4 with the sign of the direction.
 #pragma once
 
@@ -33,9 +33,9 @@ struct variation_pair {
     T phi;
 };
 
-/// The solutions of one motion that is not at rest, everything dimensionless. Cost: a chain of moduli when it is made,
-/// two square roots and divisions a level for a time. Absolute errors of phi: a few epsilon of t^2/D and of the energy;
-/// so give as many more bits as motion::condition_bits() and twice the bits of t before its point.
+/// The solutions of one motion that is not at rest, everything dimensionless. Cost: a chain of moduli in the
+/// constructor, two square roots and divisions per level for a time. Absolute errors of phi: a few epsilon of t^2/D and
+/// of the energy; so add as many bits as motion::condition_bits() and twice the bits of t before its point.
 template <rounding_scalar T>
 class variation {
 public:
@@ -72,8 +72,8 @@ public:
         return {omega, (sine * cosine * 2 - omega * action) / critical_product()};
     }
 
-    /// The same for derivatives at a fixed fraction of T in the place of a fixed time: dT/dE = T mean/D, with the mean
-    /// above, so that phi + omega t dT/dE / T is what the formula gives without it.
+    /// The same for derivatives at a fixed fraction of T instead of a fixed time: dT/dE = T mean/D, with the mean
+    /// above, so that phi + omega t dT/dE / T is the formula without it.
     variation_pair<T> at_fraction(const T& theta, const T& omega) const { return at(T(0), theta, omega); }
 
     /// The derivatives of theta there.

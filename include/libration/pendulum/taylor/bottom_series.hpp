@@ -9,14 +9,14 @@
 namespace libration::pendulum {
 
 /// The motion of this energy that is at its lowest point at t = 0: libration passing theta = 0 with omega = -sqrt(2E),
-/// as the one released at +theta_max does T* after its start, rotation counterclockwise at theta = 2 pi [paper
-/// fig:series]. E = 2 starts as libration does.
+/// as the one released at +theta_max at time T*, rotation counterclockwise at theta = 2 pi [paper fig:series]. E = 2
+/// starts as libration.
 inline motion motion_from_bottom(const exact& energy) {
     const bool rotates = sign_of_exact(energy - exactly(2)) > 0;
     return motion::of_energy_from(energy, read_exact(rotates ? "2pi" : "0"), rotates ? 1 : -1);
 }
 
-/// The partial sums about the bottom up to an order, with the exact angle beside them. Not for E = 0 and 2.
+/// The partial sums about the bottom up to an order, and the exact angle. Not for E = 0 and 2.
 template <scalar T>
 class bottom_series {
 public:
@@ -44,7 +44,7 @@ public:
     }
 
     /// sum_{n=0}^{N} a_n t^n, N up to the order: theta is odd about the bottom, so by Horner's rule in t^2. Beyond the
-    /// radius the last terms are the largest: relative precision is theirs. O(N).
+    /// radius the last terms are the largest: the precision is relative to them. O(N).
     T partial_sum(int order, const T& t) const {
         const T x = t / about_.scale;
         const T square = x * x;
@@ -61,7 +61,7 @@ private:
     expansion<T> about_;
 };
 
-/// Decimal digits by which the errors of order N at these times are below theta: inside the radius they fall like
+/// Decimal digits by which the errors of order N at these times are below theta: inside the radius they decrease like
 /// (t/R)^N. N^2 and a few digits for the constants are added.
 inline long bottom_digits_below(const exact& energy, int order, const std::vector<exact>& times) {
     const precision_scope scope(20);

@@ -11,7 +11,7 @@
 
 namespace libration::pendulum {
 
-/// What the recurrences start from. The parity is that of theta - theta_0 about the point.
+/// The initial values of the recurrences. The parity is that of theta - theta_0 about the point.
 template <scalar T>
 struct taylor_start {
     pendulum_state<T> state;
@@ -19,7 +19,7 @@ struct taylor_start {
     series::parity of_theta = series::parity::any;
 };
 
-/// Which recurrence makes the coefficients; the results agree to rounding.
+/// The recurrence by which coefficients are computed; the results agree up to rounding.
 enum class recurrence {
     symmetric_squares,  ///< cos theta - cos theta_0 and omega: one square and one product
     sine_cosine         ///< sin theta and cos theta [paper (pendseries)]: two products
@@ -35,13 +35,13 @@ series::parity parity_about(const motion& m, const phase<T>& p) {
     return m.regime() == regime::libration && at_top ? series::parity::even : series::parity::odd;
 }
 
-/// The start at a phase of an exact solution.
+/// The initial values at a phase of an exact solution.
 template <scalar T>
 taylor_start<T> start_at(const exact_solution<T>& solution, const phase<T>& p) {
     return {solution.at(p), energies<T>(solution.of()), parity_about(solution.of(), p)};
 }
 
-/// Refuses a negative order of a Taylor series.
+/// Throws error for a negative order of a Taylor series.
 inline void require_taylor_order(int order) {
     if (order < 0) {
         throw error(error_kind::argument, "order", std::to_string(order), "of a Taylor series is negative");
@@ -101,9 +101,9 @@ series::power_series<T> taylor_by_symmetric_squares(const taylor_start<T>& start
     return a;
 }
 
-/// The coefficients a_n scale^n, n = 0 .. N, of theta about a start. A scale next to the radius of convergence keeps
-/// them between powers of n; a_n itself leaves the range of double before N = 1000. Relative to 8/(n R^n) the error
-/// grows slowly with n: about 20 bits by N = 4000. Throws error when N < 0.
+/// The coefficients a_n scale^n, n = 0 .. N, of theta from its initial values. With a scale near the radius of
+/// convergence they remain between powers of n; a_n itself leaves the range of double before N = 1000. Relative to
+/// 8/(n R^n) the error grows slowly with n: about 20 bits by N = 4000. Throws error when N < 0.
 template <scalar T>
 series::power_series<T> taylor_coefficients(const taylor_start<T>& start, int order, const T& scale,
                                             recurrence by = recurrence::symmetric_squares) {

@@ -1,4 +1,4 @@
-// The Taylor series of theta about a point of a motion, by the way that is cheapest for its order and precision.
+// The Taylor series of theta about a point of a motion, by the cheapest method for its order and precision.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@
 
 namespace libration::pendulum {
 
-/// A Taylor series of theta about a point: coefficients a_n scale^n, the scale being the radius of convergence, of a
-/// ball its midpoint (1 where that is infinite), in dimensionless time.
+/// A Taylor series of theta about a point: coefficients a_n scale^n, where the scale is the radius of convergence, or
+/// the midpoint if that is a ball (1 if it is infinite), in dimensionless time.
 template <scalar T>
 struct expansion {
     series::power_series<T> scaled;
     T scale;
-    std::optional<T> radius;  ///< nothing where it is infinite
+    std::optional<T> radius;  ///< std::nullopt if it is infinite
 };
 
-/// The radius of convergence about a point; nothing for equilibria, where it is infinite.
+/// The radius of convergence about a point; std::nullopt for equilibria, for which it is infinite.
 template <scalar T>
 std::optional<T> radius_about(const exact_solution<T>& solution, const expansion_point& point) {
     const auto lattice = singularities<T>(solution.of());
@@ -40,9 +40,9 @@ expansion<T> expand_by(recurrence by, const exact_solution<T>& solution, const e
     return {std::move(scaled), std::move(scale), std::move(radius)};
 }
 
-/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, where there are whole quotients,
+/// a_n scale^n, n = 0 .. N, about a point: by the recurrence of symmetric squares or, if whole quotients are available,
 /// by the quotient of thetas, whose errors are smaller: of 8/n the recurrence loses about 20 bits up to N = 800, the
-/// quotient 2. Not by that in the fixed scalars.
+/// quotient 2. The fixed scalars do not use it.
 template <scalar T>
 series::power_series<T> head_coefficients(const exact_solution<T>& solution, const expansion_point& point,
                                           const T& scale, int order, head_by head) {
@@ -54,7 +54,7 @@ series::power_series<T> head_coefficients(const exact_solution<T>& solution, con
     return taylor_coefficients(start_at(solution, phase_of(point, solution)), order, scale);
 }
 
-/// Where the sums over the singularities begin, and what makes the powers before.
+/// The power at which the sums over the singularities begin, and the method for the powers before it.
 template <scalar T>
 std::pair<long, head_by> start_and_head(const singularity_view<T>& view, long first, long last) {
     const long begin = lattice_begins(view, first, last);
@@ -68,8 +68,8 @@ std::pair<long, head_by> start_and_head(const singularity_view<T>& view, long fi
 }
 
 /// a_n scale^n, n = first .. last, about a point: by head_coefficients() up to the power from which sums over the
-/// singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and need none before them. What
-/// a_n is does not depend on first and last, up to rounding. Throws error for first < 0, last < first
+/// singularities cost less (lattice_begins), so that powers beyond it cost O(1) each and none before them is needed.
+/// a_n does not depend on first and last, up to rounding. Throws error for first < 0, last < first
 /// and last > largest_power.
 template <scalar T>
 std::vector<T> coefficients_about(const exact_solution<T>& solution, const expansion_point& point, const T& scale,
@@ -84,7 +84,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
         const auto order = static_cast<int>(std::min(begin - 1, last));
         const auto all = head_coefficients(solution, point, scale, order, head);
         part.assign(all.coefficients().begin() + first, all.coefficients().end());
-        // What symmetry makes 0 is 0, on balls too, where the recurrence only contains it at E = 1.
+        // Coefficients that vanish by symmetry are 0, on balls too, where the recurrence only encloses 0 at E = 1.
         for (long n = std::max(first, 1L); view && n <= order; ++n) {
             if (!view->powers().has(n)) {
                 part[static_cast<std::size_t>(n - first)] = T(0);
@@ -92,7 +92,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
         }
     }
     if (!view) {
-        part.resize(static_cast<std::size_t>(last - first + 1), T(0));  // an equilibrium stays where it is
+        part.resize(static_cast<std::size_t>(last - first + 1), T(0));  // an equilibrium is constant
     } else if (last >= begin) {
         auto tail = lattice_coefficients<T>(m, point, scale, last).between(std::max(first, begin), last);
         part.insert(part.end(), std::make_move_iterator(tail.begin()), std::make_move_iterator(tail.end()));
@@ -100,7 +100,7 @@ std::vector<T> coefficients_about(const exact_solution<T>& solution, const expan
     return part;
 }
 
-/// The expansion of order N about a point, by the cheapest way. Throws error when N < 0.
+/// The expansion of order N about a point, by the cheapest method. Throws error when N < 0.
 template <scalar T>
 expansion<T> expand(const exact_solution<T>& solution, const expansion_point& point, int order) {
     require_taylor_order(order);

@@ -1,4 +1,4 @@
-// Taylor coefficients of theta as sums over the nearest singularities, with the proved bound of those that are left out
+// Taylor coefficients of theta as sums over the nearest singularities, with the proved bound of the omitted ones
 // (singularity_view.hpp): each costs the same, however large its index, and none needs the ones before it.
 #pragma once
 
@@ -16,10 +16,10 @@
 
 namespace libration::pendulum {
 
-/// The last power that has a coefficient here: 128 bits beyond those of T hold the errors of a power of 10^15.
+/// The largest power of a coefficient here: 128 bits beyond those of T cover the errors of a power of 10^15.
 inline constexpr long largest_power = 1'000'000'000'000'000;
 
-/// Refuses powers that no coefficient has here.
+/// Throws error for powers outside the range of these coefficients.
 inline void require_powers(long first, long last) {
     if (first < 0 || last < first || last > largest_power) {
         throw error(error_kind::argument, "powers", std::to_string(first) + " to " + std::to_string(last),
@@ -28,19 +28,19 @@ inline void require_powers(long first, long last) {
 }
 
 /// a_n scale^n about a point of a motion, for n from 5 to largest_power. An error of a few epsilon of T in
-/// (8/n)(scale/R)^n, proved on balls. Made in the precision it is used in. Not for equilibria.
+/// (8/n)(scale/R)^n, proved on balls. To be constructed in the precision in which it is used. Not for equilibria.
 ///
-/// Each pole gives (scale/z)^n = g c of a power g that begins a block of 32 and a power c of a table, and the sum over
-/// the poles is one inner product; the poles that a coefficient needs are fewer for larger n, in the end one or two.
-/// All is computed from the exact motion with 64 bits more than T has, and 128 beyond n = 2^24: an n-th power
-/// multiplies an error by n, and on balls each of the O(log n) complex products that lead to g widens rectangles by up
-/// to sqrt 2 more. 2 products a pole for each coefficient, O(log n) at the begin of every 16th block.
+/// Each pole contributes (scale/z)^n = g c with a power g at which a block of 32 begins and a power c from a table, and
+/// the sum over the poles is one inner product; the poles needed for a coefficient are fewer for larger n, in the end
+/// one or two. All is computed from the exact motion with 64 bits more than T has, and 128 beyond n = 2^24: an n-th
+/// power multiplies an error by n, and on balls each of the O(log n) complex products that lead to g widens rectangles
+/// by up to sqrt 2 more. 2 products per pole for each coefficient, O(log n) at the beginning of every 16th block.
 template <scalar T>
 class lattice_coefficients {
     using W = wide_t<T>;
 
 public:
-    /// For powers up to `last`; the poles reach as far as so many bits of a_n need, those of T unless given.
+    /// For powers up to `last`; the poles extend as far as needed for this many bits of a_n, by default those of T.
     lattice_coefficients(const motion& m, const expansion_point& at, const T& scale, long last,
                          std::optional<long> bits = {})
         : reached_bits_(bits.value_or(digits<T>())),
@@ -55,7 +55,7 @@ public:
         view_.emplace(std::move(*view));
     }
 
-    /// n = first .. last. Throws error where first < 5, last < first or last is above the one of
+    /// n = first .. last. Throws error if first < 5, last < first or last is above the one of
     /// the constructor.
     std::vector<T> between(long first, long last) const {
         require_powers(first, last);
@@ -86,7 +86,7 @@ private:
         complex_number<W> inverse;  // scale/z
         W square;                   // |z|^2, dimensionless
         int weight;
-        complex_number<W> power{};  // of the inverse, that the block begins with
+        complex_number<W> power{};  // of the inverse, with which the block begins
         complex_number<W> step{};   // to the next block
     };
 
@@ -147,7 +147,7 @@ private:
         }
     }
 
-    // Theorem A1 for n, n + stride, ..: 2/n is left as it was for the first of them.
+    // Theorem A1 for n, n + stride, ..: 2/n is not updated from that of the first of them.
     class rest_of_sum {
     public:
         rest_of_sum(const singularity_view<W>& view, const W& next, const W& scale, long n) {
@@ -171,14 +171,14 @@ private:
         T shrink_ = T(0);
     };
 
-    // Forgets the poles that are certainly beyond the limit, from the far end.
+    // Removes the poles that are certainly beyond the limit, from the far end.
     static void leave_out(std::vector<tracked_pole>& poles, const W& limit) {
         while (!poles.empty() && certainly_less(limit, poles.back().square)) {
             poles.pop_back();
         }
     }
 
-    // The powers n of the poles with their weights, as table_of has them: anew, or from the block before.
+    // The powers n of the poles with their weights, as in table_of: from scratch, or from the block before.
     static void begin_block(std::vector<tracked_pole>& poles, long n, bool anew, std::vector<T>& begins) {
         begins.clear();
         begins.reserve(poles.size() * 2);

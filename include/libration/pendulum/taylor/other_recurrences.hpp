@@ -1,5 +1,5 @@
-// Two more ways to the Taylor coefficients of theta, to compare their cost with coefficients.hpp: through the Jacobi
-// function under the arcsine of the closed solution [paper (subcritical), (supercritical)], and through omega alone.
+// Two more methods for the Taylor coefficients of theta, whose cost is compared with coefficients.hpp: through the
+// Jacobi function under the arcsine of the closed solution [paper (subcritical), (supercritical)], and through omega.
 #pragma once
 
 #include "libration/pendulum/taylor/coefficients.hpp"
@@ -13,8 +13,8 @@ namespace libration::pendulum {
 ///     y'' = -(1 + E/2) y + 2 y^3,   theta = 2 arcsin y,   theta' = 2 y'/sqrt(1 - y^2);
 /// a square, a product, a square root and a quotient of series in the variable t/scale: O(N^2) products, 3/2 of those
 /// of (pendseries). It is exponentially unstable: sqrt(1 - y^2) is 0 at +-i K~' about the top, closer than the
-/// singularities of theta, and there the quotient is 0/0; rounding does not cancel in it and grows by R/K~' a power.
-/// Throws error where cos(theta/2) = 0, at the top of rotation: y = 1 is the branch point of the arcsine,
+/// singularities of theta, and there the quotient is 0/0; rounding errors do not cancel in it and grow by R/K~' per
+/// power. Throws error where cos(theta/2) = 0, at the top of rotation: y = 1 is the branch point of the arcsine,
 /// and the quotient is 0/0 there.
 template <scalar T>
 series::power_series<T> taylor_by_arcsine(const taylor_start<T>& start, int order, const T& scale) {
@@ -44,7 +44,7 @@ series::power_series<T> taylor_by_arcsine(const taylor_start<T>& start, int orde
     for (int n = 0; n <= order; ++n) {
         square[n] = -square[n];
     }
-    const auto cosine = square_root(square, at.half_cosine, of_even);  // its constant term is never read
+    const auto cosine = square_root(square, at.half_cosine, of_even);  // its constant term is not used
     auto a = series::power_series<T>::zero(order);
     auto speed = series::power_series<T>::zero(order);
     a[0] = at.theta;

@@ -9,9 +9,9 @@
 
 namespace libration::pendulum {
 
-/// a_first .. a_last about a point, in the motion's unit of time. The scaled coefficients are rounded in T, and leave
-/// its range only here, in its wide arithmetic. Cost and exceptions as coefficients_about; throws memory_shortage where
-/// the list alone needs more memory than there is.
+/// a_first .. a_last about a point, in the motion's unit of time. The scaled coefficients are rounded in T; the result,
+/// in its wide arithmetic, may be outside the range of T. Cost and exceptions as coefficients_about; throws
+/// memory_shortage if the list alone needs more memory than available.
 template <scalar T>
 std::vector<wide_t<T>> point_coefficients(const motion& m, const expansion_point& point, long first, long last) {
     using W = wide_t<T>;
@@ -31,12 +31,12 @@ std::vector<wide_t<T>> point_coefficients(const motion& m, const expansion_point
     return values;
 }
 
-/// Which of a_first .. a_last are exactly 0, as far as fractions tell; empty where they do not: the start of the series
-/// has no rational cosine, or the powers are beyond those whose fractions are affordable.
+/// Which of a_first .. a_last are exactly 0, if fractions decide it; empty if they do not: the initial point of the
+/// series has no rational cosine, or the powers are beyond those whose fractions are affordable.
 std::vector<bool> vanishing_at(const motion& m, const expansion_point& point, long first, long last);
 
-/// The point of a name, top, bottom, start or a time; without a name the top, at E = 2 the bottom. Throws error of the
-/// kind argument for what is no point of this motion.
+/// The point of a name, top, bottom, start or a time; for an empty name the top, at E = 2 the bottom. Throws error of
+/// the kind argument if it is not a point of this motion.
 expansion_point point_of_motion(const motion& m, const std::string& name);
 
 }  // namespace libration::pendulum

@@ -1,5 +1,5 @@
-// How far a sum over singularities has to reach for a coefficient, from which coefficient on it costs less than what
-// makes the ones before, and which of two ways these are made by.
+// The distance up to which poles must be summed for a coefficient, the coefficient from which this costs less than the
+// method for the preceding ones, and which of two methods computes these.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace libration::pendulum {
 
-/// How far the poles reach that a_n needs: left-out ones add less than an eighth of an epsilon of T in 8/(n R^n).
-/// 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it decides costs alone, few
-/// digits are enough.
+/// The distance up to which poles are needed for a_n: omitted ones add less than an eighth of an epsilon of T in
+/// 8/(n R^n). 2^(bits/(n-4)) R, bits from (2/n) d^(4-n) S4 <= (8/n) R^-n epsilon/8. n > 4; where it only determines
+/// costs, few digits are enough.
 template <scalar T>
 class pole_reach {
 public:
@@ -36,7 +36,7 @@ private:
     long bits_;
 };
 
-/// What makes the powers before those of the lattice.
+/// The method for the powers before those of the lattice.
 enum class head_by { recurrence, thetas };
 
 /// Whether the quotient of thetas (theta_series.hpp) is cheaper than the recurrence for the powers up to n, on balls or
@@ -52,7 +52,7 @@ bool thetas_cost_less(bool symmetric, long n) {
 }
 
 /// The power before which the recurrence costs less in every case, as measured with symmetry (tuning.hpp), a quarter
-/// sooner without. The recurrence in double runs in vectors.
+/// earlier without. The recurrence in double is vectorised.
 template <scalar T>
 constexpr long least_lattice_power(bool symmetric) {
     long least = 16;
@@ -64,13 +64,13 @@ constexpr long least_lattice_power(bool symmetric) {
     return symmetric ? least : least * 3 / 4;
 }
 
-/// The power from which sums over the singularities cost less than the recurrence, or last + 1 where that is sooner:
-/// about 2 powers a digit at 50 digits, 0.8 at 1000; `first`, where the powers from there on alone cost less than the
-/// recurrence up to it. A step of the recurrence costs 3n/8 products a power (with symmetry, for half of the poles;
-/// without it twice as many of both), a coefficient 2 products a pole, and the tables of a pole 180; the poles within
+/// The power from which sums over the singularities cost less than the recurrence, or last + 1 if that is smaller:
+/// about 2 powers per digit at 50 digits, 0.8 at 1000; `first`, if the powers from there on alone cost less than the
+/// recurrence up to it. A step of the recurrence costs 3n/8 products per power (with symmetry, for half of the poles;
+/// without it twice as many of both), a coefficient 2 products per pole, and the tables of a pole 180; the poles within
 /// reach are about those of half an ellipse in the lattice. A coefficient by the quotient of thetas costs about 120
-/// products at any n: sums over more than 60 poles are left to it. An estimate of costs, which no result depends on
-/// beyond rounding.
+/// products at any n: it replaces sums over more than 60 poles. An estimate of costs, on which results depend only by
+/// rounding.
 template <scalar T>
 long lattice_begins(const singularity_view<T>& view, long first, long last, head_by head = head_by::recurrence) {
     const long least = least_lattice_power<T>(view.symmetric());
@@ -89,7 +89,7 @@ long lattice_begins(const singularity_view<T>& view, long first, long last, head
         const long most = head == head_by::thetas ? std::min(n, 300L) : n;
         return certainly_less(poles(n), T(most)) && certainly_less(T(poles(n) * 300), T(T(n) * T(n)));
     };
-    long below = std::max(least, reach.bits() / 8) - 1;  // reach.factor() stays below 2^8 or so
+    long below = std::max(least, reach.bits() / 8) - 1;  // reach.factor() remains below 2^8 or so
     if (first > below && certainly_less(T(poles(first) * T(last - first + 180)), T(T(first) * T(first)))) {
         return first;
     }

@@ -1,10 +1,10 @@
-// The singularities as seen from any point of a motion, and what those that a sum leaves out can add to a coefficient.
+// The singularities relative to any point of a motion, and a bound of the terms that a sum omits from a coefficient.
 //
 // Theorem A, from a point s0. omega has simple poles with the residues -2i sigma at s0 + z in the upper half plane and
 // the conjugate ones below, sigma = +-1: in time since the bottom, 2k cn has sigma = (-1)^(m+j) at 2m T* + i(2j+1)
 // K~', 2 dn of rotation and 2/cosh of the separatrix have (-1)^j times the direction [DLMF 22.4, 4.28]. The integral of
 // omega(s) (s-s0)^-n over growing boxes of the lattice that avoid the poles tends to 0, because omega is bounded on
-// them (on the separatrix it falls exponentially to both sides), so for n >= 3
+// them (on the separatrix it decreases exponentially to both sides), so for n >= 3
 //     a_n = -(1/n) sum of residue (pole - s0)^-n = -(4/n) sum_{z, Im z > 0} sigma Im z^-n.
 // Theorem A1. The poles at a distance of at least d add at most (2/n) d^(4-n) S4, n >= 4, where S4 = sum |z|^-4 over
 // both half planes: 2|z|^-n <= 2 d^(4-n) |z|^-4.
@@ -24,8 +24,8 @@
 
 namespace libration::pendulum {
 
-/// A pole of omega in the upper half plane, from the expansion point, and sigma, doubled where the symmetry of the
-/// point makes its mirror image add the same.
+/// A pole of omega in the upper half plane, relative to the expansion point, and sigma, doubled if the symmetry of the
+/// point makes the contribution of its mirror image the same.
 template <scalar T>
 struct seen_pole {
     T along;
@@ -34,7 +34,7 @@ struct seen_pole {
     int weight;
 };
 
-/// The powers first, first + stride, .. are those that symmetry leaves of theta - theta_0.
+/// The powers first, first + stride, .. are those that are nonzero by symmetry in theta - theta_0.
 struct power_pattern {
     int first = 0;
     int stride = 1;
@@ -107,8 +107,8 @@ public:
     }
 
 private:
-    // Adds a column, numbered from left to right, 0 next to the point or left of it; false where it is beyond the
-    // limit, as all that follow are.
+    // Adds a column, numbered from left to right, 0 next to the point or left of it; false if it is beyond the
+    // limit, as are all that follow.
     bool add_column(int column, const T& limit, std::vector<seen_pole<T>>& all) const {
         if (lattice_.single_column && column != 0) {
             return false;
@@ -139,7 +139,7 @@ private:
     int sign_;
 };
 
-/// The view from a phase; nothing for the equilibria, whose theta is constant.
+/// The view from a phase; std::nullopt for the equilibria, whose theta is constant.
 template <scalar T>
 std::optional<singularity_view<T>> view_from(const motion& m, const phase<T>& at) {
     auto lattice = singularities<T>(m);

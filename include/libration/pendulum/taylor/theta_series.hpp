@@ -95,7 +95,7 @@ private:
         return (librates_ ? o.modulus.k : o.time_scale) * 2;
     }
 
-    // What is computed is about |offset|: before the quarter odd powers change their sign, and even ones of theta_1.
+    // The computation is about |offset|: before the quarter odd powers change their sign, and even ones of theta_1.
     bool is_negated(int n) const { return side_ < 0 && (n % 2 != 0) != above(from_top_).is_first(); }
 
     bool librates_;
@@ -109,9 +109,9 @@ private:
     T amplitude_;
 };
 
-/// a_n scale^n, n = 0 .. N, of theta about a point: omega_{n-1}/n, made from the exact motion with 64 bits more than T
-/// has, which hold what the quotient loses: within a few epsilon of 8/n where the scale is at most the radius. A
-/// quotient of whole series on balls, and in mpfr where the program has chosen it (scaled_quotient), O(N^2) products
+/// a_n scale^n, n = 0 .. N, of theta about a point: omega_{n-1}/n, computed from the exact motion with 64 bits more
+/// than T has, which cover the loss of the quotient: within a few epsilon of 8/n if the scale is at most the radius. A
+/// quotient of whole series on balls, and in mpfr if the program has enabled it (scaled_quotient), O(N^2) products
 /// elsewhere. Not for equilibria. Throws error when N < 0.
 template <scalar T>
 series::power_series<T> taylor_by_thetas(const exact_solution<T>& solution, const expansion_point& point, int order,

@@ -1,11 +1,11 @@
-// Which Taylor coefficients of theta are exactly 0: no ball ever decides that.
+// Which Taylor coefficients of theta are exactly 0: balls can never decide that.
 //
 // At a point with rational E and cos theta_0, let s = sin theta_0 and v = omega_0, whose squares are rational:
 // s^2 = 1 - cos^2 theta_0, v^2 = 2(E - 1 + cos theta_0). The recurrence of symmetric_squares.hpp starts from
 //     D_1 = -s v,  w_0 = v,  w_1 = -s.
-// Where neither is 0, in time scaled by s v, so that D_1 = -s^2 v^2, w_0 = v (s v) = s v^2, w_1 = -s (s v)^2, all D_n
-// are fractions and all w_n are s times one. Where one of them is 0, D_1 = 0 and, unscaled, w_n is the other times a
-// fraction. So every w_n, and with it a_n = w_{n-1}/n, is 0 exactly where that fraction is.
+// If both are nonzero, in time scaled by s v, so that D_1 = -s^2 v^2, w_0 = v (s v) = s v^2, w_1 = -s (s v)^2, all D_n
+// are fractions and all w_n are s times one. If one of them is 0, D_1 = 0 and, unscaled, w_n is the other times a
+// fraction. So every w_n, and with it a_n = w_{n-1}/n, is 0 exactly if that fraction is.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace libration::pendulum {
 
 /// For n = 0 .. N whether a_n, n >= 1, is exactly 0 about a point with this energy and this cosine of theta, where
 /// omega^2 = 2(E - 1 + cosine) >= 0; false for a_0. O(N^2) operations on fractions that grow like N digits: for the few
-/// cases where a ball keeps containing 0.
+/// cases in which a ball contains 0 at every precision.
 inline std::vector<bool> vanishing_coefficients(const rational& energy, const rational& cosine, int order) {
     const rational sine_squared = 1 - cosine * cosine;
     const rational speed_squared = (energy - 1 + cosine) * 2;
@@ -56,7 +56,7 @@ inline std::optional<rational> rational_cosine_at(const motion& m, const integer
     return m.regime() == regime::rotation ? rational(-1) : rational(1 - *m.energy());
 }
 
-/// cos theta0 of the start of a motion of rational energy, where it is rational.
+/// cos theta0 of a motion of rational energy, if it is rational.
 inline std::optional<rational> rational_cosine_at_start(const motion& m) {
     return m.energy() && m.theta0() ? rational_cosine(*m.theta0()) : std::nullopt;
 }

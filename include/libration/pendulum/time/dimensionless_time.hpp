@@ -5,7 +5,7 @@
 
 namespace libration::pendulum {
 
-/// t sqrt(gravity/length): the typed time in units of sqrt(length/gravity), which are 1 where no units were given; T in
+/// t sqrt(gravity/length): the given time in units of sqrt(length/gravity), which are 1 if no units were given; T in
 /// it is the exact period. A few units in the last place. Throws error for a multiple of T at E = 2.
 template <scalar T>
 T dimensionless_time(const motion& m, const exact& time) {
@@ -20,7 +20,7 @@ T dimensionless_time(const motion& m, const exact& time) {
     return time.only_periods() ? whole : T(whole + from_exact<T>(time.without_periods()) / time_unit<T>(m));
 }
 
-/// t/T, exact where the time was typed as a multiple of T. Throws error at E = 2.
+/// t/T, exact if the time was given as a multiple of T. Throws error at E = 2.
 template <scalar T>
 T elapsed_periods(const motion& m, const exact& time) {
     if (time.only_periods()) {

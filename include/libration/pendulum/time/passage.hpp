@@ -1,4 +1,4 @@
-// Passages through the bottom: which one is next to a time, and to the start.
+// Passages through the bottom: the nearest one to a time, and to the start.
 #pragma once
 
 #include "libration/elliptic/jacobi.hpp"
@@ -12,15 +12,15 @@ struct after_passage {
     mpfr time;
 };
 
-/// Whether the motion comes to the top and back, T* < infinity; at E = 0 it only does so in the limit.
+/// Whether the motion reaches the top and returns, T* < infinity; at E = 0 it only does so in the limit.
 inline bool has_passages(const motion& m) { return m.regime() == regime::libration || m.regime() == regime::rotation; }
 
-/// 2 T* in the units of the motion, 0 where nothing passes twice, at the working precision in force.
+/// 2 T* in the units of the motion, 0 if no passage recurs, at the current working precision.
 inline mpfr passage_interval(const motion& m) {
     return has_passages(m) ? mpfr(effective_period(energy_level_of<mpfr>(m)) * time_unit<mpfr>(m) * 2) : mpfr(0);
 }
 
-/// The passage next to an exact time. Cost: a phase map. Throws as that.
+/// The passage nearest to an exact time. Cost and exceptions: those of a phase map.
 template <rounding_scalar T>
 after_passage nearest_passage(const motion& m, const exact& time) {
     const phase<T> p = phase_map<T>(m).at(time);
@@ -32,8 +32,8 @@ after_passage nearest_passage(const motion& m, const exact& time) {
     return {integer((p.quarter + sign) / 2), offset - passage_interval(m) / 2 * sign};
 }
 
-/// The passage at a start between the symmetric points, as phase map places it: the amplitude, which may cancel, in
-/// mpfr, and the integral of this well conditioned pair in T, in a tenth of the time.
+/// The passage at an initial point between the symmetric points, as located by the phase map: the amplitude, which may
+/// cancel, in mpfr, and the integral of this well-conditioned pair in T, in a tenth of the time.
 template <rounding_scalar T>
 after_passage passage_before_start(const motion& m) {
     const precision_scope scope(decimal_digits(digits<mpfr>() + m.condition_bits()));
@@ -49,7 +49,7 @@ after_passage passage_before_start(const motion& m) {
     return {falls ? 1 : 0, along * time_unit<mpfr>(m) * sign};
 }
 
-/// The passage next to the start of a motion whose passages come in this interval, right to some epsilon of T.
+/// The passage nearest to the start of a motion with this interval between passages, correct to some epsilon of T.
 template <rounding_scalar T>
 after_passage passage_at_start(const motion& m, const mpfr& interval) {
     if (m.regime() == regime::stable_equilibrium || m.regime() == regime::unstable_equilibrium) {

@@ -1,4 +1,4 @@
-// Where a motion is in its cycle: exact times become a whole number of T* and a small rest, however large they are.
+// The phase of a motion in its cycle: exact times of any size are reduced to an integer number of T* and a small rest.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ template <class T>
 struct phase {
     integer quarter;
     T offset;
-    int side = 0;  ///< sign of the offset, 0 only where the motion is exactly at the quarter
+    int side = 0;  ///< sign of the offset, 0 only if the motion is exactly at the quarter
 };
 
 /// 2 pi turns.
@@ -28,15 +28,15 @@ T whole_turns(const integer& turns) {
     return from_rational<T>(rational(turns * 2)) * pi<T>();
 }
 
-/// sin and cos of the amplitude of a start: of theta0/2 less the whole turns, and on a libration, both times k,
-/// sin(theta0/2) and |omega0|/2, from omega0^2 where it is an exact number, else sqrt(E/2 - sin^2(theta0/2)).
+/// sin and cos of the amplitude of an initial state: of theta0/2 less the whole turns, and for libration, both times k,
+/// sin(theta0/2) and |omega0|/2, from omega0^2 if it is an exact number, else sqrt(E/2 - sin^2(theta0/2)).
 template <scalar T>
 struct start_amplitude {
     T sine;
     T cosine;
 };
 
-/// Not for equilibria. At the working precision in force, of which a start may cancel condition_bits() of the motion.
+/// Not for equilibria. At the current working precision, of which condition_bits() of the motion may cancel.
 template <scalar T>
 start_amplitude<T> amplitude_at_start(const motion& m) {
     using std::cos;
@@ -53,7 +53,7 @@ start_amplitude<T> amplitude_at_start(const motion& m) {
 }
 
 /// The clock of one motion. Its T* is exact, or the approximation of a rule, as the paper's modulo uses it. The time
-/// from the nearest quarter to a start between the quarters is exact either way, and so is the T of a time 3T/4.
+/// from the nearest quarter to a start between the quarters is exact in either case, and so is the T of a time 3T/4.
 template <scalar T>
 class phase_map {
     using W = wide_t<T>;
@@ -62,8 +62,8 @@ public:
     explicit phase_map(motion m, period_rule by = {})
         : motion_(std::move(m)), by_(by), start_(start_at(bits_for(default_margin + spare_margin))) {}
 
-    /// The phase at an exact time (multiples of T allowed where the motion has one): T* is computed to as many more
-    /// digits as the time has before its point, so the rest is right to an ulp of T* in T, and of itself next to a
+    /// The phase at an exact time (multiples of T allowed if the motion has one): T* is computed to as many more
+    /// digits as the time has before its point, so the rest is correct to an ulp of T* in T, and of itself near a
     /// quarter. Throws error for a multiple of an infinite period.
     phase<T> at(const exact& time) const {
         const phase<W> wide = wide_at(time);
@@ -75,7 +75,7 @@ public:
 
 private:
     static constexpr long default_margin = 96;
-    static constexpr long spare_margin = 16;  // times below 2^8 use the start that is there
+    static constexpr long spare_margin = 16;  // times below 2^8 use the existing start
 
     // The start of the motion, an exact quarter or an offset, and T*, computed with this many bits.
     struct origin {
@@ -85,8 +85,8 @@ private:
         W effective_period;
     };
 
-    // The last start of more bits: times of one size ask for the same one. Several threads may ask at once; none waits,
-    // and what they get depends on the bits alone.
+    // The last start of more bits: times of one size need the same one. Several threads may request it at once; none
+    // waits, and the result depends on the bits alone.
     class later_start {
     public:
         later_start() = default;
@@ -111,7 +111,7 @@ private:
         mutable std::atomic<std::shared_ptr<const origin>> last_;
     };
 
-    // The precision in force when this is called, plus what the motion cancels, plus the margin.
+    // The current precision at the call, plus the cancellation of the motion, plus the margin.
     long bits_for(long margin) const { return digits<T>() + motion_.condition_bits() + margin; }
 
     phase<W> wide_at(const exact& time) const {
@@ -165,7 +165,7 @@ private:
         return start;
     }
 
-    // The offset of a start between the symmetric points.
+    // The offset of an initial point between the symmetric points.
     void place_start(origin& start) const {
         const auto [sine, cosine] = amplitude_at_start<W>(motion_);
         if (motion_.regime() == regime::separatrix) {
@@ -178,7 +178,7 @@ private:
             start.offset = incomplete_integral(sine, cosine, chain) * motion_.direction() / o.time_scale;
             return;
         }
-        // Where omega0 < 0 the reflection 2K - F.
+        // If omega0 < 0 the reflection 2K - F.
         const bool falling = motion_.omega0_sign() < 0;
         const W from_bottom = incomplete_integral(sine, cosine, chain);
         start.quarter = falling ? 2 : 0;

@@ -11,20 +11,20 @@
 namespace libration {
 
 /// theta and omega of a motion, in its units: Jacobi's elliptic functions. Times may be multiples of the period, 3T/4.
-/// It has no limits at infinity, no events and no fixed scalars.
+/// It supports no limits at infinity, no events and no fixed scalars.
 std::unique_ptr<solution> solution_of(const pendulum::motion& m);
 
-/// Equations that are those of a pendulum, x'' = -k sin(x), k > 0 a number, or x' = y, y' = -k sin(x), whatever the names,
-/// the order of the equations and the time of the start.
+/// Equations that are those of a pendulum, x'' = -k sin(x), k > 0 a number, or x' = y, y' = -k sin(x), with any names,
+/// order of the equations and initial time.
 struct recognised_pendulum {
     pendulum::motion of;
-    exact start;        ///< the time at which the motion has its time 0
+    exact start;        ///< the time of the equations at which the motion has its time 0
     bool swapped;       ///< whether the angular velocity is the first quantity
     bool second_order;  ///< whether x is the only unknown
     std::string angle;  ///< its name
 };
 
-/// std::nullopt for other equations, and for starts of which no precision shows the regime.
+/// std::nullopt for other equations, and for initial values of which no precision shows the regime.
 std::optional<recognised_pendulum> recognise_pendulum(const ode::equation_system& equations);
 
 }  // namespace libration

@@ -1,4 +1,4 @@
-// The layer of Sakiadis predicted from its coefficients alone.
+// The boundary layer of Sakiadis predicted from its coefficients alone.
 #pragma once
 
 #include "libration/ode/equation_system.hpp"
@@ -6,7 +6,7 @@
 
 namespace libration {
 
-/// What the approximant of the layer of Sakiadis predicts from `known` coefficients, where f''(0) and f(inf) are both
+/// The predictions of the approximant of the Sakiadis layer from `known` coefficients, where f''(0) and f(inf) are both
 /// unknown: with n = known - 2 exponentials as many conditions are left [Barlow2017].
 struct sakiadis_prediction {
     mpfr wall_shear;  ///< f''(0)

@@ -1,4 +1,4 @@
-// How `verify` compares a value with the truth: what is read of it, and which tolerance it has.
+// How `verify` compares a value with the true one: how the value is parsed, and which tolerance applies.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,24 @@
 
 namespace libration {
 
-/// Tolerances: absolute, relative to |truth| (a value passes that keeps one of the two), or in units in the last place
-/// of a double of max(1, |truth|); with none of them one unit of the value's last digit as written. Where the truth is
-/// exactly 0, the scale of its function takes the place of |truth|: then a relative tolerance is one of the scale, and
-/// one unit of the last digit is that of a number of the scale with as many significant digits.
+/// Tolerances: absolute, relative to |true value| (a value passes if it satisfies one of the two), or in units in the
+/// last place of a double of max(1, |true value|); by default one unit of the value's last digit as written. If the
+/// true value is exactly 0, the scale of its function replaces |true value|: then a relative tolerance is relative to
+/// the scale, and one unit of the last digit is that of a number of the scale with as many significant digits.
 struct compare_rules {
     std::optional<rational> tolerance = std::nullopt;
     std::optional<rational> relative = std::nullopt;
     std::optional<rational> ulps = std::nullopt;
     bool inputs_are_doubles = false;
-    bool modulo_turn = false;  ///< theta counts modulo 2 pi
+    bool modulo_turn = false;  ///< theta is compared modulo 2 pi
 };
 
-/// The decimal places down to which the truth has to be known to compare such a value; 17 at least.
-/// Throws error for what is no number.
+/// The decimal places to which the true value must be known to compare such a value; 17 at least.
+/// Throws error if it is not a number.
 long places_for(const std::string& value, const compare_rules& rules);
 
-/// Compares what is written with the truth at the working precision; nothing where that decides too little. "nan" is
-/// infinitely wrong, "inf" where the truth is not infinite. Throws error for what is no number.
+/// Compares a value as written with the true one at the working precision; std::nullopt if that is too low to decide.
+/// "nan" has an infinite error, as "inf" unless the true value is infinite. Throws error if it is not a number.
 std::optional<comparison> compare_value(const std::string& value, const true_value& truth, const compare_rules& rules,
                                         bool last_attempt);
 

@@ -1,4 +1,4 @@
-// What theta and omega of one motion are compared with.
+// The true values with which theta and omega of one motion are compared.
 #pragma once
 
 #include <memory>
@@ -10,16 +10,16 @@
 
 namespace libration::pendulum {
 
-/// The truths of a motion at any times: proved, exact fractions where the start or its image half a period later makes
-/// them so. Where one is 0 its scale is the largest |theta| (pi beyond libration) or |omega| of the motion. Not for
-/// several threads at once.
+/// The true values of a motion at any times: proved, and exact fractions if those of the start or of its image half a
+/// period later are. If one is 0 its scale is the largest |theta| (pi beyond libration) or |omega| of the motion. Not
+/// for several threads at once.
 class motion_truths {
 public:
-    /// The numbers of a motion, and the motion that they give.
+    /// The numbers of a motion, and the motion defined by them.
     motion_truths(typed_motion typed, motion exactly);
 
-    /// theta, and omega for count = 2, at a time. The question holds as long as this. Throws error for a multiple of T
-    /// where there is none.
+    /// theta, and omega for count = 2, at a time. The question is valid for the lifetime of this object. Throws error
+    /// for a multiple of T if T is infinite.
     row_question at(const exact& time, std::size_t count);
 
 private:

@@ -1,4 +1,4 @@
-// Values that somebody computed for one time or argument, and the truths that they are compared with.
+// Values computed by another program for one time or argument, and the true values with which they are compared.
 #pragma once
 
 #include <functional>
@@ -11,43 +11,43 @@
 
 namespace libration {
 
-/// Where the truths of a row come from.
+/// The source of the true values of a row.
 struct row_question {
-    /// Whether the truths are proved; otherwise two computations agree on them.
+    /// Whether the true values are proved; otherwise two computations agree on them.
     bool proved = true;
-    /// The digits of the first attempt that serves so many decimal places.
+    /// The digits of the first attempt for a given number of decimal places.
     std::function<long(long places)> first_digits;
-    /// The truths of the compared columns, at the working precision of so many digits, or nothing where it is too
-    /// small. May throw precision_exhausted.
+    /// The true values of the compared columns, at the working precision of this many digits; empty if that is too
+    /// low. May throw precision_exhausted.
     std::function<std::vector<true_value>(long digits)> truths;
-    /// The condition number of the first column, or the largest of all where the one who asks says so, three digits;
-    /// "inf" where it has none.
+    /// The condition number of the first column, or the largest of all columns, depending on the source, three digits;
+    /// "inf" if it has none.
     std::function<std::string(long digits)> condition;
 };
 
-/// A row compared with its truths.
+/// A row compared with its true values.
 struct compared_values {
     std::vector<comparison> values;
     std::string condition;
-    /// Whether the truths are.
+    /// Whether the true values are.
     bool proved = true;
 
-    /// Whether all of them keep their tolerance.
+    /// Whether all of them are within their tolerance.
     bool within() const;
 };
 
-/// A value as it was written, "nan" and "inf" among them, and the name of its column.
+/// A value as it was written, which may be "nan" or "inf", and the name of its column.
 struct written_value {
     std::string text;
     std::string name;
 };
 
-/// Throws error of the name of a column for what is no number.
+/// Throws error of the name of a column if it is not a number.
 void require_numbers(const std::vector<written_value>& values, const compare_rules& rules);
 
-/// The values of a row, one a truth, compared by the rules: with more digits until every verdict is decided. Throws
-/// error of the name of a column for what is no number, of the kind undecided of the name of the first one where five
-/// times the first digits do not decide.
+/// The values of a row, one per true value, compared by the rules: with more digits until every verdict is decided.
+/// Throws error of the name of a column if a value is not a number, of the kind undecided of the name of the first one
+/// if five times the first digits do not decide.
 compared_values compare_row(const std::vector<written_value>& values, const row_question& question,
                             const compare_rules& rules);
 

@@ -79,7 +79,7 @@ proved_sign sign_of_sum_with_cosine(const rational& a, const exact& angle, const
 
 namespace {
 
-// The turns of a formula: the nearest whole number of an approximation, and what is left is between -pi and pi or not.
+// The turns of a formula: the nearest integer to an approximation, if the rest is certainly between -pi and pi or not.
 winding wind_formula(const exact& angle) {
     integer turns;
     {

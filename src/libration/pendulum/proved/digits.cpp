@@ -13,7 +13,7 @@ using namespace pendulum;
 
 namespace {
 
-// T* times a number of them; 0 for as many as make a period.
+// A multiple of T*; 0 for the number of them in a period.
 proved_decimal quarters(const pendulum::given_motion& given, int count, long digits) {
     const pendulum::motion m = exact_motion(given);
     if (at_critical_energy(m.regime())) {

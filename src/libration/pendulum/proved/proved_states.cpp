@@ -11,7 +11,7 @@ namespace libration::pendulum {
 
 namespace {
 
-// From so many digits on, a trial with few of them finds out what a motion loses: repeating would cost more.
+// From this many digits on, a trial with few of them measures the loss of a motion: repeating would cost more.
 constexpr long worth_a_trial = 500;
 constexpr long trial_digits = 20;
 constexpr long first_guard = 20;

@@ -1,4 +1,4 @@
-// Highway compiles what stands between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each set of instructions
+// Highway compiles the code between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each set of instructions
 // that this kind of processor may have, by including this file again.
 #include "libration/pendulum/sampler/sample_vectors.hpp"
 
@@ -23,7 +23,7 @@ using vector = hn::Vec<doubles>;
 
 constexpr std::size_t lanes = hn::MaxLanes(doubles());
 constexpr std::size_t row = 2 * double_panel_terms;
-// How many times a coefficient of theta and one of its slope stand in a vector; where there are no vectors, a swing is
+// The number of pairs of coefficients of theta and of its slope in a vector; without vectors, a half-cycle is
 // two numbers.
 constexpr std::size_t pairs = lanes == 1 ? 1 : lanes / 2;
 static_assert(row % (2 * pairs) == 0 && vector_block % lanes == 0);
@@ -38,7 +38,7 @@ struct block {
     // The distance to the centre of the panel raised to the number of pairs, and twice itself.
     HWY_ALIGN column power;
     HWY_ALIGN std::array<double, 2 * vector_block> step;
-    // theta and slope of the swing.
+    // theta and slope of the half-cycle.
     HWY_ALIGN std::array<double, 2 * vector_block> swing;
     HWY_ALIGN std::array<std::uint64_t, vector_block> panel;
 };
@@ -51,7 +51,7 @@ HWY_INLINE vector raised(vector x) {
     return x;
 }
 
-// half_cycle_clock::locate and place_of; false where the clock does not reach a time.
+// half_cycle_clock::locate and place_of; false if the time is outside the range of the clock.
 HWY_INLINE bool locate(const vector_tables& tables, const double* times, block& b) {
     constexpr int below = 52 - panel_octave_bits;
     constexpr std::uint64_t first_index = std::uint64_t{1023} << panel_octave_bits;
@@ -108,7 +108,7 @@ HWY_INLINE bool locate(const vector_tables& tables, const double* times, block& 
     return hn::AllTrue(d, reached);
 }
 
-// The sums of every pairs-th coefficient of theta and of its slope from `first` on, as many as a vector holds.
+// The sums of every pairs-th coefficient of theta and of its slope from `first` on, as many as fit in a vector.
 HWY_INLINE vector partial_sums(const vector_tables& tables, const block& b, std::size_t i, std::size_t first = 0) {
     constexpr std::size_t stride = 2 * pairs;
     const doubles d;
@@ -121,8 +121,8 @@ HWY_INLINE vector partial_sums(const vector_tables& tables, const block& b, std:
     return sum;
 }
 
-// theta and slope of the times i, ..., i + pairs - 1: Horner's rule over their partial sums, which are turned so that a
-// vector holds those of one power.
+// theta and slope of the times i, ..., i + pairs - 1: Horner's rule over their partial sums, which are transposed so
+// that a vector holds those of one power.
 HWY_INLINE void swing(const vector_tables& tables, block& b, std::size_t i) {
     const doubles d;
     double* const to = b.swing.data() + 2 * i;

@@ -10,7 +10,7 @@ namespace libration::pendulum {
 
 namespace {
 
-// Fractions of N digits cost too much beyond.
+// Fractions of N digits are too expensive beyond.
 constexpr long longest_exact_series = 1000;
 
 }  // namespace
@@ -21,7 +21,7 @@ std::vector<bool> vanishing_at(const motion& m, const expansion_point& point, lo
     const auto cosine = at.side == 0 ? rational_cosine_at(m, at.quarter)
                         : from_start ? rational_cosine_at_start(m)
                                      : std::nullopt;
-    // Beyond, only what symmetry makes 0 is known to be, and that is computed as 0.
+    // Beyond, only zeros by symmetry are known, and those are computed as 0.
     const auto order = static_cast<int>(std::min(last, longest_exact_series));
     if (!cosine || first > order) {
         return {};

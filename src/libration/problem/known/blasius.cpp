@@ -48,7 +48,7 @@ namespace {
 using ode::equation_system;
 using ode::explicit_system;
 
-// f ~ f'(inf) t + B, f'' vanishing faster than exponentially. Where f'(inf) = l, F(t) = c f(c t), c = l^(-1/2), has 1.
+// f ~ f'(inf) t + B, f'' vanishing faster than exponentially. If f'(inf) = l, F(t) = c f(c t), c = l^(-1/2), has 1.
 far_behaviour far_from_blasius(const equation_system& given, long digits) {
     mpfr time(8);
     auto state = far::state_at(given, time);

@@ -36,7 +36,7 @@ using ode::equation_system;
 using ode::explicit_system;
 
 far_behaviour far_from_falkner_skan(const equation_system& given, const std::string& free, long digits) {
-    // Reversed profiles begin with a long way at rest: the guess itself says how far. A guess that overshoots does not.
+    // Reversed profiles start with a long interval near rest, whose length follows from the guess unless it overshoots.
     mpfr first(9);
     for (auto state = far::state_at(given, first); first < 60 && abs(state[2]) * 100 > 1 && state[1] * 2 < 3;) {
         first = first * 3 / 2;
@@ -61,7 +61,7 @@ void require_accelerated(const equation_system& system) {
     const auto* const b = system.parameter_of("b");
     if (b != nullptr && ode::with_values(b->value, system).constant().sign() <= 0) {
         throw error(error_kind::undecided, "problem", "falkner_skan",
-                    "has a lemma for its condition at infinity for b > 0 alone");
+                    "has a lemma for its condition at infinity only for b > 0");
     }
 }
 

@@ -37,7 +37,7 @@ equation_system with_parameter(const equation_system& given, const std::string& 
     return ode::changed(given, name + " = " + to_decimal(value, static_cast<long>(working_digits())));
 }
 
-// The value of a parameter for which the condition holds at a distance, from one nearby, to a relative tolerance.
+// The value of a parameter for which the condition holds at a distance, from a nearby one, to a relative tolerance.
 mpfr meet(const equation_system& given, const std::string& free, const far_condition& condition, const mpfr& distance,
           mpfr value, const mpfr& tolerance) {
     constexpr int most_steps = 40;
@@ -59,7 +59,7 @@ mpfr meet(const equation_system& given, const std::string& free, const far_condi
         }
     }
     throw error(error_kind::argument, "start", to_decimal(value, 10),
-                "does not reach the far end: give a nearer guess of " + free);
+                "does not reach the asymptotic regime: give a better initial guess of " + free);
 }
 
 }  // namespace
@@ -79,11 +79,11 @@ found_start reach(const equation_system& given, const std::string& free, const f
             return {std::move(system), value, distance, std::move(state)};
         }
     }
-    throw error(error_kind::argument, "start", to_decimal(value, 10), "does not come to its far behaviour");
+    throw error(error_kind::argument, "start", to_decimal(value, 10), "does not reach its asymptotic behaviour");
 }
 
-// a/r ln(S/S0) + S0 + rest - S = 0 below a/r: concave and growing, and negative at S0 e^(-r (S0 + rest)/a), so that
-// Newton's method rises to it.
+// a/r ln(S/S0) + S0 + rest - S = 0 below a/r: concave and increasing, and negative at S0 e^(-r (S0 + rest)/a), so that
+// Newton's method increases to it.
 mpfr left_of_epidemic(const mpfr& ratio, const mpfr& s0, const mpfr& rest) {
     mpfr s = s0 * exp(mpfr(-(s0 + rest) / ratio));
     for (;;) {

@@ -1,4 +1,4 @@
-// Starts that lead to a behaviour far away, found by shooting in floating arithmetic.
+// Initial values that lead to a given asymptotic behaviour, found by shooting in floating-point arithmetic.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ mpfr start_of(const ode::explicit_system& system, std::size_t unknown, std::size
 /// The first unknown and its lower derivatives at a time.
 std::vector<mpfr> state_at(const ode::equation_system& given, const mpfr& time);
 
-/// A condition at a distance from the start: 0 for the state of the solution that meets the one at infinity.
+/// A condition at a distance from the start: 0 for the state of the solution that satisfies the one at infinity.
 using far_condition = std::function<mpfr(const std::vector<mpfr>& state, const mpfr& distance)>;
 
 struct found_start {
@@ -31,11 +31,11 @@ struct found_start {
 };
 
 /// The value of the parameter `free` for which the condition holds at distances that grow by half until little(state)
-/// at the last one is below 10^-digits. Throws error where that does not converge.
+/// at the last one is below 10^-digits. Throws error if that does not converge.
 found_start reach(const ode::equation_system& given, const std::string& free, const far_condition& condition,
                   const far_condition& little, const mpfr& first, long digits);
 
-/// What an epidemic leaves of s0: a/r ln(S/S0) + S0 + rest - S = 0 below ratio = a/r.
+/// The value of S after an epidemic from s0: a/r ln(S/S0) + S0 + rest - S = 0 below ratio = a/r.
 mpfr left_of_epidemic(const mpfr& ratio, const mpfr& s0, const mpfr& rest);
 
 }  // namespace libration::far

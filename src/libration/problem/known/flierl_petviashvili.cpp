@@ -9,8 +9,8 @@ namespace {
 using ode::equation_system;
 using ode::explicit_system;
 
-// w'/w of a decaying solution of w'' + w'/r - w = 0 far away, that of K_0: v' = 1 - v/r - v^2, v = sum v_n r^-n, summed
-// to its least term.
+// w'/w of a decaying solution of w'' + w'/r - w = 0 at large r, that of K_0: v' = 1 - v/r - v^2, v = sum v_n r^-n,
+// summed to its least term.
 mpfr decay_of_bessel(const mpfr& r) {
     std::vector<mpfr> v{mpfr(-1)};
     mpfr sum = v[0];
@@ -32,7 +32,7 @@ mpfr decay_of_bessel(const mpfr& r) {
     }
 }
 
-// The square of w is e^(-2 r) there, and e^r as much does a wrong start grow: half of the way the start is good for.
+// The square of w is e^(-2 r) there, and an error of w0 grows by as much as e^r: half of the distance is accurate.
 far_behaviour far_from_flierl_petviashvili(const equation_system& given, long digits) {
     const auto found = far::reach(
         given, "w0", [](const std::vector<mpfr>& w, const mpfr& r) { return mpfr(w[1] - w[0] * decay_of_bessel(r)); },

@@ -19,7 +19,7 @@ std::string without_blanks(const std::string& text) {
     return plain;
 }
 
-// The right side of the condition if its left side is this one.
+// The right-hand side of the condition if its left side is this one.
 std::optional<std::string> right_side(const std::string& condition, const std::string& left) {
     const std::string plain = without_blanks(condition);
     return plain.starts_with(left + "=") ? std::optional(plain.substr(left.size() + 1)) : std::nullopt;
@@ -94,13 +94,13 @@ std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& syst
     const auto limit = about ? right_side(condition, facts->condition->of) : std::nullopt;
     if (!limit) {
         throw error(error_kind::undecided, "condition", condition,
-                    "is at infinity, and no lemma for it is known of this problem; those of the catalogue are " +
+                    "is at infinity, and no lemma is available for this problem; the catalogue has lemmas for " +
                         conditions_in_words());
     }
     const condition_at_infinity& known = *facts->condition;
     if (!known.holds(*limit)) {
         throw error(error_kind::argument, "condition", condition,
-                    "is not a condition that " + facts->problem + " has a lemma for: give the value " + known.limits);
+                    "is not a condition for which " + facts->problem + " has a lemma: give the value " + known.limits);
     }
     const auto all = known.values(system, *limit, digits);
     std::vector<proved_decimal> asked;
@@ -120,7 +120,8 @@ std::vector<proved_decimal> proved_limits(const ode::equation_system& system, lo
         }
         throw error(
             error_kind::undecided, "time", "inf",
-            "is not reached by steps, and no lemma for it is known of this problem; of the catalogue: " + names);
+            "is not reached by steps, and no lemma is available for this problem; the catalogue has lemmas for " +
+                names);
     }
     return facts->limits(system, digits);
 }
@@ -139,7 +140,7 @@ far_behaviour far_behaviour_of(const std::string& problem, const ode::equation_s
                                const std::string& free) {
     const known_facts* const facts = known_facts_of(problem);
     if (facts == nullptr || !facts->far) {
-        throw error(error_kind::argument, "problem", problem, "has no known far behaviour");
+        throw error(error_kind::argument, "problem", problem, "has no known asymptotic behaviour");
     }
     const precision_scope scope(2 * digits + 20);
     return facts->far(given, digits, free);

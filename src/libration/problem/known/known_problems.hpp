@@ -1,4 +1,5 @@
-// What is known of each problem: one function a file of known/. A new one is declared here and named in known_facts.cpp.
+// The known facts about each problem: one function per file of known/. A new one is declared here and named in
+// known_facts.cpp.
 #pragma once
 
 #include "libration/problem/known_facts.hpp"

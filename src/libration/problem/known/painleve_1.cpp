@@ -17,7 +17,7 @@ namespace libration::ode {
 
 namespace {
 
-// Of the march, more than of the result.
+// Of the integration, in addition to those of the result.
 constexpr long tritronquee_guard_bits = 40;
 // The smallest term is about exp(-1.77 X^(5/4)).
 constexpr double smallest_term_rate = 1.77;
@@ -28,7 +28,7 @@ constexpr int most_terms = 1'000'000;
 // (25 k^2 - 1)/4
 ball factor_of_slope(int k) { return ball(25 * k * k - 1) / 4; }
 
-// The expansion in eta at X, and what it leaves out.
+// The expansion in eta at X, and its truncation error.
 class tritronquee_expansion {
 public:
     tritronquee_expansion(int start, int most, long bits)
@@ -112,7 +112,7 @@ private:
     }
 
     // C X^(1 - 5(N+1)/2): x times the powers of eta beyond N in (sum b eta^k)^2 + sum (25 k^2 - 1)/4 b_k eta^(k+1), by
-    // absolute values, for eta falls.
+    // absolute values, since eta decreases.
     ball defect_at_start() const {
         ball sum(0);
         ball power = pow(eta_, order() + 1);
@@ -146,7 +146,7 @@ value_and_slope tritronquee_start() {
     proved_march march(system, {from.value, from.slope}, more);
     const auto state = march.at(ball(0));
     if (!state) {
-        throw precision_exhausted("the way back of the tritronquee solution");
+        throw precision_exhausted("the integration of the tritronquee solution to 0");
     }
     return {(*state)[0], -(*state)[1]};
 }

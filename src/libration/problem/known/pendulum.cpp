@@ -10,7 +10,7 @@ namespace {
 
 constexpr long digits_of_endless_decimals = 50;
 
-// A formula without T will do; a bare multiple of pi is an angle, which was not meant.
+// A formula without T is accepted; a bare multiple of pi is an angle, which is not intended.
 void require_number(const exact& number) {
     if (!number.is_number() || number.has_periods()) {
         require_plain_number(number);
@@ -109,10 +109,10 @@ axis periods_axis() {
 axis period_by_axis() {
     return {.name = "period_by",
             .option = "--period-by",
-            .help = "ways to T*: agm, series:N (Kold) or resummed:N (Knew)",
+            .help = "methods for T*: agm, series:N (Kold) or resummed:N (Knew)",
             .unit = "",
             .form = axis_form::words,
-            .remedy = "write ways to T* such as agm,series:100,resummed:10",
+            .remedy = "write methods for T* such as agm,series:100,resummed:10",
             .check = [](const exact& words) { read_period_rule(words.text); },
             .coordinate = "period_by",
             .to_coordinate = {}};

@@ -44,7 +44,7 @@ bool is_unknown(const ode::expression& e, const std::string& name) {
     return e.kind() == node_kind::unknown && e.name() == name && e.derivative() == 0;
 }
 
-// The angle among the unknowns and c of its second derivative c sin.
+// The index of the angle among the unknowns and c of its second derivative c sin.
 struct pendulum_form {
     std::size_t angle;
     ode::number factor;
@@ -117,7 +117,7 @@ private:
     }
     // The time of the motion.
     exact since_start(const exact& time) const { return start_.is_zero() ? time : time - start_; }
-    // Kept, for what depends on the energy alone is made once.
+    // Cached, since the part that depends on the energy alone is computed once.
     pendulum::proved_states& states_to(long digits) const;
     std::vector<answer_value> state_at(pendulum::proved_states& states, const exact& time, bool check) const;
     std::vector<std::string> drifts(const std::vector<exact>& times, long digits) const;
@@ -136,7 +136,7 @@ pendulum::proved_states& pendulum_solution::states_to(long digits) const {
     return states_.try_emplace(digits, motion_, digits).first->second;
 }
 
-// The decimal of E or 2 - E where it ends.
+// The decimal of E or 2 - E if it terminates.
 std::optional<std::string> ending(const std::optional<exact>& number) {
     return number && number->is_fraction() ? to_finite_decimal(number->coefficient) : std::nullopt;
 }
@@ -217,7 +217,7 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
     return result;
 }
 
-// Of an invariant that the problem states, by more digits than those of the result.
+// Of an invariant stated in the problem, by more digits than those of the result.
 std::vector<std::string> pendulum_solution::drifts(const std::vector<exact>& times, long digits) const {
     if (general_->system().invariants().empty()) {
         return {};
@@ -236,7 +236,7 @@ std::vector<std::string> pendulum_solution::drifts(const std::vector<exact>& tim
     return general_->drifts(times, all, digits);
 }
 
-// Empty is the start; the names of points of a motion are not times of an equation.
+// An empty text is the initial point; the names of points of a motion are not times of an equation.
 pendulum::expansion_point pendulum_solution::point_of(const std::string& about) const {
     if (!general_) {
         return pendulum::point_of_motion(motion_, about.empty() ? "start" : about);

@@ -53,8 +53,8 @@ series::power_series<mpfr> in_decay_of(const ode::equation_system& given, const 
     return series_in_decay(expansion.series_of(0), mpfr(at[1] / 2));
 }
 
-// With n = known - 2 exponentials a polynomial of degree n in z has known coefficients of f: that of z^(n+1) is 0, and
-// it is C at z = 1.
+// With n = known - 2 exponentials a polynomial of degree n in z matches the coefficients of f: that of z^(n+1) is 0,
+// and it is C at z = 1.
 pair_of_numbers off(const ode::equation_system& given, const pair_of_numbers& at, int known) {
     const auto c = in_decay_of(given, at, known);
     mpfr sum = -at[1];
@@ -100,7 +100,7 @@ sakiadis_prediction predicted_sakiadis(const ode::equation_system& given, int kn
     constexpr int most_steps = 60;
     if (known < 4) {
         throw error(error_kind::argument, "number of coefficients", std::to_string(known),
-                    "leaves fewer conditions than unknowns: 4 at least");
+                    "leaves fewer conditions than unknowns: give at least 4");
     }
     pair_of_numbers at{mpfr(-mpfr(9) / 20), mpfr(mpfr(8) / 5)};
     for (int step = 0; step < most_steps; ++step) {

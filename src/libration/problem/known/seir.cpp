@@ -9,7 +9,7 @@ namespace {
 using ode::equation_system;
 using ode::explicit_system;
 
-// x^2 + (a + g) x + a (g - b S(inf)) = 0 for the exponents of E and I at S = S(inf): the smaller decides.
+// x^2 + (a + g) x + a (g - b S(inf)) = 0 for the exponents of E and I at S = S(inf): the smaller one dominates.
 far_behaviour far_from_seir(const equation_system& given, long digits) {
     const explicit_system system(given);
     const mpfr a = far::parameter_of(given, "a");

@@ -13,7 +13,7 @@ namespace libration::ode {
 namespace {
 
 constexpr int pieces_of_a_step = 8;
-// Bits by which the two sides are farther apart than the working precision.
+// Bits by which the distance of the two sides exceeds the working precision.
 constexpr long bits_of_sides = 6;
 constexpr int latest_time_of_sides = 100'000;
 
@@ -38,13 +38,13 @@ std::optional<side> side_of(const equation_system& system, long bits, const stat
 
 constexpr int most_secants = 40;
 
-// f'(time) - target by one march.
+// f'(time) - target by one integration.
 mpfr missed(const equation_system& system, const std::string& name, const mpfr& value, int time, int target) {
     taylor_march<mpfr> march(explicit_system(with_value(system, name, value)));
     return mpfr(march.advance_to(mpfr(time))[0][1] - target);
 }
 
-// The value with f'(T) = target for a T so late that it is the one of infinity, to the working precision.
+// The value with f'(T) = target for a T so large that it agrees with that for infinity, to the working precision.
 mpfr shot(const equation_system& given, const std::string& name, int target, const std::function<int(long)>& time) {
     const definition* const guess = given.parameter_of(name);
     if (guess == nullptr) {
@@ -73,10 +73,10 @@ mpfr shot(const equation_system& given, const std::string& name, int target, con
             }
         }
         value = other;
-        offset = abs(mpfr(value - before)) + ldexp(abs(value), static_cast<int>(8 - bits));  // the next one moves less
+        offset = abs(mpfr(value - before)) + ldexp(abs(value), static_cast<int>(8 - bits));  // the next one is smaller
         if (mpfr_number_p(handle(value)) == 0) {
             throw error(error_kind::undecided, "problem", "",
-                        "is not led to its condition at infinity from this guess");
+                        "has a condition at infinity that is not met from this guess");
         }
     }
     return value;
@@ -94,12 +94,12 @@ ball between(const equation_system& given, const std::string& name, const mpfr& 
              const ball& least) {
     const long bits = static_cast<long>(ball::working_bits());
     const mpfr away = ldexp(abs(middle), static_cast<int>(bits_of_sides - bits));
-    // Where the sides part, f'' is about as small as they are close, and the integrator keeps digits of it too.
+    // Where the sides separate, f'' is about as small as their distance, and the integrator needs digits of it too.
     const long bits_of_both = 2 * bits + side_guard_bits;
     const auto low = side_of(with_value(given, name, mpfr(middle - away)), bits_of_both, decided, least);
     const auto high = side_of(with_value(given, name, mpfr(middle + away)), bits_of_both, decided, least);
     if (!low || !high || *low == *high) {
-        throw precision_exhausted("the sides of a value for infinity");
+        throw precision_exhausted("the bracket of a value for a condition at infinity");
     }
     return hull(ball(mpfr(middle - away)), ball(mpfr(middle + away)));
 }

@@ -15,7 +15,7 @@ ball epidemic_remainder(const ball& susceptible, const ball& infected, const bal
     ball w;
     arb_lambertw(w.handle(), x.handle(), 0, ball::working_bits());
     if (!is_finite(w)) {
-        throw precision_exhausted("what an epidemic leaves");
+        throw precision_exhausted("the final state of an epidemic");
     }
     return -rho * w;
 }

@@ -15,7 +15,7 @@ namespace libration::ode {
 
 namespace {
 
-// s beside, for theorem V hands over values alone.
+// s as an additional unknown, since theorem V passes on values alone.
 equation_system equations() {
     return parse("y' = 2*t*v; v' = 2*y^(3/2); s' = 1; y(0) = 1; v(0) = slope; s(0) = 0; slope = -3/2");
 }
@@ -29,7 +29,7 @@ std::optional<side> side_at(const T& y, const T& v, const T& s, const Less& less
     return less(v, T(0)) && less(T(y * y * sqrt(y) * 4), T(s * v * v)) ? std::optional(side::below) : std::nullopt;
 }
 
-// In floating arithmetic; what does not get on has met y = 0.
+// In floating-point arithmetic; a solution that cannot be continued has met y = 0.
 side likely_side(const equation_system& given, const mpfr& slope) {
     taylor_march<mpfr> march(explicit_system(with_value(given, "slope", slope)));
     try {

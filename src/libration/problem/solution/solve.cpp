@@ -11,11 +11,11 @@ namespace libration {
 const std::string& answer::at(std::size_t row, const std::string& name) const {
     const auto column = std::ranges::find(names, name);
     if (column == names.end()) {
-        throw error(error_kind::argument, "quantity", name, "is not one of this answer");
+        throw error(error_kind::argument, "quantity", name, "is not a column of this answer");
     }
     const auto place = static_cast<std::size_t>(column - names.begin());
     if (row >= rows.size()) {
-        throw error(error_kind::argument, "row", std::to_string(row), "is beyond the answer");
+        throw error(error_kind::argument, "row", std::to_string(row), "is beyond the last row of the answer");
     }
     if (missing && (rows[row].empty() || rows[row][place].text.empty())) {
         throw error(*missing);

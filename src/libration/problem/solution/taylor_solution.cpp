@@ -25,7 +25,7 @@ namespace libration {
 
 namespace {
 
-// Digits with which integrations work beyond those of the result, at least.
+// Minimum number of digits of integrations in addition to those of the result.
 constexpr long digits_beyond_result = 20;
 constexpr long digits_of_drift = 3;
 constexpr long digits_of_second = ode::more_digits_of_second_proof;
@@ -35,7 +35,8 @@ std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
     at.reserve(times.size());
     for (const exact& each : times) {
         if (each.has_periods()) {
-            throw error(error_kind::argument, "time", each.text, "is a multiple of a period, which a problem has not");
+            throw error(error_kind::argument, "time", each.text,
+                        "is a multiple of a period, which a problem does not have");
         }
         at.push_back(as_expression(each));
     }
@@ -54,7 +55,7 @@ std::vector<std::string> names_of_quantities(const ode::explicit_system& system)
 
 answer_value value_of(const proved_decimal& number) { return {number.text, number.uncertainty}; }
 
-// Which part of the way from the start to the farthest time has been integrated.
+// The part of the interval from the initial point to the farthest time that has been integrated.
 class part_of_way {
 public:
     part_of_way(const ode::explicit_system& system, const std::vector<ode::number>& times,
@@ -81,7 +82,7 @@ private:
     mpfr whole_ = mpfr(0);
 };
 
-// In the arithmetic that prints them.
+// In the arithmetic in which they are printed.
 template <class T>
 ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
     ode::partial_states<mpfr> all{{}, std::move(part.missing)};
@@ -106,7 +107,7 @@ ode::partial_states<mpfr> integrated(const ode::explicit_system& system, const s
     return with_scalar(how.scalar, 0, [&]<class T>() { return in_wide_numbers(ode::part_of_march<T>(system, times)); });
 }
 
-// The values of a state in order, none of them where it is not reached at all.
+// The values of a state in order; empty if it is not reached at all.
 std::vector<answer_value> rounded_row(const ode::explicit_system& system, const ode::solution_state<mpfr>& state,
                                       long digits) {
     std::vector<answer_value> row;
@@ -150,7 +151,7 @@ std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, b
     return names;
 }
 
-// A row a power.
+// One row per power.
 template <class Number, class Value>
 void add_powers(answer& to, const ode::coefficient_list<Number>& list, const Value& value) {
     const std::size_t width = to.names.size() - 1;
@@ -270,7 +271,7 @@ answer taylor_solution::series(long order, const std::string& about, const reque
 answer taylor_solution::radius(const std::string& about, const request& how) const {
     if (!about.empty()) {
         throw error(error_kind::argument, "point", about,
-                    "is not the start, about which alone the radius of these equations is bounded");
+                    "is not the initial point, the only one for which the radius of these equations is bounded");
     }
     const long digits = how.printed_digits();
     const auto [lower, upper] = ode::outward_decimals(ode::prove_radius(system_, digits), digits);

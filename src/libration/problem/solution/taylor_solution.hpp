@@ -1,4 +1,4 @@
-// A solution by Taylor series of its equations: what is known of every problem.
+// A solution by Taylor series of its equations: applicable to every problem.
 #pragma once
 
 #include <string>
@@ -24,8 +24,8 @@ public:
     const ode::explicit_system& system() const { return system_; }
 
 protected:
-    /// The largest change of an invariant at these states, each right to `digits` digits; none where the problem states
-    /// none or its start is singular.
+    /// The largest change of an invariant at these states, each correct to `digits` digits; empty if the problem states
+    /// none or its initial point is singular.
     std::vector<std::string> drifts(const std::vector<exact>& times,
                                     const std::vector<ode::solution_state<mpfr>>& states, long digits) const;
 

@@ -12,7 +12,7 @@ namespace {
 constexpr long least_places = 17;
 constexpr long double_digits = 53;
 
-// "nan" and "inf" are answers of a program: 0 for what is neither, else 1, with a minus for -inf.
+// "nan" and "inf" are possible outputs of a program: 0 for neither, else 1, with a minus for -inf.
 struct special_answer {
     bool none = true;
     int infinite = 0;
@@ -38,7 +38,7 @@ long places_of(const rational& x) {
                                         : decimal_digits(1 - exponent);
 }
 
-// The largest power of 10 that is at most |x|, x other than 0.
+// The largest power of 10 that is at most |x|, x nonzero.
 rational power_below(const rational& x) {
     const rational size = abs(x);
     long exponent = -places_of(x);

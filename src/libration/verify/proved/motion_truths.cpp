@@ -26,7 +26,7 @@ long exponent_of(const exact& time) {
     return binary_exponent(from_rational<mpfr>(time.coefficient)) + (time.measure == unit::one ? 0 : 3);
 }
 
-// The root of a fraction where it is one.
+// The root of a fraction if it is a fraction.
 std::optional<rational> rational_root(const rational& square) {
     if (square < 0) {
         return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<rational> rational_root(const rational& square) {
     return root * root == square ? std::optional(root) : std::nullopt;
 }
 
-// omega0 in the units of the motion, where it is a fraction.
+// omega0 in the units of the motion, if it is a fraction.
 std::optional<rational> exact_speed(const typed_motion& typed, const motion& m) {
     if (typed.omega0) {
         return typed.omega0->is_fraction() ? std::optional(typed.omega0->coefficient) : std::nullopt;
@@ -48,7 +48,7 @@ std::optional<rational> exact_speed(const typed_motion& typed, const motion& m) 
     return root ? std::optional(rational(*root * m.omega0_sign())) : std::nullopt;
 }
 
-// theta and omega where the start, or its image half a period later in libration, makes them fractions.
+// theta and omega if those of the start, or of its image half a period later in libration, are fractions.
 std::pair<std::optional<rational>, std::optional<rational>> exact_state(const typed_motion& typed, const motion& m,
                                                                         const exact& time) {
     if (!time.only_periods() || (!time.is_zero() && at_critical_energy(m.regime()))) {

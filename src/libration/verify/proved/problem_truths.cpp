@@ -64,7 +64,7 @@ problem_truths::problem_truths(const explicit_system& system, equation_system eq
     }
 }
 
-// Two marches, and where they are.
+// Two integrations, and their positions.
 struct problem_truths::march_pair {
     long digits;
     std::unique_ptr<taylor_march<mpfr>> first;
@@ -94,7 +94,7 @@ problem_truths::march_pair& problem_truths::marches(long digits) {
     return *made;
 }
 
-// A proved march with its latest time, and its bits.
+// A proved integration with its latest time, and its bits.
 struct problem_truths::proved_way {
     explicit proved_way(std::size_t unknowns) : work(unknowns) {}
 
@@ -106,7 +106,7 @@ struct problem_truths::proved_way {
 
 namespace {
 
-// Tells the work for a row of the march that a way has.
+// Adds the work of the integration of a `way` to that of its row.
 template <class Way>
 march_watch watch_of(Way& way) {
     return [&way](const ball& /*reached*/, long /*bits*/) { way.work.add(*way.march); };
@@ -114,7 +114,7 @@ march_watch watch_of(Way& way) {
 
 }  // namespace
 
-// All unknowns and their lower derivatives, in order. More bits where the enclosure becomes too wide on the way.
+// All unknowns and their lower derivatives, in order. More bits are used if the enclosure becomes too wide.
 std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
     const number at = as_expression(time);
     auto& way = proved_by_digits_[digits];
@@ -138,7 +138,8 @@ std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
         way->march.reset();
         way->bits *= 2;
     }
-    throw error(error_kind::undecided, "time", time.text, "is not reached by a proof: a singularity is near, or chaos");
+    throw error(error_kind::undecided, "time", time.text,
+                "is not reached by a proof: a singularity is near, or the solution is chaotic");
 }
 
 bool problem_truths::proves(const exact& time) {
@@ -149,7 +150,7 @@ bool problem_truths::proves(const exact& time) {
         try {
             const proved_march first(system_, first_proof_bits);
             provable_ = true;
-        } catch (const error&) {  // theorem S does not hold for it
+        } catch (const error&) {  // theorem S does not apply to it
             provable_ = false;
         }
     }
@@ -185,7 +186,7 @@ std::vector<true_value> problem_truths::truths_at(const exact& time, long digits
     return truths;
 }
 
-// |t y'|/max(1, |y|) of the first column, from a singular start.
+// |t y'|/max(1, |y|) of the first column, from a singular initial point.
 std::string problem_truths::condition_of_slope(const exact& time, const solution_component& of, long digits) {
     const auto [unknown, derivative] = of;
     if (time.is_zero()) {
@@ -206,7 +207,7 @@ std::string problem_truths::condition_of_slope(const exact& time, const solution
     return to_decimal(mpfr(abs(mpfr(t * slope)) / (size > 1 ? size : mpfr(1))), 3);
 }
 
-// A march that keeps its derivative by starts and parameters, and where it was asked last.
+// An integration with its derivative by initial values and parameters, and its latest time.
 struct problem_truths::dependent_way {
     dependent_way(const equation_system& equations, const std::vector<std::string>& unknowns)
         : on(equations, unknowns), work(on.system().unknowns().size()) {}
@@ -223,7 +224,7 @@ struct problem_truths::dependent_way {
     row_work work;
 };
 
-// Three digits. Nothing where so many bits do not settle them.
+// Three digits. std::nullopt if this many bits do not decide them.
 std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& at) {
     const number time = as_expression(at);
     if (!dependent_) {
@@ -266,7 +267,7 @@ std::string problem_truths::condition_at(const exact& time, long digits) {
         if (!system_.singular()) {
             throw;
         }
-        return condition_of_slope(time, asked_.front(), digits);  // a start that the equation fixes
+        return condition_of_slope(time, asked_.front(), digits);  // an initial value fixed by the equation
     }
     if (!moved) {
         return "inf";

@@ -12,13 +12,13 @@ namespace libration {
 
 namespace {
 
-// By how many turns a value is away, to the nearest.
+// The number of turns by which a value is away, rounded to the nearest.
 true_value turned_towards(const std::string& value, true_value truth) {
     written_number written{0, 1};
     try {
         written = read_written(value);
     } catch (const error&) {
-        return truth;  // nan, or what the comparison complains of
+        return truth;  // nan, or a value for which the comparison throws
     }
     const ball turn = pi<ball>() * 2;
     const integer turns = nearest_integer(ball((from_rational<ball>(written.value) - truth.value()) / turn));
@@ -29,7 +29,7 @@ true_value turned_towards(const std::string& value, true_value truth) {
     return truth;
 }
 
-// The decimal places that the values ask for.
+// The decimal places needed for the values.
 long places_of_row(const std::vector<written_value>& values, const compare_rules& rules) {
     long places = 0;
     for (const written_value& value : values) {

@@ -23,7 +23,8 @@ void row_work::begin(const number& time, const std::string& text, int direction)
     mean_.reset();
     const auto& limit = given_up_[forward_ ? 1 : 0];
     if (limit && ((time - *limit) * number(rational(direction))).sign() >= 0) {
-        throw work_limit(error_kind::undecided, "time", text, "is beyond that of another row that was given up");
+        throw work_limit(error_kind::undecided, "time", text,
+                         "is beyond the time of another row, which was not reached");
     }
 }
 
@@ -37,10 +38,10 @@ void row_work::add(const proved_march& march) {
     cost_ += static_cast<double>(march.steps() - steps_) * per_step_ * limbs * limbs;
     steps_ = march.steps();
     if (cost_ > most) {
-        give_up(march, "the work for a row is at its limit");
+        give_up(march, "the limit of work per row is exceeded");
     }
     if (is_out_of_reach(march)) {
-        give_up(march, "at their length more than " + std::to_string(proved_march::most_steps) + " are missing");
+        give_up(march, "more than " + std::to_string(proved_march::most_steps) + " more of their length are needed");
     }
 }
 
@@ -67,7 +68,7 @@ void row_work::give_up(const proved_march& march, const std::string& reason) {
     given_up_[forward_ ? 1 : 0] = time_;
     const precision_scope scope(20);
     throw work_limit(error_kind::undecided, "time", text_,
-                     "is not reached: the proof has come to " + to_decimal(midpoint_of(march.reached()), 6) + " in " +
+                     "is not reached: the proof has reached " + to_decimal(midpoint_of(march.reached()), 6) + " in " +
                          std::to_string(march.steps()) + " steps, and " + reason);
 }
 

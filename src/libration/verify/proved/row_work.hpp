@@ -1,5 +1,5 @@
-// What a row of a table may cost: a proof that would not come to its time is given up, so that the other rows are
-// compared.
+// The limit of work for a row of a table: a proof that would not reach its time is abandoned, so that the other rows
+// are compared.
 #pragma once
 
 #include <cstddef>
@@ -26,10 +26,10 @@ public:
     explicit row_work(std::size_t unknowns) : per_step_(static_cast<double>(unknowns * unknowns)) {}
 
     /// The next row, at a time that is before the start of the problem for direction < 0; `text` is for messages.
-    /// Throws work_limit where a row nearer to the start was given up.
+    /// Throws work_limit if a row nearer to the start was abandoned.
     void begin(const number& time, const std::string& text, int direction);
-    /// Called after some steps of a proof, and before the first. Throws work_limit where the row has cost more than
-    /// `most`, and where more than proved_march::most_steps of the length of the last ones are missing, if these do not
+    /// Called after some steps of a proof, and before the first. Throws work_limit if the row has cost more than
+    /// `most`, and if more than proved_march::most_steps steps of the length of the last ones are needed, unless these
     /// grow: 512 of them are less than twice as long as the 512 before.
     void add(const proved_march& march);
 

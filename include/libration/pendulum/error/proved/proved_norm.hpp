@@ -1,5 +1,5 @@
-// Proved error norms on the way from the top to the bottom: of the series and of its resummation, max |theta - p| on
-// [0, T*], p a polynomial in x = t/T*.
+// Proved error norms from the top to the bottom: of the series and of its resummation, max |theta - p| on [0, T*], p a
+// polynomial in x = t/T*.
 //
 // [0, 1] is cut into K panels, K > 2 T*/K~'. On each, theta is its Taylor polynomial about the middle of the panel with
 // the tail of theorem A1 (singularity_view.hpp): no pole is nearer to it than R, so |a_j| <= (2/j) R^(4-j) S4 for
@@ -18,8 +18,8 @@
 
 namespace libration::pendulum {
 
-/// theta of a canonical motion on [0, T*] in panels, for any number of norms, at the working precision in force: it has
-/// to hold the wanted digits of a norm below theta, digits_below() and some more.
+/// theta of a canonical motion on [0, T*] in panels, for any number of norms, at the current working precision: it must
+/// cover the wanted digits of a norm below theta, digits_below() and some more.
 class proved_arc_errors {
 public:
     /// The motion of energy E from the top (clockwise rotation: its mirror image, which has the same norms), with
@@ -32,7 +32,8 @@ public:
         count_ = static_cast<int>(nearest_integer(upper_bound(panels)) + 1);
         order_ = order.value_or(digits<ball>() / 2 + 8);
         if (order_ < 3) {
-            throw error(error_kind::argument, "order", std::to_string(order_), "is below 3, where theorem A1 begins");
+            throw error(error_kind::argument, "order", std::to_string(order_),
+                        "is below 3, the lowest order for theorem A1");
         }
         add_truth(lattice);
     }
@@ -41,7 +42,7 @@ public:
     const ball& effective_period() const { return arc_.effective_period(); }
 
     /// The norm of order N, and the fraction of T* where it is attained. O(K N^2) and the search. Throws
-    /// precision_exhausted where the working precision is too low, error for N < 0.
+    /// precision_exhausted if the working precision is too low, error for N < 0.
     proved_maximum norm(arc_method method, int order) const {
         const series::power_series<ball> a = arc_series(arc_, order);
         return norm_of(method == arc_method::series ? a : endpoint_corrected(a, arc_endpoint(arc_)));
@@ -60,7 +61,7 @@ public:
     }
 
 private:
-    // theta about the middle of a panel, in units of its half width, and what bounds the powers from order + 1 on.
+    // theta about the middle of a panel, in units of its half width, and the bound of the powers from order + 1 on.
     struct truth_panel {
         series::power_series<ball> theta;
         ball ratio;  ///< d/R
@@ -81,7 +82,7 @@ private:
         }
     }
 
-    // theta - p on a panel; beyond the order of theta's polynomial p stands against the bound of theta's tail.
+    // theta - p on a panel; beyond the order of theta's polynomial the terms of p are added to the tail bound.
     enclosed_panel difference(int panel, const series::power_series<ball>& p) const {
         const auto& [theta, ratio, scale] = truth_[static_cast<std::size_t>(panel)];
         series::power_series<ball> kept = theta;

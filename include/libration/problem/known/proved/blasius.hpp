@@ -9,9 +9,9 @@ namespace libration::ode {
 ///
 /// Lemma. 0 <= f'(inf) - f'(t) <= 2 f''(t)/f(t) for t > 0. Proof: f'' = exp(-int f/2) > 0, so f' and f increase and are
 /// positive; for s > t f(s) >= f(t), hence f''(s) <= f''(t) exp(-f(t) (s-t)/2), and f'(inf) - f'(t) = int_t^inf f'' is
-/// at most 2 f''(t)/f(t). The march goes on until that is below the precision (f'' falls like exp(-f'(inf) t^2/4)).
-/// Every other f''(0) = k > 0 follows exactly: k^(1/3) f(k^(1/3) t) solves the equation with it, f'(inf; k) = k^(2/3)
-/// f'(inf).
+/// at most 2 f''(t)/f(t). The integration continues until that is below the precision (f'' falls like exp(-f'(inf)
+/// t^2/4)). Every other f''(0) = k > 0 follows exactly: k^(1/3) f(k^(1/3) t) solves the equation with it, f'(inf; k) =
+/// k^(2/3) f'(inf).
 ball blasius_velocity();
 
 /// k = f''(0) with f'(inf) = value > 0: (value/f'(inf; 1))^(3/2).

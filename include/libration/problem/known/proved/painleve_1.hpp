@@ -22,19 +22,19 @@ struct value_and_slope {
 /// For x >= X let |a'/a| <= kappa/x, 1/a <= A x^(-1/8). With s = 5(N+1)/2 - 15/8 > 5/8, where
 ///     s H > kappa H + 6 A^3 X^(5/8) H^2 + C A X^(-s),
 /// exactly one solution has h <= H (x/X)^(-s) from X on, and it is the one with the expansion. Proof. H (x/X)^(-s)
-/// falls faster than the bound of |h'| there, at X and hence beyond: the solution with r = r' = 0 at some L > X stays
-/// below it back to X, for h can meet it nowhere from below. Of those for L -> inf a part converges at X with its
-/// slope, and by continuity on every interval: its limit stays below too. For the difference d of two such solutions,
-/// d'' + q d = 6 (r_1 + r_2) d, likewise |h_d'| <= (kappa/x + 12 A^3 H X^s x^(-s-3/8)) h_d, so that h_d at X is at most
-/// a constant times L^kappa h_d(L) = O(L^(kappa - s)), which tends to 0. A solution with the expansion, which holds for
-/// its derivative as well, has h = O(x^(5/8 - 5(N+1)/2)), less than that for large x.
+/// decreases faster than the bound of |h'| there, at X and hence beyond: the solution with r = r' = 0 at some L > X
+/// remains below it back to X, since h cannot meet it from below. Of those for L -> inf a subsequence converges at X
+/// with its slope, and by continuity on every interval: its limit remains below too. For the difference d of two such
+/// solutions, d'' + q d = 6 (r_1 + r_2) d, likewise |h_d'| <= (kappa/x + 12 A^3 H X^s x^(-s-3/8)) h_d, so that h_d at X
+/// is at most a constant times L^kappa h_d(L) = O(L^(kappa - s)), which tends to 0. A solution with the expansion,
+/// which holds for its derivative as well, has h = O(x^(5/8 - 5(N+1)/2)), less than that for large x.
 ///
-/// w(X) and w'(X) from the terms up to b_N, N the smaller one of `most` >= 1 and the place from which on terms do not
-/// fall any more or are below the working precision. Throws precision_exhausted where the inequality is not certain.
+/// w(X) and w'(X) from the terms up to b_N, N the smaller of `most` >= 1 and the index from which on terms do not
+/// decrease any more or are below the working precision. Throws precision_exhausted if the inequality is not certain.
 value_and_slope tritronquee_far_out(int x, int most);
 
-/// u(0) and u'(0) in the working precision: from an X where the terms fall below it, theorem V goes back to x = 0.
-/// Throws precision_exhausted where it does not get there.
+/// u(0) and u'(0) in the working precision: from an X where the terms are below it, theorem V integrates back to x = 0.
+/// Throws precision_exhausted if that does not succeed.
 value_and_slope tritronquee_start();
 
 }  // namespace libration::ode
