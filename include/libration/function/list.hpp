@@ -1,4 +1,4 @@
-// All functions of formulas and equations, and what each of them has to say of itself (facts.hpp).
+// All functions of formulas and equations, with their descriptions (facts.hpp).
 #pragma once
 
 #include <array>
@@ -87,7 +87,7 @@ using all_functions =
 
 static_assert(all_functions::in_order(), "the functions stand here in the order of function_kind");
 
-/// visit(F()) for the function of a kind; the same type for all of them.
+/// visit(F()) for the function of a kind; the same return type for all of them.
 template <class Visit, class First, class... F>
 decltype(auto) with_function_of(type_list<First, F...> /*all*/, function_kind kind, const Visit& visit) {
     using result = std::invoke_result_t<const Visit&, First>;

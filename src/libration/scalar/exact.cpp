@@ -9,7 +9,7 @@ namespace libration {
 
 namespace {
 
-// A text in parentheses where it is no single number.
+// A text, in parentheses unless it is a single number.
 std::string operand(const exact& number) {
     const bool single = number.text.find_first_of("+-*/^ ") == std::string::npos;
     return single ? number.text : "(" + number.text + ")";

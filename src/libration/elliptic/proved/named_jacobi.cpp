@@ -20,7 +20,7 @@ ball of_letter(char letter, const jacobi_values<ball>& at) {
     }
 }
 
-// sqrt of a number that is not negative, R_F of three such numbers. What follows of x and m is exact until here.
+// sqrt of a nonnegative number, R_F of three such numbers. Everything derived from x and m is exact up to here.
 struct symmetric_form {
     exact factor_squared;
     exact a, b, c;
@@ -56,14 +56,14 @@ symmetric_form form_of(std::string_view function, const exact& x, const real_par
     if (function == "dn") {
         return {(one - square) / m, (square - m1) / m, square, one};
     }
-    if (function == "cd") {  // for m > 1 the value is above 1, and all of these change their sign
+    if (function == "cd") {  // for m > 1 the value is above 1, and all of these change sign
         const exact sign = exactly(p.where() == range::above ? -1 : 1);
         return {sign * (one - square), sign * m1 * square, sign * m1, sign * (one - m * square)};
     }
     throw std::logic_error("no form of an inverse function");
 }
 
-// The value for x >= 0; infinite where R_F has two zeros.
+// The value for x >= 0; infinite if R_F has two zeros.
 true_value inverse_of_positive(std::string_view function, const exact& x, const real_parameter& p) {
     if ((function == "dn" && p.where() == range::zero) || (function == "cd" && p.where() == range::one)) {
         throw error(error_kind::argument, "m", p.m().text, "makes " + std::string(function) + " constant");

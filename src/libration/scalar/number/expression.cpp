@@ -150,7 +150,7 @@ long expression::functions() const {
     return all;
 }
 
-// Pairs of atoms that were found to be the same are not compared again: shared parts would take exponential time.
+// Pairs of atoms already found equal are not compared again: shared parts would take exponential time.
 class expression::comparison {
 public:
     bool same(const expression& a, const expression& b) {
@@ -185,7 +185,7 @@ bool same_form(const expression& a, const expression& b) { return expression::co
 
 bool expression::same_atom(const atom& a, const atom& b) { return comparison().same(a, b); }
 
-// The terms in any order.
+// Independent of the order of the terms.
 std::size_t expression::hash() const {
     std::size_t of_terms = 0;
     for (const term& each : terms_) {
@@ -209,7 +209,7 @@ void expression::add(const rational& coefficient, const std::shared_ptr<const at
     }
 }
 
-// Degrees stay degrees only by themselves.
+// Degrees remain degrees only if no other unit occurs.
 void expression::degrees_to_pi() {
     const auto found =
         std::ranges::find_if(terms_, [](const term& each) { return each.of->kind == atom_kind::degree; });
@@ -238,7 +238,7 @@ expression operator+(const expression& a, const expression& b) {
     return sum;
 }
 
-// A node of its own, which has a value at the limits of the cost, or is refused.
+// A separate node, which can be evaluated within the limits of the cost, or is rejected.
 expression expression::of_atom(atom a) {
     require_no_period(a.left);
     require_no_period(a.right);
