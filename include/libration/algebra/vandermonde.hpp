@@ -19,8 +19,8 @@ template <field R>
 std::vector<R> solve_vandermonde(const std::vector<R>& nodes, std::vector<R> b) {
     const std::size_t count = nodes.size();
     if (b.size() != count) {
-        throw error(error_kind::argument, "number of right sides", std::to_string(b.size()),
-                    "is not the " + std::to_string(count) + " of the nodes");
+        throw error(error_kind::argument, "number of right-hand sides", std::to_string(b.size()),
+                    "is not the number of nodes, " + std::to_string(count));
     }
     for (std::size_t k = 0; k + 1 < count; ++k) {
         for (std::size_t i = count - 1; i > k; --i) {
@@ -31,7 +31,7 @@ std::vector<R> solve_vandermonde(const std::vector<R>& nodes, std::vector<R> b) 
         for (std::size_t i = k + 1; i < count; ++i) {
             const R distance = R(nodes[i] - nodes[i - k - 1]);
             if (distance == R(0)) {
-                throw error(error_kind::argument, "nodes", "", "of a Vandermonde system are the same");
+                throw error(error_kind::argument, "nodes", "", "of a Vandermonde system are not distinct");
             }
             b[i] = R(b[i] / distance);
         }

@@ -36,7 +36,7 @@ concept bracketed_scalar = rounding_scalar<T> && !std::same_as<T, quad>;
 inline std::vector<double> chebyshev_points(int count) {
     if (count < 2) {
         throw error(error_kind::argument, "number of points", std::to_string(count),
-                    "is too small: the two ends are among them");
+                    "is too small: it includes the two ends");
     }
     std::vector<double> points;
     for (int j = 0; j < count; ++j) {

@@ -18,13 +18,13 @@ struct list_report {
     coefficient_unit unit;
     std::optional<coefficient_floor> floor;  ///< if the list ends in noise, which the report ignores
 
-    /// "a floor of noise of about 1.1e-16 from n = 53 on, left out"; empty if there is none.
+    /// "a noise floor of about 1.1e-16 from n = 53 on, left out"; empty if there is none.
     std::string floor_text() const {
         if (!floor) {
             return "";
         }
         const std::string rate = floor->rate == 1 ? "" : " times " + to_decimal(floor->rate, 3) + "^n";
-        return "a floor of noise of about " + to_decimal(floor->level, 2) + rate +
+        return "a noise floor of about " + to_decimal(floor->level, 2) + rate +
                " from n = " + std::to_string(floor->first) + " on is left out";
     }
 };

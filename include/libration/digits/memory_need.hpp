@@ -28,9 +28,9 @@ private:
 /// them. Some 50 microseconds.
 std::optional<double> available_memory();
 
-/// Throws memory_shortage, "order 100000000 needs at least 24.3 GB of memory, and 20.1 GB are available: ask for less",
-/// if so many bytes are more than the available ones. `least` is a lower bound of what will be allocated, so that a
-/// refusal states a fact. Below 64 MB, which every question may need, the system is not asked.
+/// Throws memory_shortage, "order 100000000 needs at least 24.3 GB of memory, and 20.1 GB are available: reduce it",
+/// if `least` bytes are more than the available ones. `least` is a lower bound on the memory that will be allocated, so
+/// that an error is never premature. Below 64 MB, which every request may need, the system is not queried.
 void require_memory(const std::string& quantity, double least);
 
 /// A lower bound on the bytes that a number occupies in the working precision: a digit of mpfr takes more than 2/5 of a

@@ -13,7 +13,7 @@
 // from which its series, its polynomial form and its proofs follow, and, where a better method exists,
 //     value(x)                for scalars that provide the function
 //     rounded                 MPFR's function
-//     real_ball, complex_ball FLINT's, looked up where FLINT is included
+//     real_ball, complex_ball FLINT's, looked up if FLINT is included
 //     kept, next_coefficient  a separate recurrence, with this number of arrays besides the result (series/kernel.hpp)
 //     odd                     whether that has an even function in addition to an odd one
 //     values_kept, first_kept the coefficients 0 of the first of these arrays

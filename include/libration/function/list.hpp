@@ -68,7 +68,7 @@ concept complete_facts = requires(const rational& order, const plain_number& x, 
 
 template <class... F>
 struct type_list {
-    static_assert((complete_facts<F> && ...), "a file of a function lacks a member that facts.hpp lists");
+    static_assert((complete_facts<F> && ...), "the file of a function lacks a member listed in facts.hpp");
     static constexpr std::size_t size = sizeof...(F);
     /// Whether they are in the order of function_kind.
     static consteval bool in_order() {
@@ -85,7 +85,7 @@ using all_functions =
               bessel_i_function, bessel_k_function, airy_ai_function, airy_ai_prime_function, airy_bi_function,
               airy_bi_prime_function, lambertw_function>;
 
-static_assert(all_functions::in_order(), "the functions stand here in the order of function_kind");
+static_assert(all_functions::in_order(), "the functions are listed in the order of function_kind");
 
 /// visit(F()) for the function of a kind; the same return type for all of them.
 template <class Visit, class First, class... F>

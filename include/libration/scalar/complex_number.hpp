@@ -69,7 +69,7 @@ template <scalar T>
 struct scalar_traits<complex_number<T>> {
     static complex_number<T> sum_of_products(const complex_number<T>* x, int x_step, const complex_number<T>* y,
                                              int y_step, int count) {
-        static_assert(sizeof(complex_number<T>) == 2 * sizeof(T), "the parts stand in every second place");
+        static_assert(sizeof(complex_number<T>) == 2 * sizeof(T), "the parts alternate in memory");
         const auto sum = [&](const T& of_x, const T& of_y) { return of_parts(&of_x, x_step, &of_y, y_step, count); };
         return {T(sum(x->re, y->re) - sum(x->im, y->im)), T(sum(x->re, y->im) + sum(x->im, y->re))};
     }

@@ -46,13 +46,13 @@ inline long read_digits(std::string_view text) {
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (problem == std::errc::result_out_of_range || (problem == std::errc() && value > most_digits)) {
         throw error(error_kind::argument, "number of digits", std::string(text),
-                    "asks for more than " + std::to_string(most_digits) + " digits");
+                    "is more than " + std::to_string(most_digits));
     }
     if (problem != std::errc() || end != text.data() + text.size()) {
         throw error(error_kind::argument, "number of digits", std::string(text), "is not a whole number of digits");
     }
     if (value < 1) {
-        throw error(error_kind::argument, "number of digits", std::string(text), "asks for less than one digit");
+        throw error(error_kind::argument, "number of digits", std::string(text), "is less than one");
     }
     return value;
 }
@@ -74,7 +74,7 @@ inline scalar_spec read_scalar(std::string_view name, arithmetics offered = arit
     if (name.starts_with("ball:")) {
         if (offered == arithmetics::rounding) {
             throw error(error_kind::argument, "scalar", std::string(name),
-                        "is proved arithmetic, which is not offered here");
+                        "is a proved arithmetic, which is not supported here");
         }
         return {scalar_kind::proved, read_digits(name.substr(5))};
     }
@@ -90,7 +90,7 @@ decltype(auto) with_scalar(const scalar_spec& spec, long guard, F&& f) {
         case scalar_kind::binary64: return std::forward<F>(f).template operator()<double>();
         case scalar_kind::extended: return std::forward<F>(f).template operator()<long double>();
         case scalar_kind::binary128: return std::forward<F>(f).template operator()<quad>();
-        case scalar_kind::proved: throw std::logic_error(spec.name() + " among the scalars that round");
+        case scalar_kind::proved: throw std::logic_error(spec.name() + " among the rounding scalars");
         case scalar_kind::arbitrary: break;
     }
     const precision_scope scope(spec.digits + guard);

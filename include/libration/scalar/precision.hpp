@@ -39,8 +39,8 @@ public:
     /// Throws std::logic_error if the working precision has increased since.
     void require() const {
         if (digits<T>() > digits_) {
-            throw std::logic_error("made with " + std::to_string(digits_) + " bits and used with " +
-                                   std::to_string(digits<T>()) + ": make it again in the wider precision_scope");
+            throw std::logic_error("computed with " + std::to_string(digits_) + " bits and used with " +
+                                   std::to_string(digits<T>()) + ": recompute it in the wider precision_scope");
         }
     }
 

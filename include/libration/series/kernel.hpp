@@ -5,7 +5,7 @@
 //     NAME_kernel(inputs, auxiliary arrays, result, n)
 //
 // sets coefficient n of its result and of its auxiliary arrays, for n = 0, 1, 2, ..., from the inputs up to n and its
-// own arrays below n. The arrays are owned by the caller, all of them with room for index n: nothing is copied, and a
+// own arrays below n. The arrays are owned by the caller, all of them with space for index n: nothing is copied, and a
 // caller with several functions of f passes the same f and the same slope f' of slope_kernel() to all of them. A value
 // at the centre that only the function itself provides, such as exp f_0, is result[0] before the call with n = 0: the
 // kernels therefore work over every field, including fractions and complex numbers, and an initial value may be known

@@ -20,7 +20,7 @@ public:
     explicit power_series(std::vector<T> coefficients) : coefficients_(std::move(coefficients)) {
         if (coefficients_.empty()) {
             throw error(error_kind::argument, "list of coefficients", "",
-                        "is empty: a power series has one of degree 0 at least");
+                        "is empty: a power series has at least the coefficient of degree 0");
         }
     }
 
@@ -46,7 +46,7 @@ public:
     power_series truncated(int order) const {
         if (order < 0 || order > this->order()) {
             throw error(error_kind::argument, "order", std::to_string(order),
-                        "is not between 0 and the " + std::to_string(this->order()) + " of the series");
+                        "is not between 0 and the order of the series, " + std::to_string(this->order()));
         }
         return power_series(std::vector<T>(coefficients_.begin(), coefficients_.begin() + order + 1));
     }

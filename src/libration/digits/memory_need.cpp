@@ -115,7 +115,7 @@ void require_memory(const std::string& quantity, double least) {
     const auto available = available_memory();
     if (available && least > *available) {
         throw memory_shortage(quantity + " needs at least " + text_of_bytes(least) + " of memory, and " +
-                              text_of_bytes(*available) + " are available: ask for less");
+                              text_of_bytes(*available) + " are available: reduce it");
     }
 }
 

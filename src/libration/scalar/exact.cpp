@@ -19,7 +19,7 @@ std::string operand(const exact& number) {
 
 rational exact::in_pi() const {
     if (!is_angle() && !is_zero()) {
-        throw std::logic_error(text + " is no fraction of pi");
+        throw std::logic_error(text + " is not a fraction of pi");
     }
     return measure == unit::degree ? rational(coefficient / 180) : coefficient;
 }

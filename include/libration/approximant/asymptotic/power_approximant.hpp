@@ -41,7 +41,7 @@ series::power_series<R> distance_from_far(series::power_series<R> f, const serie
         f[n] = R(f[n] - far[n]);
     }
     if (f[0] == R(0)) {
-        throw error(error_kind::argument, "far behaviour", "", "has the value of the function at 0 itself");
+        throw error(error_kind::argument, "asymptotic behaviour", "", "has the same value at 0 as the function");
     }
     return f;
 }

@@ -30,7 +30,7 @@ inline std::string name_of(singularity_kind kind) {
     return "unknown";
 }
 
-/// The result of one test, in the unit of the variable. What a test does not determine is left out.
+/// The result of one test, in units of the variable. What a test does not determine is left out.
 template <rounding_scalar T>
 struct radius_estimate {
     std::string method;

@@ -32,7 +32,7 @@ radius_estimate<T> in_powers_of_root(radius_estimate<T> of, int q) {
     std::string note = "in powers of t^(1/" + std::to_string(q) + ")";
     if (of.position) {
         const complex_number<T> root = *of.position;
-        note += ", where the singularity stands at " + to_decimal(root.re, 4) +
+        note += ", where the singularity is at " + to_decimal(root.re, 4) +
                 (root.im == 0 ? "" : " + " + to_decimal(root.im, 4) + "i");
         for (int i = 1; i < q; ++i) {
             of.position = *of.position * root;

@@ -23,7 +23,7 @@ public:
     strided_series(const series::power_series<T>& a, int first, int stride) : first_(first), stride_(stride) {
         if (first < 0 || stride < 1 || first > a.order()) {
             throw error(error_kind::argument, "stride", std::to_string(stride),
-                        "from " + std::to_string(first) + " takes no coefficients of a series of order " +
+                        "from " + std::to_string(first) + " has no coefficients in a series of order " +
                             std::to_string(a.order()));
         }
         for (int n = first; n <= a.order(); n += stride) {

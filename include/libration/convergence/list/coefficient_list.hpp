@@ -107,7 +107,7 @@ private:
         };
         const std::size_t value = place("coefficient");
         if (cells.size() > 2 && value == cells.size()) {
-            fail("names no column 'coefficient'");
+            fail("has no column 'coefficient'");
         }
         if (cells.size() == 1) {
             return {std::nullopt, 0, 1};
@@ -139,7 +139,7 @@ private:
         const exact number = number_in(cell);
         const rational n = number.is_fraction() ? number.coefficient : rational(-1);
         if (boost::multiprecision::denominator(n) != 1 || n < 0) {
-            fail("has an n that is no whole number of 0 or more");
+            fail("has an n that is not a nonnegative integer");
         }
         if (n > largest_order) {
             fail("has an n beyond " + std::to_string(largest_order));
@@ -161,11 +161,11 @@ private:
             }
         }
         if (cells.size() != layout_->cells) {
-            fail("has another number of cells than the lines before");
+            fail("has a different number of cells than the previous lines");
         }
         const std::size_t n = layout_->index ? index_in(cells[*layout_->index]) : list_.size();
         if (n < list_.size()) {
-            fail("has an n that is not above those before");
+            fail("has an n that is not greater than the previous ones");
         }
         if (n > largest_order) {
             fail("is the coefficient of a power beyond " + std::to_string(largest_order));

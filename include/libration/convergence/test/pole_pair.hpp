@@ -13,7 +13,7 @@ template <scalar T>
 void require_terms(const series::power_series<T>& a, int first, int last) {
     if (first < 1 || last > a.order()) {
         throw error(error_kind::argument, "coefficients", std::to_string(first) + " to " + std::to_string(last),
-                    "are not those of a series of order " + std::to_string(a.order()));
+                    "are not in a series of order " + std::to_string(a.order()));
     }
 }
 

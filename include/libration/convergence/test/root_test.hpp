@@ -17,7 +17,7 @@
 
 namespace libration::convergence {
 
-/// The smallest |a_n|^(-1/n) of the last four n, in the unit of the variable; four, because symmetries leave only every
+/// The smallest |a_n|^(-1/n) of the last four n, in units of the variable; four, because symmetries leave only every
 /// second or fourth coefficient. Its error falls like log(n)/n, the coefficients being R^-n times a power of n. O(1).
 /// Throws error below order 4, or if all four are 0.
 template <rounding_scalar T>
@@ -33,7 +33,8 @@ T radius_by_root_test(const series::power_series<T>& a) {
         largest = root > largest ? root : largest;
     }
     if (largest == 0) {
-        throw error(error_kind::argument, "coefficients", "", "are 0: the root test needs one of the last four");
+        throw error(error_kind::argument, "coefficients", "",
+                    "are 0: the root test needs one of the last four to be nonzero");
     }
     return 1 / largest;
 }

@@ -38,7 +38,7 @@ std::optional<mpfr> function_condition(const Value& value, const std::vector<exa
         return std::nullopt;
     }
     if (contains_zero(f)) {
-        throw precision_exhausted("the condition of a function next to a zero");
+        throw precision_exhausted("the condition of a function near a zero");
     }
     return midpoint_of(ball(ldexp(sum, step_bits) / abs(f)));
 }
@@ -68,7 +68,7 @@ std::optional<mpfr> complex_function_condition(const Value& value, const std::ve
         if (is_exact(f.real) && is_exact(f.imaginary)) {
             return sum == 0 ? std::optional(mpfr(0)) : std::nullopt;
         }
-        throw precision_exhausted("the condition of a function next to a zero");
+        throw precision_exhausted("the condition of a function near a zero");
     }
     return mpfr(ldexp(sum, static_cast<int>(step_bits)) / modulus(f.real, f.imaginary));
 }

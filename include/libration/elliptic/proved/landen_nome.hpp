@@ -1,4 +1,4 @@
-// The descent to a small nome, in balls: the few steps of the arithmetic-geometric mean after which three terms of the
+// The reduction to a small nome, in balls: the few steps of the arithmetic-geometric mean after which three terms of the
 // theta series are exact to the precision. Quantities that depend on the modulus only are computed here, rigorously,
 // for any number of arguments.
 //
@@ -27,11 +27,11 @@
 
 namespace libration::elliptic {
 
-/// Upper limits on the descent and on the series of a nome: normally the precision ends them earlier. The remainder is
+/// Upper limits on the reduction and on the series of a nome: normally the precision ends them earlier. The remainder is
 /// enclosed in any case.
 struct nome_steps {
     int levels = std::numeric_limits<int>::max();  ///< r, but at least as many as bring P below 2^-4
-    int terms = 4;                                 ///< N of the theta series, 1 .. 4, if the descent is ended by r
+    int terms = 4;                                 ///< N of the theta series, 1 .. 4, if the reduction is ended by r
     int series = 18;                               ///< J of the series of P, 1 .. 18
 };
 
@@ -45,7 +45,7 @@ public:
     landen_nome(const ball& a, const ball& b, const ball& quarter_square, const nome_steps& most = {})
         : bits_(ball::working_bits()), a_(a), b_(b) {
         if (arb_is_positive(a.handle()) == 0 || arb_is_positive(b.handle()) == 0) {
-            throw error(error_kind::argument, "mean", "", "is that of numbers that are not proved positive");
+            throw error(error_kind::argument, "mean", "", "has arguments that are not proved positive");
         }
         steps_.reserve(16);
         steps_.push_back(quarter_square);

@@ -48,7 +48,7 @@ inline std::string upper_bound_text(const ball& x) {
     return bound == 0 ? "0" : parts_of(bound, 3, MPFR_RNDU).text();
 }
 
-/// An upper bound with three significant digits on every |number| of a ball other than 0.
+/// An upper bound with three significant digits on every |number| of a ball that is not the exact 0.
 inline std::string bound_text(const ball& x) {
     ball largest;
     arb_get_abs_ubound_arf(arb_midref(largest.handle()), x.handle(), 60);

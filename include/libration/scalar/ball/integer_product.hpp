@@ -53,7 +53,7 @@ private:
     std::vector<fmpz> values_;
 };
 
-/// Sets c_n = sum_k a_k b_{n-k} for 0 <= n < count: a has a_terms, b has b_terms coefficients, c has room for count,
+/// Sets c_n = sum_k a_k b_{n-k} for 0 <= n < count: a has a_terms, b has b_terms coefficients, c has space for count,
 /// all these numbers are at least 1, and c overlaps neither a nor b. a and b may be the same array, also with different
 /// numbers of terms.
 using integer_product = void (*)(fmpz* c, const fmpz* a, slong a_terms, const fmpz* b, slong b_terms, slong count);

@@ -73,7 +73,7 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
 
     /// With one rounding at the end.
     static ball sum_of_products(const ball* x, int x_step, const ball* y, int y_step, int count) {
-        static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
+        static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT iterates over an array of balls");
         ball sum;
         arb_dot(sum.handle(), nullptr, 0, x->handle(), x_step, y->handle(), y_step, count, ball::working_bits());
         return sum;

@@ -93,7 +93,7 @@ reduced_amplitude reduce_amplitude(const exact& phi) {
     const ball x = from_exact<ball>(phi);
     const integer halves = nearest_integer(ball(x / pi<ball>()));
     const ball rest = x - from_rational<ball>(rational(halves)) * pi<ball>();
-    require_below(rest, ball(pi<ball>() / 2), "an amplitude next to a quarter turn");
+    require_below(rest, ball(pi<ball>() / 2), "an amplitude near a quarter turn");
     return {halves, rest};
 }
 
@@ -195,7 +195,7 @@ true_value zeta_value(std::string_view name, const function_arguments& at) {
     }
     if (p.where() == range::one) {
         if (reaches_quarter(phi)) {
-            throw error(error_kind::argument, "phi", phi.text, "is no amplitude below pi/2, as m = 1 needs");
+            throw error(error_kind::argument, "phi", phi.text, "is not below pi/2, as m = 1 requires");
         }
         return phi.is_zero() ? exact_value(0) : true_value{sin(from_exact<ball>(phi))};
     }

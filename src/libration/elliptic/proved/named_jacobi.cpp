@@ -74,7 +74,7 @@ true_value inverse_of_positive(std::string_view function, const exact& x, const 
         const int sign = sign_of_exact(*each);
         if (sign < 0) {
             throw error(error_kind::argument, "x", x.text,
-                        "is no value of " + std::string(function) + " between 0 and K");
+                        "is not a value of " + std::string(function) + " between 0 and K");
         }
         zeros += sign == 0 && each != &form.factor_squared ? 1 : 0;
     }
@@ -153,7 +153,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
     const bool reciprocal = function[0] == 'n' || function == "dc" || function == "ds" || function == "cs";
     if (reciprocal) {
         if (sign == 0) {
-            throw error(error_kind::argument, "x", x.text, "is no value of " + function);
+            throw error(error_kind::argument, "x", x.text, "is not a value of " + function);
         }
         x = exactly(1) / x;
         std::swap(function[0], function[1]);
@@ -163,7 +163,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
         return inverse_of_positive(function, x, at.parameter);
     }
     if (function == "dn") {
-        throw error(error_kind::argument, "x", at.argument->text, "is no value of " + function);
+        throw error(error_kind::argument, "x", at.argument->text, "is not a value of " + function);
     }
     const true_value mirrored = inverse_of_positive(function, exactly(0) - x, at.parameter);
     if (mirrored.infinite != 0) {
@@ -173,7 +173,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
         return {-mirrored.value()};
     }
     if (at.parameter.where() == range::one || at.parameter.where() == range::above) {
-        throw error(error_kind::argument, "x", at.argument->text, "is no value of " + function);
+        throw error(error_kind::argument, "x", at.argument->text, "is not a value of " + function);
     }
     return {complete_value(at.parameter) * 2 - mirrored.value()};
 }

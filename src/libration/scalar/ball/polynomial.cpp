@@ -144,7 +144,7 @@ std::vector<ball> remainder(const ball* a, const ball* b, const std::vector<ball
 }  // namespace
 
 std::vector<ball> leading_product(const ball* a, int a_terms, const ball* b, int b_terms, int count, slong bits) {
-    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
+    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT iterates over an array of balls");
     a_terms = std::min(a_terms, count);
     b_terms = std::min(b_terms, count);
     const bool blocks =

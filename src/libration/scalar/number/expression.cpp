@@ -48,7 +48,7 @@ std::optional<unit> unit_of(atom_kind kind) {
 
 void require_no_period(const expression& x) {
     if (x.periods() != 0) {
-        refuse_number("has T in a product, a power or a function: only multiples of T are times");
+        refuse_number("has T in a product, a power or a function: only multiples of T are supported");
     }
 }
 
@@ -255,7 +255,7 @@ expression expression::of_atom(atom a) {
         bits *= 2;
         if (bits > result.most_bits()) {
             throw error(error_kind::undecided, "number", "",
-                        "has a part of which no precision within the limits shows that it has a value");
+                        "has a part for which no precision within the limits decides whether it is defined");
         }
     }
     return result;
@@ -331,7 +331,7 @@ expression apply(function_kind f, const expression& x) {
 
 expression apply(function_kind f, const rational& order, const expression& x) {
     if (!has_order(f)) {
-        refuse_number("takes " + std::string(name_of(f)) + ", which has no order, of an order");
+        refuse_number("takes " + std::string(name_of(f)) + " with an order, which it does not have");
     }
     return expression::of_function(f, order, x);
 }

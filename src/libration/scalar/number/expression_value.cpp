@@ -84,7 +84,7 @@ bounds root_of_power(const number_bounds& x, const integer& n, std::size_t k) {
 bounds real_power(const number_bounds& x, const number_bounds& y, const std::optional<rational>& fraction) {
     constexpr std::size_t most_roots = 8;
     if (x.upper < 0) {
-        refuse_number("raises a negative number to a power that is not whole");
+        refuse_number("raises a negative number to a non-integer power");
     }
     if (x.lower <= 0) {
         return std::nullopt;

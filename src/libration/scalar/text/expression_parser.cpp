@@ -27,7 +27,7 @@ public:
         }
         expression value = sum();
         if (!rest_.empty()) {
-            refuse_here(rest_.front() == ')' ? "has a ) too many" : "");
+            refuse_here(rest_.front() == ')' ? "has an unmatched )" : "");
         }
         return value;
     }
@@ -169,7 +169,7 @@ private:
             return value;
         }
         rest_ = before;
-        refuse_here("has '" + std::string(name) + "' directly behind a number (write *)");
+        refuse_here("has '" + std::string(name) + "' directly after a number (write *)");
     }
 
     expression power_of(const expression& base) {
@@ -219,14 +219,14 @@ private:
             refuse_name(name, before);
         }
         if (!take_operator("(")) {
-            refuse("has " + std::string(name) + " without a ( behind it" + column_of(before));
+            refuse("has " + std::string(name) + " without a ( after it" + column_of(before));
         }
         if (!has_order(*f)) {
             return apply(*f, in_parentheses());
         }
         const auto order = before_end().fraction();
         if (!order) {
-            refuse("has " + std::string(name) + " of an order that is not a fraction" + column_of(before));
+            refuse("has " + std::string(name) + " with an order that is not a fraction" + column_of(before));
         }
         if (!take(",")) {
             refuse("has " + std::string(name) + " without an order: write " + std::string(name) + "(0, 1)" +
