@@ -5,7 +5,7 @@
 //     t_n = (a_n/a_{n+1}) t/d,   d_n = (a_{n+1} + b_n t^2) / (a_{n+1} + a_n t^2),
 // and at the end cn = 1/sqrt(1 + t^2), sn = t cn. Between -K/2 and K/2 nothing is subtracted, so sn, cn and dn keep
 // their relative precision (up to their condition |u f'/f|) from k = 0 to k' = 1e-100 and below; other arguments are
-// moved there by quarter periods. Carrying sn and cn separately instead doubles the error of sn^2 + cn^2 at every level.
+// moved there by quarter periods. Carrying sn and cn separately doubles the error of sn^2 + cn^2 at every level.
 #pragma once
 
 #include <algorithm>

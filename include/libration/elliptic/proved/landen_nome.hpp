@@ -1,4 +1,4 @@
-// The reduction to a small nome, in balls: the few steps of the arithmetic-geometric mean after which three terms of the
+// Reduction to a small nome in balls: the few steps of the arithmetic-geometric mean after which three terms of the
 // theta series are exact to the precision. Quantities that depend on the modulus only are computed here, rigorously,
 // for any number of arguments.
 //
@@ -27,8 +27,8 @@
 
 namespace libration::elliptic {
 
-/// Upper limits on the reduction and on the series of a nome: normally the precision ends them earlier. The remainder is
-/// enclosed in any case.
+/// Upper limits on the reduction and on the series of a nome: normally the precision ends them earlier. The remainder
+/// is enclosed in any case.
 struct nome_steps {
     int levels = std::numeric_limits<int>::max();  ///< r, but at least as many as bring P below 2^-4
     int terms = 4;                                 ///< N of the theta series, 1 .. 4, if the reduction is ended by r
