@@ -220,9 +220,9 @@ inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std:
     first.exponent_moved = std::max(first.exponent_moved, second_of(exponents_apart));
 }
 
-/// A weak singularity nearer than a strong one appears only in some degrees, and with an uncertainty larger than that:
-/// how much nearer the furthest root is that precedes the best one and moves by less than an eighth of its distance; 0
-/// if there is none.
+/// A weak singularity nearer than a strong one appears only in some degrees, and with a larger uncertainty: the largest
+/// distance by which a root of any degree is nearer than the best one, among those that move by less than an eighth of
+/// that distance; 0 if there is none.
 inline mpfr distance_of_nearer(const std::vector<fitted_singularities>& all, std::size_t best) {
     const fitted_singularity& first = all[best].nearest.front();
     mpfr most(0);
