@@ -315,7 +315,7 @@ TEST_CASE("what is not real is refused with the parameter", "[command][elliptic]
     check_refused({"Pi", "--n", "1.5", "--m", "0.5"}, "n '1.5' makes the integral pass a pole");
     check_refused({"Pi", "--m", "0.5"}, "add --n N");
     check_refused({"E", "--n", "1", "--m", "0.5"}, "--n '1'");
-    check_refused({"arcsn", "--x", "1.01", "--m", "0.5"}, "x '1.01' is no value of sn");
+    check_refused({"arcsn", "--x", "1.01", "--m", "0.5"}, "x '1.01' is not a value of sn");
     check_refused({"arcnd", "--x", "0", "--m", "0.5"}, "x '0'");
     check_refused({"arcsn", "--u", "0.5", "--m", "0.5"}, "--u '0.5'");
     check_refused({"sn", "--u", "1", "--k=-0.5"}, "--k '-0.5'");

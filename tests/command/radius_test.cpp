@@ -253,7 +253,7 @@ TEST_CASE("a list with an absolute floor is used above it, and the floor is name
         INFO(verdict.at("note"));
         CHECK(abs(number_of(verdict.at("radius")) - 2) <= number_of(verdict.at("uncertainty")));
         CHECK(number_of(verdict.at("uncertainty")) < mpfr("0.2"));
-        CHECK(verdict.at("note").find("a floor of noise of about") != std::string::npos);
+        CHECK(verdict.at("note").find("a noise floor of about") != std::string::npos);
     }
 }
 

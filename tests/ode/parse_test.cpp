@@ -96,7 +96,7 @@ TEST_CASE("an interval is refused wherever a number may stand", "[ode][parse]") 
     // As an expression 1 +- 0.1 would be 0.9.
     for (const std::string sign : {"+-", " +-", "-+", "\u00b1", " \u2213 "}) {
         INFO(sign);
-        const auto of_interval = Catch::Contains("stands for an interval, which is not supported");
+        const auto of_interval = Catch::Contains("denotes an interval, which is not supported");
         CHECK_THROWS_WITH(parse("x' = -x; x(0) = 1" + sign + "0.1"), of_interval);
         CHECK_THROWS_WITH(parse("x' = -k*x; x(0) = 1; k = 2" + sign + "1e-3"), of_interval);
         CHECK_THROWS_WITH(parse("x' = 1" + sign + "x; x(0) = 1"), of_interval);

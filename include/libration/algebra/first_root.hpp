@@ -1,8 +1,9 @@
-// The least root of a real polynomial in [0, 1], by signs alone.
+// The smallest root of a real polynomial in [0, 1], from signs alone.
 //
-// In Bernstein's basis p(x) = sum_j b_j C(n,j) x^j (1-x)^(n-j) the number of sign changes in b_0, .., b_n is the number
-// of roots in (0, 1) with their multiplicities, or more by an even number; halving the interval tells them apart
-// [LaneRiesenfeld1981]. In rounding arithmetic a coefficient is right to n eps sum |a_i|: what that hides is not seen.
+// In the Bernstein basis p(x) = sum_j b_j C(n,j) x^j (1-x)^(n-j) the number of sign changes in b_0, .., b_n equals the
+// number of roots in (0, 1), counted with multiplicity, or exceeds it by an even number; bisection separates the roots
+// [LaneRiesenfeld1981]. In rounding arithmetic a coefficient is accurate to n eps sum |a_i|; roots hidden by that error
+// are not found.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,7 @@ std::vector<T> coefficients_of(const series::power_series<T>& p) {
     return b;
 }
 
-/// Sign changes, zeros left out.
+/// Sign changes, ignoring zeros.
 template <rounding_scalar T>
 int sign_changes(const std::vector<T>& b) {
     int changes = 0;
@@ -48,7 +49,7 @@ int sign_changes(const std::vector<T>& b) {
     return changes;
 }
 
-/// Those of the two halves, by de Casteljau's rule. O(n^2).
+/// The Bernstein coefficients on the two halves, by de Casteljau's algorithm. O(n^2).
 template <rounding_scalar T>
 std::pair<std::vector<T>, std::vector<T>> halves(std::vector<T> b) {
     std::vector<T> left;
@@ -62,7 +63,7 @@ std::pair<std::vector<T>, std::vector<T>> halves(std::vector<T> b) {
     return {std::move(left), std::move(b)};
 }
 
-/// The least root in [from, from + width), or at the end of it where p is 0 there; nothing where there is none.
+/// The smallest root in [from, from + width), or the end of it if p is 0 there. Returns std::nullopt if there is none.
 template <rounding_scalar T>
 std::optional<T> first_root_in(const std::vector<T>& b, const T& from, const T& width) {
     if (b.front() == 0) {
@@ -71,7 +72,7 @@ std::optional<T> first_root_in(const std::vector<T>& b, const T& from, const T& 
     if (sign_changes(b) == 0) {
         return b.back() == 0 ? std::optional<T>(from + width) : std::nullopt;
     }
-    // Roots that are no further apart are one that p touches 0 in, or next to one.
+    // Roots closer together than this count as one: p touches 0 there or nearly does.
     if (width <= epsilon<T>() * 4) {
         return from;
     }
@@ -83,8 +84,9 @@ std::optional<T> first_root_in(const std::vector<T>& b, const T& from, const T& 
 
 }  // namespace bernstein
 
-/// The least x of [0, 1] with p(x) = 0, to 4 eps where the root is simple; nothing where there is none. A polynomial
-/// that only touches 0, to rounding, has a root there or none. O(n^2) for each halving, n the degree.
+/// The smallest x in [0, 1] with p(x) = 0, to 4 eps if the root is simple; std::nullopt if there is none. For a
+/// polynomial that only touches 0, to rounding, a root there may or may not be found. O(n^2) per bisection, n the
+/// degree.
 template <rounding_scalar T>
 std::optional<T> first_root(const series::power_series<T>& p) {
     return bernstein::first_root_in(bernstein::coefficients_of(p), T(0), T(1));

@@ -1,4 +1,4 @@
-// Small dense systems of linear equations, as fits of series ask for.
+// Small dense systems of linear equations, as needed for fitting series.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace libration {
 
 /// The solution of a square system A x = b by Gaussian elimination; rows are scaled by their largest entry to choose
-/// the pivot. O(n^3). std::nullopt where no pivot is above `negligible` times the largest entry of its row:
-/// the system is singular as far as can be told.
+/// the pivot. O(n^3). Returns std::nullopt if no pivot is above `negligible` times the largest entry of its row:
+/// the system is then numerically singular.
 template <rounding_scalar T>
 std::optional<std::vector<T>> solve_linear(std::vector<std::vector<T>> a, std::vector<T> b, const T& negligible) {
     using std::abs;
@@ -55,14 +55,14 @@ std::optional<std::vector<T>> solve_linear(std::vector<std::vector<T>> a, std::v
     return b;
 }
 
-/// A system that grows by one equation at a time: Gaussian elimination by rows, the pivot chosen among the columns.
-/// What several systems share of their equations is eliminated once: keep() goes back to it. Entries are reduced by
-/// inner products with a column of those before. What was allocated for forgotten equations serves the next ones.
+/// A system that grows by one equation at a time: Gaussian elimination by rows, with the pivot chosen among the
+/// columns. Equations shared by several systems are eliminated once: keep() returns to them. Entries are reduced by
+/// inner products with a column of the previous equations. Memory allocated for dropped equations is reused.
 template <rounding_scalar T>
 class growing_system {
 public:
-    /// For so many unknowns. An equation is dependent where none of what is left of it is above `negligible` times its
-    /// largest coefficient.
+    /// For this number of unknowns. An equation is dependent if no entry of its reduced row is above `negligible` times
+    /// its largest coefficient.
     growing_system(std::size_t unknowns, T negligible)
         : negligible_(std::move(negligible)), columns_(unknowns), factors_(unknowns, T(0)) {
         std::iota(columns_.begin(), columns_.end(), std::size_t{0});
@@ -71,8 +71,8 @@ public:
     std::size_t unknowns() const { return columns_.size(); }
     std::size_t equations() const { return equations_; }
 
-    /// Takes an equation, its coefficients and then its right side, unless there are as many as unknowns; false where
-    /// it depends on those before. O(equations unknowns).
+    /// Adds an equation, given as its coefficients followed by its right-hand side, unless there are already as many
+    /// equations as unknowns; returns false if it depends on the previous ones. O(equations unknowns).
     bool add(const std::vector<T>& equation) {
         if (equations_ == unknowns()) {
             return false;
@@ -89,17 +89,17 @@ public:
         return true;
     }
 
-    /// Forgets all equations but the first ones.
+    /// Drops all equations except the first ones.
     void keep(std::size_t equations) { equations_ = std::min(equations, equations_); }
 
-    /// The solution where there are as many equations as unknowns. O(n^2).
+    /// The solution, provided there are as many equations as unknowns. O(n^2).
     std::optional<std::vector<T>> solution() const {
         if (equations_ < unknowns()) {
             return std::nullopt;
         }
         std::vector<T> x(unknowns(), T(0));
         for (std::size_t k = unknowns(); k-- > 0;) {
-            // What is not known yet is 0 in x.
+            // Entries of x that are not computed yet are 0.
             const T* const equation = reduced_.data() + k * width();
             x[columns_[k]] =
                 equation[unknowns()] - inner_product(equation, 1, x.data(), 1, static_cast<int>(unknowns()));
@@ -110,7 +110,7 @@ public:
 private:
     std::size_t width() const { return unknowns() + 1; }
 
-    // Takes the multiples of all equations off the row that make the columns of their pivots 0.
+    // Subtracts multiples of all equations from the row so that its entries in their pivot columns become 0.
     void subtract_equations() {
         const auto reduce = [&](std::size_t column, std::size_t equations) {
             row_[column] -= inner_product(factors_.data(), 1, reduced_.data() + column, static_cast<int>(width()),
@@ -131,7 +131,7 @@ private:
         T size;
     };
 
-    // Where among the columns from a place on the row is largest.
+    // The position of the largest entry of the row among the columns from `first` on.
     place_of_size largest_among(std::size_t first) const {
         using std::abs;
         place_of_size largest{first, abs(row_[columns_[first]])};
@@ -143,7 +143,7 @@ private:
         return largest;
     }
 
-    // Takes the row divided by its pivot, that of the next equation.
+    // Appends the row, divided by its pivot, as the next equation.
     void append() {
         if (reduced_.size() == equations_ * width()) {
             reduced_.resize(reduced_.size() + width(), T(0));
@@ -160,27 +160,27 @@ private:
 
     T negligible_;
     std::size_t equations_ = 0;
-    std::vector<std::size_t> columns_;  ///< those of the pivots, then the others
-    /// By equations, the right side last; what stands at their pivot, which is 1, and at those before counts for
-    /// nothing.
+    std::vector<std::size_t> columns_;  ///< pivot columns first, then the others
+    /// By equations, the right-hand side last; entries at their pivot, which is 1, and before it are not used.
     std::vector<T> reduced_;
-    std::vector<T> row_;      ///< the equation that is being added
-    std::vector<T> factors_;  ///< what it takes of those before
+    std::vector<T> row_;      ///< the equation being added
+    std::vector<T> factors_;  ///< its multipliers of the previous equations
 };
 
-/// Square systems of successive equations, each of those that end with the one of `lasts`. What several have in common
-/// is eliminated once: the intersection of all, then those of ever smaller groups of neighbours in the list.
+/// Square systems of successive equations, one ending with each equation in `lasts`. Common equations are eliminated
+/// once: first the intersection of all, then those of ever smaller groups of neighbours in the list.
 template <rounding_scalar T, class Equation>
 class sliding_systems {
 public:
-    /// `equation(k)` has the coefficients and then the right side of the equation k, as growing_system takes them.
+    /// `equation(k)` returns the coefficients and then the right-hand side of equation k, as expected by
+    /// growing_system.
     sliding_systems(std::size_t unknowns, T negligible, Equation equation)
         : unknowns_(static_cast<int>(unknowns)),
           system_(unknowns, std::move(negligible)),
           equation_(std::move(equation)) {}
 
-    /// Calls found(x) for the solution x of each in turn, until that returns false; false where it does or a system is
-    /// singular. O(n^3) for the first and n^2 for each equation that is not shared.
+    /// Calls found(x) with the solution x of each system in turn until it returns false; returns false if it does or if
+    /// a system is singular. O(n^3) for the first and n^2 per equation that is not shared.
     template <class Found>
     bool solve(std::span<const int> lasts, const Found& found) {
         system_.keep(0);
@@ -226,7 +226,7 @@ private:
         return true;
     }
 
-    // How many come before it.
+    // The number of equations before it.
     static std::size_t widest_gap(std::span<const int> lasts) {
         std::size_t widest = 1;
         for (std::size_t i = 2; i < lasts.size(); ++i) {

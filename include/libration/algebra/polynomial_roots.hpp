@@ -1,12 +1,13 @@
 // All complex roots of a real polynomial at once, by the Aberth-Ehrlich iteration.
 //
-// Newton's step z - p/p' taken in p divided by the current guesses of the other roots [Aberth1973]: with
+// Newton's step z - p/p' applied to p divided by the linear factors of the current guesses of the other roots
+// [Aberth1973]: with
 // n_i = p/p' at z_i,
 //     z_i <- z_i - n_i / (1 - n_i sum_{j != i} 1/(z_i - z_j)),
 // cubic at simple roots, linear at multiple ones. It starts from circles whose radii are the slopes of the Newton
-// polygon of the coefficients, the upper hull of (i, log2 |a_i|) [Bini1996]: within a factor of the moduli of the roots
-// however far those spread. Working precision bounds what a root can mean: |p(z)| is known to about eps sum |a_i|
-// |z|^i, and a root of multiplicity m to eps^(1/m); the error bounds that come with the roots say so.
+// polygon of the coefficients, the upper hull of (i, log2 |a_i|) [Bini1996]: within a factor of the moduli of the
+// roots, however widely they spread. The working precision limits the accuracy: |p(z)| is known to about eps sum |a_i|
+// |z|^i, and a root of multiplicity m to eps^(1/m); the error bounds returned with the roots include this.
 #pragma once
 
 #include <cstddef>
@@ -18,23 +19,23 @@
 
 namespace libration {
 
-/// A root and n (|p| + rounding)/|p'| there: the disk of this radius about it holds an exact root [Henrici, 6.4].
+/// A root and n (|p| + rounding)/|p'| there: the disk of this radius about it contains an exact root [Henrici, 6.4].
 template <rounding_scalar T>
 struct polynomial_root {
     complex_number<T> at;
     T error_bound;
-    bool settled = false;  ///< |p| is no larger than its rounding: no step can improve the root
+    bool settled = false;  ///< |p| is no larger than its rounding error: no step can improve the root
 };
 
-/// The roots in no order, and how the iteration ended.
+/// The roots in no particular order, and how the iteration ended.
 template <rounding_scalar T>
 struct polynomial_roots {
     std::vector<polynomial_root<T>> all;
     int steps = 0;
-    bool converged = false;  ///< every root settled within the steps allowed
+    bool converged = false;  ///< every root settled within the allowed number of steps
 };
 
-/// p, p' and a bound of the rounding of p at one complex point.
+/// p, p' and a bound on the rounding error of p at one complex point.
 template <rounding_scalar T>
 struct polynomial_value {
     complex_number<T> value;
@@ -68,7 +69,7 @@ std::vector<int> newton_polygon(const series::power_series<T>& p) {
         if (p[i] == 0) {
             continue;
         }
-        const auto is_below = [&](int a, int b) {  // b, on or under the line from a to i
+        const auto is_below = [&](int a, int b) {  // b is on or below the line from a to i
             return (height(b) - height(a)) * (i - a) <= (height(i) - height(a)) * (b - a);
         };
         while (hull.size() >= 2 && is_below(hull[hull.size() - 2], hull.back())) {
@@ -79,8 +80,8 @@ std::vector<int> newton_polygon(const series::power_series<T>& p) {
     return hull;
 }
 
-/// b - a guesses on the circle |z| = |a_a/a_b|^(1/(b-a)) for each edge (a, b) of the polygon; turned, so that no
-/// symmetry of the polynomial keeps them from parting.
+/// b - a guesses on the circle |z| = |a_a/a_b|^(1/(b-a)) for each edge (a, b) of the polygon; rotated, so that a
+/// symmetry of the polynomial does not keep them together.
 template <rounding_scalar T>
 std::vector<polynomial_root<T>> first_guesses(const series::power_series<T>& p) {
     using std::cos;
@@ -101,7 +102,7 @@ std::vector<polynomial_root<T>> first_guesses(const series::power_series<T>& p) 
     return guesses;
 }
 
-/// One step of one root against all others; settles it where its value is below its rounding.
+/// One step of one root against all others; the root is settled if its value is below the rounding error.
 template <rounding_scalar T>
 void improve_root(const series::power_series<T>& p, std::vector<polynomial_root<T>>& roots, std::size_t i) {
     polynomial_root<T>& root = roots[i];
@@ -125,9 +126,9 @@ void improve_root(const series::power_series<T>& p, std::vector<polynomial_root<
     root.at = root.at - step;
 }
 
-/// The n roots of a_0 + ... + a_n z^n with multiplicity; roots 0 are exact. At most `steps` rounds of O(n^2)
-/// operations; without it 100 and four for each bit, which double roots need. Powers |a_i| |z|^i have to be in range of
-/// a fixed scalar. Throws error when a_n = 0.
+/// The n roots of a_0 + ... + a_n z^n with multiplicity; roots at 0 are exact. At most `steps` rounds of O(n^2)
+/// operations; the default is 100 and four per bit, which double roots need. The powers |a_i| |z|^i must be within the
+/// range of a fixed scalar. Throws error if a_n = 0.
 template <rounding_scalar T>
 polynomial_roots<T> roots_of(const series::power_series<T>& polynomial, int steps = 100 + 4 * digits<T>()) {
     if (polynomial[polynomial.order()] == 0) {

@@ -11,16 +11,16 @@
 
 namespace libration {
 
-/// The solution a of sum_j a_j x_j^n = b_n, n = 0 .. N-1, for N different nodes, by the algorithm of
-/// [BjorckPereyra1970] (the primal one). O(N^2), exact over fractions. The error of each a_j follows from what rounding
-/// does to the b_n, and so from the condition of the system (vandermonde_condition). Throws error where two nodes are
-/// the same, and where there are not as many right sides.
+/// The solution a of sum_j a_j x_j^n = b_n, n = 0 .. N-1, for N distinct nodes, by the algorithm of [BjorckPereyra1970]
+/// (the primal one). O(N^2), exact over fractions. The error of each a_j follows from the rounding errors of the b_n,
+/// and so from the condition of the system (vandermonde_condition). Throws error if two nodes are equal, or if the
+/// number of right-hand sides is not N.
 template <field R>
 std::vector<R> solve_vandermonde(const std::vector<R>& nodes, std::vector<R> b) {
     const std::size_t count = nodes.size();
     if (b.size() != count) {
-        throw error(error_kind::argument, "number of right sides", std::to_string(b.size()),
-                    "is not the " + std::to_string(count) + " of the nodes");
+        throw error(error_kind::argument, "number of right-hand sides", std::to_string(b.size()),
+                    "is not the number of nodes, " + std::to_string(count));
     }
     for (std::size_t k = 0; k + 1 < count; ++k) {
         for (std::size_t i = count - 1; i > k; --i) {
@@ -31,7 +31,7 @@ std::vector<R> solve_vandermonde(const std::vector<R>& nodes, std::vector<R> b) 
         for (std::size_t i = k + 1; i < count; ++i) {
             const R distance = R(nodes[i] - nodes[i - k - 1]);
             if (distance == R(0)) {
-                throw error(error_kind::argument, "nodes", "", "of a Vandermonde system are the same");
+                throw error(error_kind::argument, "nodes", "", "of a Vandermonde system are not distinct");
             }
             b[i] = R(b[i] / distance);
         }
@@ -42,9 +42,9 @@ std::vector<R> solve_vandermonde(const std::vector<R>& nodes, std::vector<R> b) 
     return b;
 }
 
-/// The condition number ||V|| ||V^-1|| of that system in the maximum norm, for different positive nodes: ||V^-1|| is
-/// max_j prod_{i != j} (1 + x_i)/|x_j - x_i| [Gautschi1962], ||V|| the largest row sum. Some N epsilon, relative.
-/// O(N^2).
+/// The condition number ||V|| ||V^-1|| of that system in the maximum norm, for distinct positive nodes: ||V^-1|| is
+/// max_j prod_{i != j} (1 + x_i)/|x_j - x_i| [Gautschi1962], ||V|| the largest row sum. Relative error of order N
+/// epsilon. O(N^2).
 template <rounding_scalar T>
 T vandermonde_condition(const std::vector<T>& nodes) {
     using std::abs;

@@ -1,4 +1,4 @@
-// What a series is turned into: partial sums, endpoint and Pade approximants, and the norms of their errors.
+// Approximants computed from a series: partial sums, endpoint and Pade approximants, and the norms of their errors.
 #pragma once
 
 #include "libration/approximant/difference_norm.hpp"

@@ -1,5 +1,5 @@
-// The infinity norm of the difference of two functions on an interval as a true maximum: on a grid the largest
-// difference is missed, so the stationary points between the grid points are found and refined.
+// The infinity norm of the difference of two functions on an interval as a true maximum: a grid misses the largest
+// difference, so the stationary points between the grid points are found and refined.
 #pragma once
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -25,18 +25,18 @@ struct norm_at {
     T place;
 };
 
-/// The scalars whose stationary points are sought. Boost 1.81's TOMS 748 does not compile on float128 in strict C++20;
-/// norms of a fixed scalar take the stationary points of mpfr anyway, where its rounding does not hide them.
+/// The scalars for which stationary points are searched. Boost 1.81's TOMS 748 does not compile with float128 in strict
+/// C++20; norms of a fixed scalar use the stationary points of mpfr anyway if its rounding does not hide them.
 template <class T>
 concept bracketed_scalar = rounding_scalar<T> && !std::same_as<T, quad>;
 
-/// count >= 2 Chebyshev points of [0, 1], ends included: (1 - cos(j pi/(count-1)))/2 rounded to double, so that every
-/// scalar holds them exactly.
-/// Throws error when count < 2.
+/// count >= 2 Chebyshev points of [0, 1], ends included: (1 - cos(j pi/(count-1)))/2 rounded to double, so that they
+/// are exact in every scalar.
+/// Throws error if count < 2.
 inline std::vector<double> chebyshev_points(int count) {
     if (count < 2) {
         throw error(error_kind::argument, "number of points", std::to_string(count),
-                    "is too small: the two ends are among them");
+                    "is too small: it includes the two ends");
     }
     std::vector<double> points;
     for (int j = 0; j < count; ++j) {
@@ -56,7 +56,7 @@ auto difference(F f, G g) {
     };
 }
 
-/// The zero of the slope of `difference` between two points where the slope has opposite signs, by the bracketing
+/// The zero of the slope of `difference` between two points at which the slope has opposite signs, by the bracketing
 /// method of [TOMS748] to full working precision.
 template <bracketed_scalar T, class F>
 T stationary_point(const F& difference, const T& left, const T& right, const series::jet<T>& at_left,
@@ -73,15 +73,15 @@ T stationary_point(const F& difference, const T& left, const T& right, const ser
     return (bracket.first + bracket.second) / 2;
 }
 
-/// Whether the slope changes its sign between two jets.
+/// Whether the slope changes sign between two jets.
 template <bracketed_scalar T>
 bool turns_between(const series::jet<T>& left, const series::jet<T>& right) {
     const bool at_zero = left.slope == 0 || right.slope == 0;
     return !at_zero && (left.slope < 0) != (right.slope < 0);
 }
 
-/// The stationary points between neighbouring points where the slope changes sign. `at_points` holds the jets at the
-/// points. Two stationary points between the same neighbours stay unseen: choose the points dense enough.
+/// The stationary points between neighbouring points at which the slope has opposite signs. `at_points` holds the jets
+/// at the points. Two stationary points between the same neighbours are missed: choose the points dense enough.
 template <bracketed_scalar T, class F>
 std::vector<T> stationary_points(const F& difference, const std::vector<double>& points,
                                  const std::vector<series::jet<T>>& at_points) {
@@ -95,9 +95,9 @@ std::vector<T> stationary_points(const F& difference, const std::vector<double>&
     return places;
 }
 
-/// Whether a function with these jets at two points, `width` apart, may exceed `level` between them: the cubic that has
-/// both jets stays within 4/27 width (|slopes| together) of the larger value, and here the whole of that is granted.
-/// So it is where the difference is far below its maximum, or only rounding, that nothing is sought.
+/// Whether a function with these jets at two points, `width` apart, may exceed `level` between them: the cubic with
+/// both jets stays within 4/27 width (the sum of the |slopes|) of the larger value; here width times that sum is
+/// allowed. Thus nothing is searched where the difference is far below its maximum or is only rounding error.
 template <bracketed_scalar T>
 bool may_exceed(const T& level, const series::jet<T>& left, const series::jet<T>& right, const T& width) {
     using std::abs;
@@ -105,8 +105,8 @@ bool may_exceed(const T& level, const series::jet<T>& left, const series::jet<T>
     return abs(left.value) + rise > level || abs(right.value) + rise > level;
 }
 
-/// The largest |difference| over [0, 1]: over the points, where its jets are given, and the stationary points between
-/// them that may exceed it. Throws error where the difference is not finite.
+/// The largest |difference| over [0, 1]: over the points, whose jets are given, and the stationary points between them
+/// that may exceed it. Throws error if the difference is not finite.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points,
                            const std::vector<series::jet<T>>& at_points) {
@@ -137,7 +137,7 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
     return largest;
 }
 
-/// The same with the jets computed here.
+/// The same, with the jets computed here.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points) {
     std::vector<series::jet<T>> at_points;

@@ -1,15 +1,15 @@
-// Endpoint approximants: a Taylor polynomial at 0 corrected so that it also has the right value and derivatives at the
+// Endpoint approximants: a Taylor polynomial at 0 corrected so that it also has the exact value and derivatives at the
 // other end of the interval, here x = 1 (scale the variable by the length of the interval first).
 //
-// Given a_0 .. a_N (Taylor coefficients at 0) and e_0 .. e_(m-1), e_j = f^(j)(1)/j!, the approximant is the one
+// Given a_0 .. a_N (Taylor coefficients at 0) and e_0 .. e_(m-1), e_j = f^(j)(1)/j!, the approximant is the unique
 // polynomial of degree N + m that agrees with f to order N at 0 and to order m-1 at 1: two-point Hermite interpolation.
 // m = 2 is the resummation of the paper [paper (fullresummation)], m = N + 1 the two-point Taylor expansion. Two forms:
 //     factored   p(x) = sum_j e_j (x-1)^j + (1-x)^m sum_{n=0}^{N} h_n x^n     [paper (resummation)]
 //     corrected  p(x) = sum_{n=0}^{N} a_n x^n + x^(N+1) q(x), deg q < m       [paper (efficient)]
-// They are equal as polynomials; the first is accurate next to x = 1, the second is the cheapest. For an f analytic
-// in |x| < r, r > 1, and a fixed m the rate on [0,1] is that of the series, r^-N; the norm of the error gains a factor
-// N^-m. For m = N + 1 it is (1/(4 min |z (z-1)|))^N over the singularities z of f, because |x (1-x)| <= 1/4: convergent
-// where that is below 1, also for r <= 1, and divergent where it is above.
+// They are equal as polynomials; the first is accurate near x = 1, the second is the cheapest. For an f analytic in |x|
+// < r, r > 1, and a fixed m the rate on [0,1] is that of the series, r^-N; the norm of the error gains a factor N^-m.
+// For m = N + 1 it is (1/(4 min |z (z-1)|))^N over the singularities z of f, because |x (1-x)| <= 1/4: convergent if
+// that is below 1, also for r <= 1, and divergent if it is above.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ std::vector<T> expand_at_zero(const std::vector<T>& endpoint) {
     return result;
 }
 
-/// b = a - sum_j e_j (x-1)^j, what the inner series times (1-x)^m has to equal [paper (b)].
+/// b = a - sum_j e_j (x-1)^j, which the inner series times (1-x)^m has to equal [paper (b)].
 template <scalar T>
 series::power_series<T> endpoint_remainder(series::power_series<T> series, const std::vector<T>& endpoint) {
     const std::vector<T> polynomial = expand_at_zero(endpoint);
@@ -58,7 +58,7 @@ series::power_series<T> inner_series_by_convolution(const series::power_series<T
     return m == 0 ? series : binomial * endpoint_remainder(series, endpoint);
 }
 
-/// The same by m running sums, each a division by 1 - x. O(m N) additions and no product.
+/// The same by m running sums, each a division by 1 - x. O(m N) additions and no multiplications.
 template <scalar T>
 series::power_series<T> inner_series(const series::power_series<T>& series, const std::vector<T>& endpoint) {
     series::power_series<T> inner = endpoint_remainder(series, endpoint);
@@ -131,7 +131,7 @@ public:
         return {at.value + end.value, at.slope + end.slope};
     }
 
-    /// The value alone: that of operator() at half the cost.
+    /// The value alone, computed as in operator() at half the cost.
     T value(const T& x) const {
         T at = evaluate_value(inner_, x);
         const T to_end = 1 - x;
@@ -143,7 +143,7 @@ public:
 
 private:
     std::size_t conditions_;            // m
-    series::power_series<T> endpoint_;  // in powers of x - 1; 0 where there is no condition
+    series::power_series<T> endpoint_;  // in powers of x - 1; 0 if there is no condition
     series::power_series<T> inner_;
 };
 

@@ -1,8 +1,9 @@
-// The Pade approximant [L/M] of a power series: the rational function P/Q, deg P <= L, deg Q <= M, Q(0) = 1, with
-// f - P/Q = O(x^(L+M+1)) [DLMF 3.11(iv)]. Its poles settle on those of a meromorphic f, beyond the radius of
-// convergence. Rates: with a fixed M, for an f with M poles in |x| < r and no other singularity there, the error at x
-// falls like (|x|/r)^L off the poles [Baker1996, Montessus's theorem]. With L = M and branch points it falls like
-// exp(-2 M G(x)), G the Green function of the complement of the cuts of least capacity, in capacity only [Stahl1997].
+// The Pade approximant [L/M] of a power series: the rational function P/Q, deg P <= L, deg Q <= M, Q(0) = 1, with f -
+// P/Q = O(x^(L+M+1)) [DLMF 3.11(iv)]. Its poles converge to those of a meromorphic f, beyond the radius of convergence.
+// Rates: for fixed M and an f with M poles in |x| < r and no other singularity there, the error at x falls like
+// (|x|/r)^L away from the poles [Baker1996, Montessus's theorem]. With L = M and branch points it falls like exp(-2 M
+// G(x)), G the Green function of the complement of the cuts of minimal capacity, with convergence in capacity only
+// [Stahl1997].
 #pragma once
 
 #include <cstddef>
@@ -33,9 +34,9 @@ struct pade_approximant {
 };
 
 /// [L/M] of a series of order L + M at least. With c_n = 0 for n < 0, sum_{j=0}^{M} q_j c_{L+i-j} = 0 for i = 1 .. M
-/// and q_0 = 1, then p = q c up to x^L. solve(a, b) gives the solution of A x = b, or nothing where there is none:
-/// there P/Q with Q(0) = 1 does not exist or is one of smaller degrees. O(L M) and a solution. Throws error when the
-/// series is too short.
+/// and q_0 = 1, then p = q c up to x^L. solve(a, b) returns the solution of A x = b, or std::nullopt if there is none:
+/// then P/Q with Q(0) = 1 does not exist or has smaller degrees. O(L M) and one solution. Throws error if the series is
+/// too short.
 template <scalar T, class Solve>
 std::optional<pade_approximant<T>> pade_by(const series::power_series<T>& series, int numerator_degree,
                                            int denominator_degree, const Solve& solve) {
@@ -69,8 +70,8 @@ std::optional<pade_approximant<T>> pade_by(const series::power_series<T>& series
     return pade_approximant<T>{std::move(numerator), std::move(denominator)};
 }
 
-/// The same by Gaussian elimination, O(M^3 + L M), where a pivot up to `negligible` is none. The system loses digits
-/// with every degree of Q: scale x by the radius of convergence and give the working precision guard digits.
+/// The same by Gaussian elimination, O(M^3 + L M), with pivots up to `negligible` taken as 0. The system loses digits
+/// with every degree of Q: scale x by the radius of convergence and add guard digits to the working precision.
 template <rounding_scalar T>
 std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
                                         int denominator_degree, const T& negligible) {
@@ -79,7 +80,7 @@ std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, i
     });
 }
 
-/// The same with what rounding alone leaves of a pivot, 8 (M + 1) eps, as negligible.
+/// The same with `negligible` the rounding error of a pivot, 8 (M + 1) eps.
 template <rounding_scalar T>
 std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
                                         int denominator_degree) {

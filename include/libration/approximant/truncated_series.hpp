@@ -7,8 +7,8 @@
 
 namespace libration {
 
-/// The series is kept in the scaled variable x = t/scale, because a_n = A_n / scale^n leaves the range of double long
-/// before A_n does; a scale next to the radius of convergence keeps A_n between powers of n.
+/// The series is stored in the scaled variable x = t/scale, because a_n = A_n / scale^n leaves the range of double long
+/// before A_n does; with a scale close to the radius of convergence, A_n stays between powers of n.
 template <scalar T>
 class truncated_series {
 public:
@@ -25,7 +25,7 @@ public:
         return at;
     }
 
-    /// The value alone: that of operator() at half the cost.
+    /// The value alone, computed as in operator() at half the cost.
     T value(const T& t) const { return evaluate_value(scaled_, T(t / scale_)); }
 
 private:

@@ -1,5 +1,5 @@
 // The radius of convergence and the nearest singularities from a list of coefficients: start with report_on_list(), or
-// with report_on_radius() for coefficients in their unit.
+// with report_on_radius() for coefficients that are already scaled to their unit.
 #pragma once
 
 #include "libration/convergence/list/coefficient_list.hpp"

@@ -1,4 +1,4 @@
-// What a list of coefficients as people have it says of its radius of convergence: any size, and with a floor of noise.
+// The radius of convergence of a list of coefficients in practice: of any magnitude, and possibly with a noise floor.
 #pragma once
 
 #include <optional>
@@ -11,28 +11,28 @@
 
 namespace libration::convergence {
 
-/// The report on a list; its lengths are in the unit.
+/// The report on a list; its lengths are in its unit.
 template <rounding_scalar T>
 struct list_report {
     radius_report<T> report;
     coefficient_unit unit;
-    std::optional<coefficient_floor> floor;  ///< where the list ends in noise, of which the report takes no notice
+    std::optional<coefficient_floor> floor;  ///< if the list ends in noise, which the report ignores
 
-    /// "a floor of noise of about 1.1e-16 from n = 53 on, left out"; empty where there is none.
+    /// "a noise floor of about 1.1e-16 from n = 53 on, left out"; empty if there is none.
     std::string floor_text() const {
         if (!floor) {
             return "";
         }
         const std::string rate = floor->rate == 1 ? "" : " times " + to_decimal(floor->rate, 3) + "^n";
-        return "a floor of noise of about " + to_decimal(floor->level, 2) + rate +
+        return "a noise floor of about " + to_decimal(floor->level, 2) + rate +
                " from n = " + std::to_string(floor->first) + " on is left out";
     }
 };
 
-/// All tests on a_0 .. a_N, of any size and known to `noise` of it. Where the list ends in a floor of noise, the
-/// coefficients above it are judged, cut where they are 16, 256 or 4096 times the floor, whichever gives the most
-/// certain radius: later coefficients say more of the radius and are more wrong. Throws error of the kind range where T
-/// cannot hold a coefficient in the unit of the list.
+/// All tests on a_0 .. a_N, of any magnitude and known to a relative accuracy `noise`. If the list ends in a noise
+/// floor, the coefficients above it are analysed, cut where they are 16, 256 or 4096 times the floor, whichever gives
+/// the most certain radius: later coefficients contain more information about the radius and larger errors. Throws
+/// error of the kind range if T cannot represent a coefficient in the unit of the list.
 template <rounding_scalar T>
 list_report<T> report_on_list(const series::power_series<mpfr>& a, const T& noise) {
     const auto judged = [&](const series::power_series<mpfr>& list) {

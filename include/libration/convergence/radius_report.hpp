@@ -1,4 +1,5 @@
-// Everything that a list of coefficients says of its radius of convergence: pattern, growth, all tests, and a verdict.
+// The complete analysis of the radius of convergence of a list of coefficients: pattern, growth, all tests, and a
+// verdict.
 #pragma once
 
 #include <string>
@@ -23,7 +24,7 @@
 
 namespace libration::convergence {
 
-/// What a test looks at.
+/// What a test examines.
 enum class radius_test_kind {
     ratios,      ///< of successive coefficients, for one singularity
     sizes,       ///< of the coefficients alone
@@ -31,22 +32,22 @@ enum class radius_test_kind {
     recurrence,  ///< a recurrence fitted to the coefficients
 };
 
-/// How many times its uncertainty a verdict takes of a test that may not decide: straight lines through ratios look
-/// more certain than they are where singularities are confluent, essential or near to each other.
+/// The factor by which a verdict multiplies the uncertainty of a test that may not decide: straight lines through
+/// ratios look more certain than they are if singularities are confluent, essential or close to each other.
 inline int caution_of(radius_test_kind kind) { return kind == radius_test_kind::ratios ? 8 : 2; }
 
-/// A test: how it is called, and how far it is trusted.
+/// A test: its name, and how far it is trusted.
 template <rounding_scalar T>
 struct radius_test {
     std::string method;
     radius_estimate<T> (*run)(const strided_series<T>&);
     radius_test_kind kind;
-    /// Whether a verdict may rest on it: its uncertainty follows the error also where its assumption is wrong.
+    /// Whether a verdict may be based on it: its uncertainty follows the error even if its assumption is wrong.
     bool may_decide = false;
-    bool as_given = false;  ///< on all coefficients, zeros included, and not on the class that symmetry leaves
+    bool as_given = false;  ///< on all coefficients, zeros included, rather than on the class that symmetry leaves
 };
 
-/// All tests, the simplest first.
+/// All tests, starting with the simplest.
 template <rounding_scalar T>
 std::vector<radius_test<T>> all_radius_tests() {
     using enum radius_test_kind;
@@ -66,7 +67,7 @@ std::vector<radius_test<T>> all_radius_tests() {
             {"differential-approximant-2", second_order_approximants<T>, recurrence, true}};
 }
 
-/// What a list of coefficients says.
+/// The analysis of a list of coefficients.
 template <rounding_scalar T>
 struct radius_report {
     coefficient_pattern pattern;
@@ -75,7 +76,7 @@ struct radius_report {
     std::vector<radius_estimate<T>> tests;  ///< in the order of all_radius_tests()
 };
 
-/// The reason why the growth of the coefficients leaves no radius; empty where it leaves one.
+/// The reason why the growth of the coefficients rules out a radius; empty if it does not.
 inline std::string reason_for_no_radius(const coefficient_pattern& pattern, growth kind) {
     const std::string so_far = " radius seen up to N = " + std::to_string(pattern.order) + ": ";
     if (pattern.last < 0 || pattern.polynomial) {
@@ -90,15 +91,16 @@ inline std::string reason_for_no_radius(const coefficient_pattern& pattern, grow
     return "";
 }
 
-/// Whether a verdict has six digits at least: then a radius is there, whatever the growth looks like. Coefficients of
-/// one singularity and a stronger one further out grow as if there were none.
+/// Whether a verdict has at least six digits: then a radius exists, whatever the growth looks like. Coefficients of one
+/// singularity and a stronger one further out grow as if there were none.
 template <rounding_scalar T>
 bool is_certain(const radius_estimate<T>& verdict) {
     return verdict.radius && verdict.uncertainty * 1'000'000 <= *verdict.radius;
 }
 
-/// Adds to the uncertainty of a verdict's exponent what the radius allows and how far the exponent may drift still,
-/// where the radius is not so certain that slow corrections are excluded; then names the kind, if that decides it.
+/// Adds to the uncertainty of a verdict's exponent that due to the radius and the possible remaining drift of the
+/// exponent, unless the radius is so certain that slow corrections are excluded; then sets the kind, if that decides
+/// it.
 template <rounding_scalar T>
 void judge_exponent(radius_estimate<T>& verdict, const strided_series<T>& part, const list_quality<T>& list) {
     add_position_to_exponent(verdict, list);
@@ -112,9 +114,8 @@ void judge_exponent(radius_estimate<T>& verdict, const strided_series<T>& part, 
     verdict.kind = kind_of(verdict, is_pure(verdict, list));
 }
 
-/// All tests on a_0 .. a_N, known to `noise` of their size and scaled so that the radius is about 1: coefficients
-/// a_n u^n for a unit u; the answers are in that unit (in_unit() takes them out of it). O(N^2) and the cost of the
-/// tests.
+/// All tests on a_0 .. a_N, known to a relative accuracy `noise` and scaled so that the radius is about 1: coefficients
+/// a_n u^n for a unit u; the results are in that unit (in_unit() converts them). O(N^2) and the cost of the tests.
 template <rounding_scalar T>
 radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noise) {
     radius_report<T> report;
@@ -153,7 +154,7 @@ radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noi
     return report;
 }
 
-/// An answer for a_n u^n as one for a_n: lengths times u.
+/// An estimate for a_n u^n as one for a_n: lengths times u.
 template <rounding_scalar T>
 radius_estimate<T> in_unit(radius_estimate<T> estimate, const T& unit) {
     if (estimate.radius) {

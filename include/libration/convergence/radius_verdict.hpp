@@ -1,4 +1,4 @@
-// The answer that a careful reader would draw from all radius tests, and why.
+// The verdict drawn from all radius tests, with its reasons.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace libration::convergence {
 
-/// Whether an answer is certain to N^-p of the radius. Coefficients of the form that its test assumes let it be so for
-/// any p as N grows, corrections by logarithms or by other powers do not.
+/// Whether an estimate is certain to N^-p of the radius. For coefficients of the form that its test assumes this holds
+/// for any p as N grows; with corrections by logarithms or by other powers it does not.
 template <rounding_scalar T>
 bool is_certain_to_power(const radius_estimate<T>& estimate, const list_quality<T>& list, int p) {
     if (!estimate.radius || list.order < 1) {
@@ -32,8 +32,8 @@ bool is_sharp(const radius_estimate<T>& estimate, const list_quality<T>& list) {
     return is_certain_to_power(estimate, list, 4);
 }
 
-/// So certain that a pole or a logarithm is a pure one: to N^-6, or where the noise of the coefficients does not let an
-/// answer be more certain, 256 N^2 of it, calibrated. Psi series reach N^-5, in double N^-3.
+/// So certain that a pole or a logarithm is a pure one: to N^-6, or, if the noise of the coefficients does not allow
+/// that, to 256 N^2 times the noise, calibrated. Psi series reach N^-5, in double N^-3.
 template <rounding_scalar T>
 bool is_pure(const radius_estimate<T>& estimate, const list_quality<T>& list) {
     constexpr int noise_factor = 256;
@@ -42,7 +42,7 @@ bool is_pure(const radius_estimate<T>& estimate, const list_quality<T>& list) {
            (is_certain_to_power(estimate, list, 6) || estimate.uncertainty <= *estimate.radius * least);
 }
 
-/// The fraction p/q, q <= most, with the smallest q that lies within the uncertainty of the exponent, if there is one.
+/// The fraction p/q, q <= most, with the smallest q that is within the uncertainty of the exponent, if there is one.
 template <rounding_scalar T>
 std::optional<rational> fraction_within(const radius_estimate<T>& estimate, int most) {
     using std::abs;
@@ -55,12 +55,12 @@ std::optional<rational> fraction_within(const radius_estimate<T>& estimate, int 
     return std::nullopt;
 }
 
-/// Adds to the uncertainty of the exponent what that of the radius allows. The coefficients near n do not tell a change
-/// of the radius by a part delta from one of the exponent by n delta. Logarithms and other slow corrections hide more: of
-/// k/log n in the exponent k/(n log^2 n) shows in the radius as a straight line through the ratios gives it, and less in
-/// that of a curve through them; where the radius is not sharp, n log^2(n) delta is allowed for, calibrated, and
-/// 2 n log^3(n) delta if no fraction with a denominator of 3 or less is within that: the exponents of most equations are
-/// such fractions, and a local exponent that a logarithm shifts is near one by chance only.
+/// Adds to the uncertainty of the exponent that due to the radius. Coefficients near n do not distinguish a relative
+/// change delta of the radius from a change n delta of the exponent. Logarithms and other slow corrections hide more:
+/// of k/log n in the exponent, k/(n log^2 n) appears in the radius from a straight line through the ratios, and less in
+/// that from a curve through them; if the radius is not sharp, n log^2(n) delta is added, calibrated, and 2 n log^3(n)
+/// delta if no fraction with a denominator of at most 3 is within that: the exponents of most equations are such
+/// fractions, and a local exponent shifted by a logarithm is near one only by chance.
 template <rounding_scalar T>
 void add_position_to_exponent(radius_estimate<T>& estimate, const list_quality<T>& list) {
     using std::log;
@@ -82,8 +82,8 @@ void add_position_to_exponent(radius_estimate<T>& estimate, const list_quality<T
     }
 }
 
-/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, that lies within the uncertainty of the estimate, with
-/// the smallest q. Nothing where there is none, or where the uncertainty is too large to tell one from another.
+/// The exponent nu as a hypothesis: the fraction p/q, q <= 6, within the uncertainty of the estimate, with the smallest
+/// q. Returns std::nullopt if there is none, or if the uncertainty is too large to distinguish such fractions.
 template <rounding_scalar T>
 std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
     constexpr int largest_denominator = 6;
@@ -93,9 +93,9 @@ std::optional<rational> simple_exponent(const radius_estimate<T>& estimate) {
     return fraction_within(estimate, largest_denominator);
 }
 
-/// What the interval of the exponent decides. Of a verdict that is pure: pole for a negative integer, logarithm for 0
-/// and other integers, algebraic otherwise; of another one, whose coefficients may contain logarithms or powers upon the
-/// leading one: branch where the interval contains no integer. Otherwise unknown.
+/// The kind that follows from the interval of the exponent. For a pure verdict: pole for a negative integer, logarithm
+/// for 0 and other integers, algebraic otherwise; for others, whose coefficients may contain logarithms or powers in
+/// addition to the leading one: branch if the interval contains no integer. Otherwise unknown.
 template <rounding_scalar T>
 singularity_kind kind_of(const radius_estimate<T>& estimate, bool pure) {
     using std::abs;
@@ -114,8 +114,8 @@ singularity_kind kind_of(const radius_estimate<T>& estimate, bool pure) {
     return *simple < 0 ? singularity_kind::pole : singularity_kind::logarithm;
 }
 
-/// The root test's answer for a lacunary series, which has its whole circle of convergence as a boundary if its
-/// gaps go on growing [Hadamard1892].
+/// The root test's estimate for a lacunary series, which has its whole circle of convergence as a boundary if its gaps
+/// keep growing [Hadamard1892].
 template <rounding_scalar T>
 radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests) {
     for (const auto& each : tests) {
@@ -130,8 +130,8 @@ radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests
     return no_estimate<T>("verdict", "a lacunary series, of which the root test gives no radius");
 }
 
-/// An answer as the verdict weighs it: its uncertainty, and the probability that it is about the nearest singularity at
-/// all, both calibrated on the population of tests/convergence/radius_families.hpp.
+/// An estimate as weighted in the verdict: its uncertainty, and the probability that it refers to the nearest
+/// singularity at all, both calibrated on the population of tests/convergence/radius_families.hpp.
 template <rounding_scalar T>
 struct weighed_answer {
     const radius_estimate<T>* of;
@@ -140,7 +140,7 @@ struct weighed_answer {
     const T& radius() const { return *of->radius; }
 };
 
-/// All answers with an uncertainty below the answer, which counts as often as the test's caution asks; by growing
+/// All estimates whose uncertainty, multiplied by the test's caution factor, is below the radius; by increasing
 /// relative uncertainty.
 template <rounding_scalar T>
 std::vector<weighed_answer<T>> weighed_answers(const std::vector<radius_estimate<T>>& tests) {
@@ -159,9 +159,9 @@ std::vector<weighed_answer<T>> weighed_answers(const std::vector<radius_estimate
     return answers;
 }
 
-/// log of the probability, up to a common factor, of all answers where answer i is right to its uncertainty: each other
-/// one is either right too, and then as near as both uncertainties allow, beyond which its density falls like the
-/// fourth power; or it may be anywhere between 0 and two radii.
+/// log of the probability, up to a common factor, of all estimates if estimate i is correct to its uncertainty: each
+/// other one is either correct too, and then as near as both uncertainties allow, beyond which its density falls like
+/// the fourth power; or it may be anywhere between 0 and two radii.
 template <rounding_scalar T>
 T log_evidence(const std::vector<weighed_answer<T>>& answers, std::size_t i) {
     using std::abs;
@@ -180,8 +180,8 @@ T log_evidence(const std::vector<weighed_answer<T>>& answers, std::size_t i) {
     return sum;
 }
 
-/// The answer for which the others speak most, among the tests that may decide and are certain to a sixteenth, or among
-/// all to a factor of 3/2 where there is none; nothing where there is no such answer either.
+/// The estimate best supported by the others, among the tests that may decide and are certain to a sixteenth, or among
+/// all to a factor of 3/2 if there is none; std::nullopt if there is no such estimate either.
 template <rounding_scalar T>
 std::optional<std::size_t> leading_answer(const std::vector<weighed_answer<T>>& answers) {
     const auto most_believed = [&](auto may_lead) {
@@ -205,16 +205,16 @@ std::optional<std::size_t> leading_answer(const std::vector<weighed_answer<T>>& 
                : most_believed([](const auto& a) { return a.of->may_decide || a.of->uncertainty * 2 < a.radius(); });
 }
 
-/// What another answer says of the leading one.
+/// How another estimate supports or contradicts the leading one.
 template <rounding_scalar T>
 struct witness {
     std::string what;  ///< "confirmed by domb-sykes"
-    T uncertainty;     ///< that is left
+    T uncertainty;     ///< the remaining uncertainty
 };
 
-/// The most certain answer that agrees; where none does, the one that contradicts least, by its distance and its own
-/// uncertainty; where no other is certain to a quarter of the radius, four times the answer's own uncertainty, or twice
-/// where that already is more than its test says.
+/// The most certain estimate that agrees; if none does, the one that contradicts least, by its distance and its own
+/// uncertainty; if no other is certain to a quarter of the radius, four times the estimate's own uncertainty, or twice
+/// if that is already more than its test states.
 template <rounding_scalar T>
 witness<T> witness_of(const std::vector<weighed_answer<T>>& answers, std::size_t lead) {
     using std::abs;
@@ -244,8 +244,9 @@ witness<T> witness_of(const std::vector<weighed_answer<T>>& answers, std::size_t
     return {", confirmed by no other test", T(own * (answers[lead].of->may_decide ? 4 : 2))};
 }
 
-/// Where an agreeing test that may decide has seen a weaker singularity nearer, twice its distance is the uncertainty,
-/// unless the answer is certain to three quarters of the digits: then nothing weaker is left in them.
+/// If an agreeing test that may decide has detected a nearer, weaker singularity, the uncertainty is twice its
+/// distance, unless the estimate is certain to three quarters of the digits: then no weaker contribution is left in
+/// them.
 template <rounding_scalar T>
 void add_nearer(witness<T>& said, const std::vector<weighed_answer<T>>& answers, std::size_t lead) {
     using std::abs;
@@ -263,7 +264,7 @@ void add_nearer(witness<T>& said, const std::vector<weighed_answer<T>>& answers,
     }
 }
 
-/// Drops an exponent that is uncertain by more than a half.
+/// Drops an exponent whose uncertainty is more than a half.
 template <rounding_scalar T>
 void drop_uncertain_exponent(radius_estimate<T>& verdict) {
     if (verdict.exponent && verdict.exponent_uncertainty * 2 > 1) {
@@ -272,8 +273,8 @@ void drop_uncertain_exponent(radius_estimate<T>& verdict) {
     }
 }
 
-/// The exponent of an answer, or, where that is the assumption of its test, the one that an agreeing test has measured
-/// and is more certain of; nothing that is uncertain by more than a half.
+/// The exponent of an estimate, or, if that is an assumption of its test, the more certain one measured by an agreeing
+/// test; none whose uncertainty is more than a half.
 template <rounding_scalar T>
 void choose_exponent(radius_estimate<T>& verdict, const std::vector<weighed_answer<T>>& answers, const T& own) {
     using std::abs;
@@ -293,7 +294,7 @@ void choose_exponent(radius_estimate<T>& verdict, const std::vector<weighed_answ
     drop_uncertain_exponent(verdict);
 }
 
-/// The answer for which the others speak most, with what is left of its certainty where they do not confirm it.
+/// The estimate best supported by the others, with its certainty reduced if they do not confirm it.
 template <rounding_scalar T>
 radius_estimate<T> verdict_of(const std::vector<radius_estimate<T>>& tests, const coefficient_pattern& pattern) {
     if (pattern.lacunary) {

@@ -1,5 +1,5 @@
-// Correct digits by one run: where a bound of the error is known before, a precision that makes it small enough needs
-// no second run to confirm it.
+// Correct digits from one run: if an error bound is known in advance, a precision that makes it small enough needs no
+// second run for confirmation.
 #pragma once
 
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace libration {
 
-/// A value computed at the working precision with a bound of its error.
+/// A value computed at the working precision with a bound on its error.
 struct bounded_value {
     mpfr value;
     mpfr error;
 };
 
-/// Guard digits beyond which a bound that stays too large is not believed to shrink.
+/// Number of guard digits at which the search ends if the bound is still too large.
 inline constexpr long most_bound_digits = 100'000;
 
-/// The value to `digits` digits, right to one unit in the last when it is printed with them: compute() returns it with
-/// its a-priori bound at the working precision, digits + lost + 10 to begin with, lost being the decimal digits that
-/// the formula is known to lose. So one run does where `lost` is right; where it is too small the bound says so, and
-/// the run is repeated. Throws error of the kind undecided where no precision makes the bound small, as for the value
-/// 0.
+/// The value to `digits` digits, correct to one unit in the last when it is printed with them: compute() returns it
+/// with its a-priori bound at the working precision, initially digits + lost + 10, where lost is the number of decimal
+/// digits that the formula is known to lose. One run suffices if `lost` is correct; if it is too small, the bound shows
+/// this and the run is repeated. Throws error of the kind undecided if no precision makes the bound small, as for the
+/// value 0.
 mpfr value_within_bound(long digits, long lost, const std::function<bounded_value()>& compute);
 
 }  // namespace libration

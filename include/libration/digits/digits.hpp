@@ -1,4 +1,4 @@
-// As many correct digits as are asked for: the precision grows until they are there.
+// Any number of correct digits: the precision is increased until they are reached.
 #pragma once
 
 #include "libration/digits/agreed_values.hpp"

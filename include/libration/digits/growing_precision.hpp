@@ -1,5 +1,6 @@
-// The one loop over the working precision: a computation is repeated with more digits until it says that they are
-// enough. There is always a last precision; what it leaves open is an error of the kind undecided, never a longer wait.
+// The single loop over the working precision: a computation is repeated with more digits until it reports that they
+// suffice. There is always a last precision; a case that it leaves open is an error of the kind undecided, never a
+// longer wait.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +13,14 @@
 
 namespace libration {
 
-/// How digits grow from run to run.
+/// How the number of digits grows from run to run.
 enum class digit_growth {
     twofold,   ///< 1, 2, 4, 8 ... times the first
     by_half,   ///< half as many again, rounded down
     by_first,  ///< 1, 2, 3, 4 ... times the first
 };
 
-/// The working precisions of the runs, in decimal digits: `wanted` ones, which stay, and `first` .. `last` besides,
+/// The working precisions of the runs, in decimal digits: `wanted` ones, which are fixed, plus `first` .. `last` ones,
 /// which grow.
 struct growing_digits {
     long wanted = 0;
@@ -27,14 +28,14 @@ struct growing_digits {
     long last = 10'240;
     digit_growth by = digit_growth::twofold;
 
-    /// The growing digits of the run after one with so many, one more at least; beyond `last` there is none.
+    /// The growing digits of the run after one with `now`, at least one more; beyond `last` there is no next run.
     long after(long now) const {
         const long more = by == digit_growth::twofold ? now : by == digit_growth::by_half ? now / 2 : first;
         return now + std::max(more, 1L);
     }
 };
 
-/// What a run is told: its growing digits, and whether there is another one after it.
+/// The data of a run: its growing digits, and whether another run follows.
 struct precision_run {
     long more;
     bool last;
@@ -43,9 +44,9 @@ struct precision_run {
 /// Throws the error of the kind undecided: "SUBJECT is not decided by DIGITS digits".
 [[noreturn]] void refuse_undecided(const std::string& subject, long digits);
 
-/// The first answer of attempt(precision_run), a std::optional, in a precision_scope of the run's digits; std::nullopt
-/// and precision_exhausted ask for another run. `subject` is what has no answer when all runs have passed.
-/// Cost: with digit_growth::twofold at most a small multiple of the last run.
+/// The first result of attempt(precision_run), a std::optional, in a precision_scope of the run's digits; std::nullopt
+/// and precision_exhausted request another run. `subject` names the quantity that is undecided after all runs. Cost:
+/// with digit_growth::twofold at most a small multiple of the last run.
 /// Throws error of the kind undecided after the last run, and whatever else attempt throws.
 template <class Attempt>
 auto with_growing_precision(const growing_digits& digits, const std::string& subject, Attempt&& attempt) ->
@@ -65,8 +66,9 @@ auto with_growing_precision(const growing_digits& digits, const std::string& sub
     refuse_undecided(subject, used);
 }
 
-/// The same for a computation that sees how many digits it needs: attempt(digits) without an answer leaves in `digits`
-/// the ones of the next run, which has at least one more. The first run has `first`, none has more than `last`.
+/// The same for a computation that determines how many digits it needs: an attempt(digits) without a result stores in
+/// `digits` the number for the next run, which has at least one more. The first run has `first`, none has more than
+/// `last`.
 template <class Attempt>
 auto with_asked_precision(long first, long last, const std::string& subject, Attempt&& attempt) ->
     typename std::invoke_result_t<Attempt&, long&>::value_type {

@@ -1,4 +1,4 @@
-// Memory that a question will need, asked for before anything is computed.
+// Memory that a request will need, checked before anything is computed.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,7 @@
 
 namespace libration {
 
-/// A question that was refused because it needs more memory than there is; what() says how much.
+/// A request that was rejected because it needs more memory than is available; what() states how much.
 class memory_shortage : public std::bad_alloc {
 public:
     explicit memory_shortage(std::string message) : message_(std::move(message)) {}
@@ -23,17 +23,18 @@ private:
     std::string message_;
 };
 
-/// The bytes that this process can still get: the least of what its limits of address space and data leave, what its
-/// control group leaves, and what the machine has, with swap. std::nullopt where the system tells none of them. Some 50
-/// microseconds.
+/// The bytes that this process can still allocate: the minimum of what its limits of address space and data leave, what
+/// its control group leaves, and what the machine has, with swap. Returns std::nullopt if the system reports none of
+/// them. Some 50 microseconds.
 std::optional<double> available_memory();
 
-/// Throws memory_shortage, "order 100000000 needs at least 24.3 GB of memory, and 20.1 GB are available: ask for less",
-/// if so many bytes are more than the available ones. `least` is a lower bound of what will be allocated, so that a
-/// refusal states a fact. Below 64 MB, which every question may need, the system is not asked.
+/// Throws memory_shortage, "order 100000000 needs at least 24.3 GB of memory, and 20.1 GB are available: reduce it",
+/// if `least` bytes are more than the available ones. `least` is a lower bound on the memory that will be allocated, so
+/// that an error is never premature. Below 64 MB, which every request may need, the system is not queried.
 void require_memory(const std::string& quantity, double least);
 
-/// A lower bound of the bytes that a number takes in the working precision: a digit of mpfr has more than 2/5 of one.
+/// A lower bound on the bytes that a number occupies in the working precision: a digit of mpfr takes more than 2/5 of a
+/// byte.
 template <class R>
 long bytes_of() {
     const bool at_run_time = std::same_as<R, mpfr> || std::same_as<R, complex_number<mpfr>>;

@@ -5,7 +5,7 @@
 
 namespace libration::elliptic {
 
-/// K from a chain already made: K = pi / (2 agm(1, k')) [DLMF 19.8.5].
+/// K from an existing chain: K = pi / (2 agm(1, k')) [DLMF 19.8.5].
 template <scalar T>
 T complete_integral(const landen_chain<T>& chain) {
     return pi<T>() / (chain.mean() * 2);

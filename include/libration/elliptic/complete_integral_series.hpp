@@ -1,8 +1,8 @@
-// Partial sums of the two power series of K(k) in the paper, and proved bounds of what they leave out. The sums are
-// approximations by definition: nothing is enclosed here, and the error is what the studies measure.
+// Partial sums of the two power series of K(k) in the paper, and proved bounds on their remainders. The sums are
+// approximations by definition: nothing is enclosed here, and the studies measure their error.
 //
-// With c_n = (pi/2) ((2n)!/n!^2)^2 16^-n and b_n = c_n - 1/(2n+1) the remainders are sum_{n>N} c_n k^(2n) and
-// sum_{n>N} b_n k^(2n). From c_{n+1}/c_n = ((2n+1)/(2n+2))^2,
+// With c_n = (pi/2) ((2n)!/n!^2)^2 16^-n and b_n = c_n - 1/(2n+1) the remainders are sum_{n>N} c_n k^(2n) and sum_{n>N}
+// b_n k^(2n). From c_{n+1}/c_n = ((2n+1)/(2n+2))^2,
 //     (2n+1) c_n falls, as (2n+1)(2n+3) < (2n+2)^2, and tends to 1 (Wallis): so b_n > 0, and both sums are always below
 //     K; and c_n <= (2N+3) c_{N+1}/(2n+1) for n > N;
 //     (4n+1) c_n rises, as (4n+5)(2n+1)^2 = (4n+1)(2n+2)^2 + 1, and tends to 2: so b_n < 1/((4n+1)(2n+1)).
@@ -13,7 +13,7 @@
 //     q+1+s/d <= q+s+1/d;
 //     sum_{j>=0} k^(2j)/((q+j)(q+j+1)) <= H(q) = 1/(q (1 + q d)), because H(q) - k^2 H(q+1) - 1/(q (q+1)) =
 //     k^2 d/((q+1) (1+q d) (1+(q+1) d)) >= 0.
-// The first with q = N+1 serves (Kold); the second with q = N+7/8 serves (Knew), as (4n+1)(2n+1) > 8 (n-1/8)(n+7/8).
+// The first with q = N+1 is used for (Kold), the second with q = N+7/8 for (Knew), as (4n+1)(2n+1) > 8 (n-1/8)(n+7/8).
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@
 
 namespace libration::elliptic {
 
-/// Refuses a negative order of a partial sum.
+/// Throws error for a negative order of a partial sum.
 inline void require_order(int order) {
     if (order < 0) {
         throw error(error_kind::argument, "order", std::to_string(order), "of a partial sum is negative");
@@ -41,7 +41,7 @@ T artanh_over_modulus(const modulus<T>& m) {
 }
 
 /// sum_{n=0}^{N} (pi/2) ((2n)!/n!^2)^2 16^-n k^(2n) [paper (Kold)]. The remainder is below its first omitted term over
-/// k'^2, and below complete_integral_series_bound() also next to k = 1. O(N).
+/// k'^2, and below complete_integral_series_bound() also near k = 1. O(N).
 template <scalar T>
 T complete_integral_series(const modulus<T>& m, int order) {
     require_order(order);
@@ -56,7 +56,7 @@ T complete_integral_series(const modulus<T>& m, int order) {
     return sum;
 }
 
-/// sum_{n=0}^{N} [(pi/2) ((2n)!/n!^2)^2 16^-n - 1/(2n+1)] k^(2n) + artanh(k)/k [paper (Knew)]. The brackets behave as
+/// sum_{n=0}^{N} [(pi/2) ((2n)!/n!^2)^2 16^-n - 1/(2n+1)] k^(2n) + artanh(k)/k [paper (Knew)]. The brackets behave like
 /// 1/(8 n^2), so that at k = 1 the error decays only like 1/(8 N). O(N).
 template <scalar T>
 T complete_integral_resummed(const modulus<T>& m, int order) {
@@ -74,8 +74,9 @@ T complete_integral_resummed(const modulus<T>& m, int order) {
     return sum + artanh_over_modulus(m);
 }
 
-/// Bound of K - complete_integral_series(m, N), proved above: (2N+3) c_{N+1} k^(2N+2) log(1 + 1/((N+1) k'^2))/2.
-/// Between 1 and 2 times what is left out at every k. It has the rounding of a few operations and of log(1 + x). O(N).
+/// Bound on K - complete_integral_series(m, N), proved above: (2N+3) c_{N+1} k^(2N+2) log(1 + 1/((N+1) k'^2))/2.
+/// Between 1 and 2 times the remainder for every k. It has the rounding error of a few operations and of log(1 + x).
+/// O(N).
 template <scalar T>
 T complete_integral_series_bound(const modulus<T>& m, int order) {
     require_order(order);
@@ -88,8 +89,8 @@ T complete_integral_series_bound(const modulus<T>& m, int order) {
     return term * (2 * order + 3) * log(T(1 + 1 / (m.complement * m.complement * (order + 1)))) / 2;
 }
 
-/// Bound of K - complete_integral_resummed(m, N), proved above: k^(2N+2)/((8N+7) (1 + (N+7/8) k'^2)). It tends to what
-/// is left out as k -> 1 and N -> infinity. O(log N).
+/// Bound on K - complete_integral_resummed(m, N), proved above: k^(2N+2)/((8N+7) (1 + (N+7/8) k'^2)). It is asymptotic
+/// to the remainder as k -> 1 and N -> infinity. O(log N).
 template <scalar T>
 T complete_integral_resummed_bound(const modulus<T>& m, int order) {
     require_order(order);

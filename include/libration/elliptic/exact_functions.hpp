@@ -1,9 +1,9 @@
 // Elliptic functions and integrals of exact arguments at an exact parameter: every limit and every exact value is
-// decided on what was typed, and the rest is computed in T, rounded or enclosed.
+// decided from the input as given, and the rest is computed in T, rounded or enclosed.
 //
-// For 0 < m < 1 rational and u a rational multiple of 1 or pi other than 0, no value is 0 or at the end of its range: u
-// would be a multiple of K, and K(m) and K(m)/pi are transcendental at algebraic m [Schneider]. So every digit of
-// every value is found at some precision.
+// For 0 < m < 1 rational and u a nonzero rational multiple of 1 or pi, no value is 0 or at the end of its range: u
+// would be a multiple of K, and K(m) and K(m)/pi are transcendental at algebraic m [Schneider]. Every digit of every
+// value is therefore found at some precision.
 #pragma once
 
 #include <utility>
@@ -18,7 +18,7 @@ namespace libration::elliptic {
 /// m = k^2 and 1 - m, exactly, 0 <= m <= 1.
 class exact_parameter {
 public:
-    /// Each throws error of the kind argument outside [0, 1], of the kind undecided where no precision shows on which
+    /// Each throws error of the kind argument outside [0, 1], of the kind undecided if no precision determines on which
     /// side of 0 or 1 a formula is.
     static exact_parameter from_modulus(const exact& k) { return from_parameter(checked("modulus", k) * k); }
     static exact_parameter from_parameter(const exact& m) { return {checked("parameter", m), exactly(1) - m}; }
@@ -51,10 +51,10 @@ private:
     exact complement_;
 };
 
-/// What jacobi_value gives.
+/// The functions computed by jacobi_value.
 enum class jacobi_function { am, sn, cn, dn };
 
-/// am, sn, cn and dn at m = 0: u, sin u, cos u and 1, exact where they are rational.
+/// am, sn, cn and dn at m = 0: u, sin u, cos u and 1, exact if they are rational.
 template <scalar T>
 T circular_value(jacobi_function f, const exact& u) {
     using std::cos;
@@ -94,8 +94,8 @@ T hyperbolic_value(jacobi_function f, const exact& u) {
 }
 
 /// The function at u. Cost O(log digits) square roots and divisions and a tangent; loses the bits that u has before its
-/// point and log2(1/k') of them next to odd multiples of K. On balls throws precision_exhausted where the quarter is
-/// not decided.
+/// point and log2(1/k') of them near odd multiples of K. On balls throws precision_exhausted if the quarter is not
+/// decided.
 template <scalar T>
 T jacobi_value(jacobi_function f, const exact& u, const exact_parameter& p) {
     if (p.m().is_zero()) {
@@ -115,12 +115,12 @@ T jacobi_value(jacobi_function f, const exact& u, const exact_parameter& p) {
     return f == jacobi_function::sn ? values.sn : f == jacobi_function::cn ? values.cn : values.dn;
 }
 
-/// The sign of the infinity that F(phi, m) is: 0 for m < 1 and for |phi| < pi/2. Decided exactly: a rational phi is not
-/// pi/2. Throws error of the kind undecided where no precision tells phi from pi/2.
+/// The sign of F(phi, m) if it is infinite: 0 for m < 1 and for |phi| < pi/2. Decided exactly: a rational phi is not
+/// pi/2. Throws error of the kind undecided if no precision distinguishes phi from pi/2.
 int infinite_sign(const exact& phi, const exact_parameter& p);
 
-/// F(phi, m) where it is finite, unwrapped; a multiple of K at multiples of pi/2, asinh tan phi at m = 1 [DLMF 19.6.8].
-/// Throws error of the kind argument where it is infinite.
+/// F(phi, m) if finite, unwrapped; a multiple of K at multiples of pi/2, asinh tan phi at m = 1 [DLMF 19.6.8]. Throws
+/// error of the kind argument if it is infinite.
 template <scalar T>
 T incomplete_value(const exact& phi, const exact_parameter& p) {
     using std::asinh;
@@ -142,7 +142,7 @@ T incomplete_value(const exact& phi, const exact_parameter& p) {
     return incomplete_integral(from_exact<T>(phi), p.shape<T>());
 }
 
-/// The decimal digits that an argument loses before its point when it is reduced.
+/// The number of decimal digits before its point, which an argument loses on reduction.
 long digits_before_point(const exact& argument);
 
 }  // namespace libration::elliptic

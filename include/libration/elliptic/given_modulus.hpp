@@ -1,5 +1,4 @@
-// The modulus of an elliptic function in the words of the one who asks for it. No other header is needed to write it
-// down.
+// The modulus of an elliptic function as given by the caller. No other header is needed to write it.
 #pragma once
 
 #include <string>

@@ -9,8 +9,8 @@
 
 namespace libration::elliptic {
 
-/// The angle of the point (cosine, sine) on the branch next to `near`; on balls less than pi between them has to be
-/// certain (precision_exhausted).
+/// The angle of the point (cosine, sine) on the branch closest to `near`; on balls they must be proved to differ by
+/// less than pi (precision_exhausted).
 template <scalar T>
 T angle_next_to(const T& sine, const T& cosine, const T& near) {
     using std::atan2;
@@ -27,7 +27,7 @@ T angle_next_to(const T& sine, const T& cosine, const T& near) {
     return angle;
 }
 
-/// The same, on balls to a few digits behind those that so many doublings need before the point.
+/// The same, on balls to a few digits more than this number of doublings requires before the point.
 template <scalar T>
 T branch_angle(const T& sine, const T& cosine, const T& near, int doublings) {
     if constexpr (proved_scalar<T>) {
@@ -38,17 +38,17 @@ T branch_angle(const T& sine, const T& cosine, const T& near, int doublings) {
     }
 }
 
-/// F of the angle in [-pi/2, pi/2] that has this sine and this cosine >= 0, which need not be normalised.
+/// F of the angle in [-pi/2, pi/2] with this sine and this cosine >= 0, which need not be normalised.
 ///
 /// Descending Landen [DLMF 19.8(ii)]: phi_{n+1} = phi_n + delta_n, tan delta_n = (b_n/a_n) tan phi_n, and
-/// F = phi_N / (2^N a_N). Sine and cosine travel as a pair, so that an angle next to pi/2 keeps the digits of its
+/// F = phi_N / (2^N a_N). Sine and cosine are carried as a pair, so that an angle near pi/2 keeps the digits of its
 /// cosine, where F is steepest; the increments all have the sign of phi, so their sum does not cancel. The branch of
-/// delta_n is the one next to phi_n: they differ by less than pi/2, and the other branches by more than 3 pi/2; on
-/// balls less than pi has to be certain (precision_exhausted). At the last level the integrand lies in [1, 1/k_N'], and
-/// 1/k_N' - 1 = k_N^2/(k_N' (1 + k_N')): so it leaves out at most that share of phi_N, k_N' = b_N/a_N.
+/// delta_n is the one closest to phi_n: they differ by less than pi/2, and the other branches by more than 3 pi/2; on
+/// balls a difference below pi must be proved (precision_exhausted). At the last level the integrand is in [1, 1/k_N'],
+/// and 1/k_N' - 1 = k_N^2/(k_N' (1 + k_N')): so the truncation error is at most that fraction of phi_N, k_N' = b_N/a_N.
 ///
-/// On balls every level's angle only chooses a branch, for which a few digits do; the last one, which is the result, is
-/// found from its sine and cosine again, on the branch that lies within pi of it.
+/// On balls the angle of a level only selects a branch, for which a few digits suffice; the last one, which is the
+/// result, is recomputed from its sine and cosine, on the branch within pi of it.
 template <scalar T>
 T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& chain) {
     using std::atan2;
@@ -62,7 +62,7 @@ T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& cha
         angle += branch_angle(bs, ac, angle, chain.levels());
         T next_s = s * c * (chain.a(n) + chain.b(n));
         T next_c = c * ac - s * bs;
-        if constexpr (!proved_scalar<T>) {  // the exponents of balls hold what doubles at every level
+        if constexpr (!proved_scalar<T>) {  // the exponent range of balls admits the doubling at every level
             const T scale = 1 / sqrt((bs * bs + ac * ac) * (s * s + c * c));
             next_s *= scale;
             next_c *= scale;
@@ -83,9 +83,9 @@ T incomplete_integral(const T& sine, const T& cosine, const landen_chain<T>& cha
     return enclose(value, T(value * chain.last_parameter() / (ratio * (1 + ratio))));
 }
 
-/// F(phi, k) for any real phi, unwrapped: F(phi + pi) = F(phi) + 2K. A few units in the last place, given phi and the
-/// modulus as exact: sine and cosine are taken with twice the digits, for near odd multiples of pi/2 with k near 1 the
-/// cosine carries all of them. Throws error at k = 1.
+/// F(phi, k) for any real phi, unwrapped: F(phi + pi) = F(phi) + 2K. A few units in the last place, with phi and the
+/// modulus taken as exact: sine and cosine are computed with twice the digits, since near odd multiples of pi/2 with k
+/// near 1 the cosine carries all of them. Throws error at k = 1.
 template <scalar T>
 T incomplete_integral(const T& phi, const modulus<T>& m) {
     using std::cos;

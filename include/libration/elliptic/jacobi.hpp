@@ -1,11 +1,11 @@
 // The Jacobi elliptic functions sn, cn, dn and the amplitude am of real argument, by descending Landen.
 //
-// The functions travel as the pair t = sn/cn and d = dn. From level n+1 to level n of the chain [DLMF 22.7.2 - 22.7.4
-// with k_1 = (a_n - b_n)/(a_n + b_n), and 1 = c^2 + s^2 put where the usual forms subtract]:
+// The functions are carried as the pair t = sn/cn and d = dn. From level n+1 to level n of the chain [DLMF 22.7.2 -
+// 22.7.4 with k_1 = (a_n - b_n)/(a_n + b_n), and 1 = c^2 + s^2 substituted where the usual forms subtract]:
 //     t_n = (a_n/a_{n+1}) t/d,   d_n = (a_{n+1} + b_n t^2) / (a_{n+1} + a_n t^2),
 // and at the end cn = 1/sqrt(1 + t^2), sn = t cn. Between -K/2 and K/2 nothing is subtracted, so sn, cn and dn keep
 // their relative precision (up to their condition |u f'/f|) from k = 0 to k' = 1e-100 and below; other arguments are
-// moved there by quarter periods. Carrying sn and cn apart instead doubles the error of sn^2 + cn^2 at every level.
+// moved there by quarter periods. Carrying sn and cn separately doubles the error of sn^2 + cn^2 at every level.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct jacobi_values {
     T dn;
 };
 
-/// d_n from the t^2 of level n+1. On balls where b_n is next to a_n it is 1 less a small term, whose radius is small:
-/// the quotient knows nothing of what its parts have in common, and widens balls threefold a level.
+/// d_n from the t^2 of level n+1. On balls with b_n close to a_n it is 1 minus a small term, whose radius is small: the
+/// quotient ignores the dependence between its parts, and widens balls threefold per level.
 template <scalar T>
 T next_dn(const T& square, int n, const landen_chain<T>& chain) {
     const T below = chain.a(n + 1) + chain.a(n) * square;
@@ -36,12 +36,12 @@ T next_dn(const T& square, int n, const landen_chain<T>& chain) {
     return (chain.a(n + 1) + chain.b(n) * square) / below;
 }
 
-/// sn, cn, dn at |u| <= K/2, from a chain already made; on balls at |u| < K, which has to be certain
-/// (precision_exhausted). Two divisions a level.
+/// sn, cn, dn at |u| <= K/2, from an existing chain; on balls at |u| < K, which must be proved (precision_exhausted).
+/// Two divisions per level.
 ///
-/// At the last level, am' = dn lies in [k_N', 1] and 1 - k_N' = k_N^2/(1 + k_N'): so |am(v, k_N) - v| <= k_N^2 |v| and
-/// 1 - dn <= k_N^2 for every v. There v = a_N u, and |v| < pi/2 proves |u| < K, since a_N >= agm(1, k') = pi/(2K); then
-/// cos am > 0 at every level, which the signs of t and cn rest on.
+/// At the last level, am' = dn is in [k_N', 1] and 1 - k_N' = k_N^2/(1 + k_N'): so |am(v, k_N) - v| <= k_N^2 |v| and 1
+/// - dn <= k_N^2 for every v. There v = a_N u, and |v| < pi/2 proves |u| < K, since a_N >= agm(1, k') = pi/(2K); then
+/// cos am > 0 at every level, which determines the signs of t and cn.
 template <scalar T>
 jacobi_values<T> jacobi_at(const T& u, const landen_chain<T>& chain) {
     using std::sqrt;
@@ -85,7 +85,7 @@ inline int quarter_of_four(const integer& quarter) {
 }
 
 /// Reduces u modulo K, with K to as many more digits as u has before its point: u and the given one of k, k' are taken
-/// as exact numbers, whatever their size.
+/// as exact numbers of any size.
 template <scalar T>
 reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
     const long before_point = std::max(0L, binary_exponent(u));
@@ -99,9 +99,9 @@ reduced_argument<T> reduce_argument(const T& u, const modulus<T>& m) {
     return {wide.quarter, narrow<T>(wide.offset)};
 }
 
-/// sn, cn, dn at any real u, given u and the modulus as exact: a few units in the last place each, times the condition
-/// |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' = 1e-100, K
-/// is 232). Throws error at k = 1.
+/// sn, cn, dn at any real u, with u and the modulus taken as exact: a few units in the last place each, times the
+/// condition |offset f'/f| <= K of cn and dn, because the offset from the nearest quarter is rounded to T once (at k' =
+/// 1e-100, K is 232). Throws error at k = 1.
 template <scalar T>
 jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     const auto reduced = reduce_argument(u, m);
@@ -109,8 +109,8 @@ jacobi_values<T> jacobi(const T& u, const modulus<T>& m) {
     return advance_quarters(near, quarter_of_four(reduced.quarter), m.complement);
 }
 
-/// am(u, k), unwrapped and odd: am(u + 2K) = am(u) + pi. With u = quarter K + offset, quarter >= 0 and h = quarter div
-/// 2 it is h pi + atan2(sn, cn) at the rest, all of it without cancellation. A few units in the last place.
+/// am(u, k), unwrapped and odd: am(u + 2K) = am(u) + pi. For u = quarter K + offset, quarter >= 0 and h = quarter div 2
+/// it is h pi + atan2(sn, cn) at the remainder, without cancellation. A few units in the last place.
 template <scalar T>
 T amplitude(const T& u, const modulus<T>& m) {
     using std::atan2;

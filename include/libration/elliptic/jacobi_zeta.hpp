@@ -14,8 +14,8 @@
 
 namespace libration::elliptic {
 
-/// The zeta function of one modulus. Made at once from a chain: O(levels). The sums stop with the chain, where c_n^2 is
-/// below epsilon; few epsilon of c_1 in Z, of k^2 in the mean of cn^2, each relative to its maximum.
+/// The zeta function of one modulus. Constructed from a chain: O(levels). The sums end with the chain, where c_n^2 is
+/// below epsilon; errors of a few epsilon of c_1 in Z, of k^2 in the mean of cn^2, each relative to its maximum.
 template <rounding_scalar T>
 class jacobi_zeta {
 public:
@@ -30,7 +30,7 @@ public:
         }
     }
 
-    /// Z where (sin am u, cos am u) = (sine, cosine). Cost: a square root, a division and a few products a level.
+    /// Z where (sin am u, cos am u) = (sine, cosine). Cost: a square root, a division and a few products per level.
     T operator()(T sine, T cosine) const {
         using std::sqrt;
         T sum(0);

@@ -1,5 +1,5 @@
-// The arithmetic-geometric mean and the chain of moduli that it makes: the descending Landen transformation on which
-// the complete integral, the Jacobi functions and the incomplete integral rest [DLMF 19.8(i), 19.8(ii), 22.7(i)].
+// The arithmetic-geometric mean and its chain of moduli: the descending Landen transformation, which is the basis of
+// the complete integral, the Jacobi functions and the incomplete integral [DLMF 19.8(i), 19.8(ii), 22.7(i)].
 #pragma once
 
 #include <vector>
@@ -12,15 +12,15 @@ namespace libration::elliptic {
 /// a_0 = 1, b_0 = k'; a_{n+1} = (a_n + b_n)/2, b_{n+1} = sqrt(a_n b_n). The modulus of level n is
 /// k_n = sqrt(1 - (b_n/a_n)^2), k_{n+1} = (a_n - b_n)/(a_n + b_n); it is small after few levels.
 ///
-/// The number of levels follows from the precision and the size of k' alone: log2 log2 (1/k') levels bring b/a above
-/// 1/2, and then k_{n+1} < k_n^2/2 squares its way below 2^-(digits/2 + 3), so that k_N^2 is below epsilon/32. A chain
-/// that is stopped before proves as much: what is computed from it encloses what the levels left out would change.
+/// The number of levels depends only on the precision and the size of k': log2 log2 (1/k') levels bring b/a above 1/2,
+/// and then k_{n+1} < k_n^2/2 falls quadratically below 2^-(digits/2 + 3), so that k_N^2 is below epsilon/32. A chain
+/// that is stopped earlier is equally rigorous: values computed from it enclose the effect of the omitted levels.
 template <scalar T>
 class landen_chain {
 public:
-    /// Throws error when k' = 0: the chain has no end and K is infinite.
+    /// Throws error if k' = 0: the chain does not end and K is infinite.
     explicit landen_chain(const modulus<T>& m) : landen_chain(m, levels_for(m.complement)) {}
-    /// With so many levels, at least 0; k' > 0.
+    /// With this number of levels, at least 0; k' > 0.
     landen_chain(const modulus<T>& m, int levels) : modulus_(m) {
         using std::sqrt;
         a_.reserve(static_cast<std::size_t>(levels) + 1);
@@ -39,13 +39,13 @@ public:
     const T& b(int n) const { return b_[static_cast<std::size_t>(n)]; }
     const modulus<T>& top() const { return modulus_; }
 
-    /// agm(1, k'), which lies in [b_N, a_N].
+    /// agm(1, k'), which is in [b_N, a_N].
     T mean() const {
         const T difference = a_.back() - b_.back();
         return enclose(T(b_.back() + difference / 2), T(difference / 2));
     }
 
-    /// k_N^2 at the last level, by which everything computed there is wrong at most: (a^2 - b^2)/a^2.
+    /// k_N^2 at the last level, an upper bound on the error of everything computed there: (a^2 - b^2)/a^2.
     T last_parameter() const { return (a_.back() - b_.back()) * (a_.back() + b_.back()) / (a_.back() * a_.back()); }
 
 private:

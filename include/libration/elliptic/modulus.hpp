@@ -17,10 +17,11 @@ template <scalar T>
 struct modulus {
     T k;
     T complement;  ///< k'
-    /// Which of the two was given: the other one follows from it where more digits are needed.
+    /// Which of the two was given: the other one is computed from it if more digits are needed.
     enum class source { modulus, complement } given = source::modulus;
 
-    /// From k: k' = sqrt((1-k)(1+k)); exact to a unit in the last place unless k rounds away what k' needs.
+    /// From k: k' = sqrt((1-k)(1+k)); correct to a unit in the last place unless the rounding of k loses the digits
+    /// that k' needs.
     static modulus from_modulus(const T& k) {
         using std::sqrt;
         return {k, sqrt((1 - k) * (1 + k)), source::modulus};
@@ -30,7 +31,7 @@ struct modulus {
         using std::sqrt;
         return {sqrt((1 - complement) * (1 + complement)), complement, source::complement};
     }
-    /// From both, when both are known: k = 1e-20 with k' = 1, say. The smaller one is the one that tells.
+    /// From both, if both are known, for example k = 1e-20 with k' = 1. The smaller one determines the modulus.
     static modulus from_both(const T& k, const T& complement) {
         const bool k_tells = binary_exponent(k) < binary_exponent(complement);
         return {k, complement, k_tells ? source::modulus : source::complement};
@@ -40,7 +41,7 @@ struct modulus {
     modulus swapped() const { return {complement, k, given == source::modulus ? source::complement : source::modulus}; }
 };
 
-/// The same modulus in the wide arithmetic of T at the working precision in force: the given one of the pair exactly,
+/// The same modulus in the wide arithmetic of T at the current working precision: the given one of the pair exactly,
 /// the other from it.
 template <scalar T>
 modulus<wide_t<T>> wide_modulus(const modulus<T>& m) {

@@ -12,8 +12,8 @@
 namespace libration::elliptic {
 
 /// One of the four, as Theta(x) = sum of s_m q^((m^2 - odd)/4) e^(mx) over the integers m of one parity, s_m =
-/// (-1)^floor(m/2) where it alternates, else 1. At x = iz these are theta_3 and theta_4 of z, theta_2/q^(1/4) and
-/// i theta_1/q^(1/4) [DLMF 20.2.1-4].
+/// (-1)^floor(m/2) if it alternates, else 1. At x = iz these are theta_3 and theta_4 of z, theta_2/q^(1/4) and i
+/// theta_1/q^(1/4) [DLMF 20.2.1-4].
 struct theta_kind {
     bool odd;
     bool alternates;
@@ -31,8 +31,8 @@ inline constexpr theta_kind second_theta{true, false};
 inline constexpr theta_kind third_theta{false, false};
 inline constexpr theta_kind fourth_theta{false, true};
 
-/// Which argument, as a function of the variable t of the series: x = at + step t, or x = i (at + step t); at and step
-/// are not negative. The function is Theta(x) e^(-shift x); a shift of 1, for real x, takes away what e^x makes large.
+/// The argument as a function of the variable t of the series: x = at + step t, or x = i (at + step t); at and step are
+/// nonnegative. The function is Theta(x) e^(-shift x); a shift of 1, for real x, removes the growth of e^x.
 template <scalar T>
 struct theta_argument {
     T nome;
@@ -43,18 +43,18 @@ struct theta_argument {
 };
 
 /// The Taylor coefficients in t; at imaginary x, those of Theta/i for the first. The terms of the frequencies f = m -
-/// shift and -f are taken together: with u_f = s_m q^((m^2 - odd)/4) e^(f at), or e^(i f at),
+/// shift and -f are combined: with u_f = s_m q^((m^2 - odd)/4) e^(f at), or e^(i f at),
 ///     c_j = (step^j/j!) sum_{f >= 0} f^j (u_f + (-1)^j u_{-f}), or i^j before f^j,
-/// which is a product by the integer +-f^2 a pair from j to j + 2.
+/// which takes one product by the integer +-f^2 per pair from j to j + 2.
 ///
-/// The pairs from f on are left out where 4 q^P(f) e^(f H) is below 2^-digits, H = at + step, or step alone at
-/// imaginary x, and P(f) the smaller power of q in the pair. In every c_j a pair is at most 2 q^P(f) e^(f H), since
-/// (f step)^j/j! <= e^(f step); and all of them together are less than twice the first where q^(P(f+2) - P(f)) e^(2 H)
-/// < 1/2, because P(f+2) - P(f) grows with f.
+/// The pairs from f on are omitted if 4 q^P(f) e^(f H) is below 2^-digits, H = at + step, or step alone at imaginary x,
+/// and P(f) the smaller power of q in the pair. In every c_j a pair is at most 2 q^P(f) e^(f H), since (f step)^j/j! <=
+/// e^(f step); and all of them together are less than twice the first if q^(P(f+2) - P(f)) e^(2 H) < 1/2, because
+/// P(f+2) - P(f) grows with f.
 ///
-/// About sqrt(digits log 4/log(1/nome)) pairs, or as few as are asked for, which leave balls as wide as that; never
-/// fewer than the last condition needs. Errors of a few epsilon of the largest sum of the |terms| for |t| <= 1.
-/// Not for the fixed scalars. Throws error unless the nome is below 1.
+/// About sqrt(digits log 4/log(1/nome)) pairs, or as few as requested, which makes balls correspondingly wider; never
+/// fewer than the last condition requires. Errors of a few epsilon of the largest sum of the |terms| for |t| <= 1. Not
+/// for the fixed scalars. Throws error unless the nome is below 1.
 template <scalar T>
 class theta_taylor {
     static_assert(!fixed_scalar<T>, "powers of the frequencies leave the range of the built-in types");
@@ -75,7 +75,7 @@ public:
         }
     }
 
-    /// Those of t^n, n = first, first + stride, ..; first and stride - 1 are 0 or 1. O(pairs) a coefficient.
+    /// Those of t^n, n = first, first + stride, ..; first and stride - 1 are 0 or 1. O(pairs) per coefficient.
     std::vector<T> coefficients(int first, int stride, int count) const {
         std::vector<pair> pairs = pairs_;
         std::vector<T> all;
@@ -109,8 +109,8 @@ private:
         return exp(x);
     }
 
-    // The first f whose pair is left out with all that follow, and the bound of those. In few digits, which on balls
-    // prove it as well.
+    // The first f whose pair is omitted together with all that follow, and the bound on those. In few digits, which on
+    // balls are equally rigorous.
     long first_left_out(long most_pairs) {
         const long bits = digits<T>();
         const precision_scope rough(20);

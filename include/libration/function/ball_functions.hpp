@@ -1,5 +1,5 @@
-// What a program with FLINT computes those functions by that neither MPFR nor C++ has. The library without FLINT asks
-// here, and function/ball/ answers where it is linked and included.
+// Interface through which a program with FLINT computes the functions that neither MPFR nor C++ provides. The library
+// without FLINT calls it, and function/ball/ implements it if it is linked and included.
 #pragma once
 
 #include <array>
@@ -10,19 +10,19 @@ namespace libration::function {
 
 /// Orders are null for functions without one.
 struct ball_functions {
-    /// An enclosure on an interval at the working precision; nothing where it is not finite.
+    /// An enclosure on an interval at the working precision; std::nullopt if it is not finite.
     range (*bounds)(function_kind f, const rational* order, const number_bounds& x);
-    /// The parts of f(re + i im), within 2^-bits of the size of the value. Throws error where it has none.
+    /// The parts of f(re + i im), within 2^-bits of the size of the value. Throws error if it has none.
     std::array<mpfr, 2> (*value)(function_kind f, const rational* order, const std::array<mpfr, 2>& z, long bits);
 };
 
-/// From now on these; they have to stay.
+/// Installs these functions; they must stay valid.
 void use_functions(const ball_functions& of_balls);
-/// Throws error for a program without FLINT.
+/// Throws error in a program without FLINT.
 const ball_functions& functions_of_balls(function_kind needed_for);
 
-/// f(x), within half a unit in the last of so many bits and a little; not a number where it has none. Throws error for a function
-/// that needs FLINT in a program without it.
+/// f(x), to slightly more than half a unit in the last of `bits` bits; NaN if it has no value. Throws error for a
+/// function that needs FLINT in a program without it.
 mpfr rounded_value(function_kind f, const rational* order, const mpfr& x, long bits);
 
 }  // namespace libration::function

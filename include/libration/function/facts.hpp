@@ -1,27 +1,27 @@
-// What is said of every function that formulas and equations may hold, and what the files of elementary/ and special/
-// say it with: one function, one file.
+// The members that describe each function of formulas and equations, used by the files of elementary/ and special/: one
+// function per file.
 //
 // A file NAME.hpp has one struct NAME_function with
-//     kind, name              as in function_kind, and as it is typed
-//     domain                  the real arguments, in words for the manual
-//     form                    whether it is entire, has one value, or several in the complex plane
+//     kind, name              as in function_kind, and the name as typed
+//     domain                  the real arguments, as text for the manual
+//     form                    whether it is entire, single-valued, or multivalued in the complex plane
 //     singular                real points of the domain where it has a value and no power series
-//     exact(x)                its value at a number of a single unit, where that is one again
-//     bounds(x)               an enclosure on an interval, nothing where the interval is not shown to be in the domain;
-//                             throws error where it is outside
+//     exact(x)                its value at a number of a single unit, if that is such a number too
+//     bounds(x)               an enclosure on an interval, std::nullopt if that is not proved to be in the domain;
+//                             throws error if it is outside
 //     derivative(x, w)        in any ring with the functions: its differential equation w' = derivative(x, w)
-// from which its series, its polynomial form and its proofs follow, and, where there is something better,
-//     value(x)                where scalars bring the function
+// from which its series, its polynomial form and its proofs follow, and, where a better method exists,
+//     value(x)                for scalars that provide the function
 //     rounded                 MPFR's function
-//     real_ball, complex_ball FLINT's, looked up where FLINT is included
-//     kept, next_coefficient  a recurrence of its own, with as many arrays beside the result (series/kernel.hpp)
-//     odd                     whether that keeps an even function beside an odd one
+//     real_ball, complex_ball FLINT's, looked up if FLINT is included
+//     kept, next_coefficient  a separate recurrence, with this number of arrays besides the result (series/kernel.hpp)
+//     odd                     whether that has an even function in addition to an odd one
 //     values_kept, first_kept the coefficients 0 of the first of these arrays
-//     companion_of            the function in whose first array this one is
+//     companion_of            the function whose first array is this function
 //     in_others(x)            a formula in other functions, which is used for series instead
 //     without_polynomial_form points with a series where the derivative divides by 0, so that nothing is proved there
-// A function of constant order (Bessel's) takes the order first in all of them. list.hpp gathers the files; one that
-// lacks a member does not compile.
+// A function of constant order (Bessel's) takes the order as first argument in all of them. list.hpp collects the
+// files; one that lacks a member does not compile.
 #pragma once
 
 #include <mpfr.h>
@@ -41,14 +41,14 @@ namespace libration::function {
 using std::acos, std::asin, std::atan, std::sinh, std::cosh, std::tanh;
 using std::exp, std::log, std::sqrt, std::sin, std::cos, std::tan;
 
-/// How a function goes on in the complex plane.
+/// The continuation of a function to the complex plane.
 enum class analytic_form {
     entire,         ///< no singular points
     one_value,      ///< poles
     several_values  ///< branch points
 };
 
-/// Points of the domain without a power series, and why a start there is refused.
+/// Points of the domain without a power series, and the reason why an initial point there is rejected.
 struct singular_points {
     int count = 0;
     std::array<int, 2> points{};
@@ -57,7 +57,7 @@ struct singular_points {
 
 inline constexpr singular_points no_points{};
 
-/// Series up to n: x and its slope x' are given; result and kept are to be continued.
+/// Series up to n: x and its slope x' are given; result and kept are to be extended.
 template <class R>
 struct series_arrays {
     const R* x;
@@ -69,7 +69,7 @@ struct series_arrays {
     series::progression even;      ///< and of even functions of x
 };
 
-/// Whether a coefficient is 0 exactly.
+/// Whether a coefficient is exactly 0.
 template <class R>
 bool is_zero(const R& x) {
     if constexpr (requires { x.re; }) {

@@ -1,4 +1,4 @@
-// Parts of functions on intervals.
+// Building blocks of functions on intervals.
 #pragma once
 
 #include <algorithm>
@@ -7,16 +7,16 @@
 
 namespace libration::function {
 
-/// Throws std::logic_error where MPFR has not rounded as it was asked to.
+/// Throws std::logic_error if MPFR has not rounded as requested.
 void require_rounding(bool as_asked);
 
-/// Throws error where exp and its like are beyond the range.
+/// Throws error if exp and similar functions are out of range.
 void require_exponent(const number_bounds& x);
 
-/// |x|, for functions that are even.
+/// |x|, for even functions.
 number_bounds size_of(const number_bounds& x);
 
-/// The least and the largest of an operation at the four corners, between which it is monotone in each operand.
+/// The minimum and the maximum of an operation over the four corners, between which it is monotone in each operand.
 template <class Operation>
 number_bounds at_corners(const number_bounds& a, const number_bounds& b, const Operation& operation) {
     number_bounds result;

@@ -1,4 +1,4 @@
-// All functions of formulas and equations, and what each of them has to say of itself (facts.hpp).
+// All functions of formulas and equations, with their descriptions (facts.hpp).
 #pragma once
 
 #include <array>
@@ -68,7 +68,7 @@ concept complete_facts = requires(const rational& order, const plain_number& x, 
 
 template <class... F>
 struct type_list {
-    static_assert((complete_facts<F> && ...), "a file of a function lacks a member that facts.hpp lists");
+    static_assert((complete_facts<F> && ...), "the file of a function lacks a member listed in facts.hpp");
     static constexpr std::size_t size = sizeof...(F);
     /// Whether they are in the order of function_kind.
     static consteval bool in_order() {
@@ -85,9 +85,9 @@ using all_functions =
               bessel_i_function, bessel_k_function, airy_ai_function, airy_ai_prime_function, airy_bi_function,
               airy_bi_prime_function, lambertw_function>;
 
-static_assert(all_functions::in_order(), "the functions stand here in the order of function_kind");
+static_assert(all_functions::in_order(), "the functions are listed in the order of function_kind");
 
-/// visit(F()) for the function of a kind; the same type for all of them.
+/// visit(F()) for the function of a kind; the same return type for all of them.
 template <class Visit, class First, class... F>
 decltype(auto) with_function_of(type_list<First, F...> /*all*/, function_kind kind, const Visit& visit) {
     using result = std::invoke_result_t<const Visit&, First>;

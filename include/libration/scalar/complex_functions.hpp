@@ -1,7 +1,7 @@
-// The elementary functions of complex numbers, found by unqualified calls as those of every scalar: principal values,
-// by the formulas of [DLMF 4.2, 4.21, 4.28] from the real functions of the parts. A part that cancels is right only
-// relative to the whole number; where two terms of the size of |z| cancel as a whole, next to the zeros of log, tan and
-// atan, so is the result.
+// The elementary functions of complex numbers, found by unqualified calls as for every scalar: principal values, by the
+// formulas of [DLMF 4.2, 4.21, 4.28] from the real functions of the parts. A part that suffers from cancellation is
+// accurate only relative to the whole number; if two terms of the size of |z| cancel as a whole, near the zeros of log,
+// tan and atan, so is the result.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ complex_number<T> exp(const complex_number<T>& z) {
     return {T(size * cos(z.im)), T(size * sin(z.im))};
 }
 
-/// log |z| + i arg z, -pi < arg z <= pi; z not 0.
+/// log |z| + i arg z, -pi < arg z <= pi; z nonzero.
 template <scalar T>
 complex_number<T> log(const complex_number<T>& z) {
     using std::atan2;
@@ -42,13 +42,13 @@ complex_number<T> cos(const complex_number<T>& z) {
     return {T(cos(z.re) * cosh(z.im)), T(-sin(z.re) * sinh(z.im))};
 }
 
-/// sin z / cos z; cos z not 0.
+/// sin z / cos z; cos z nonzero.
 template <scalar T>
 complex_number<T> tan(const complex_number<T>& z) {
     return sin(z) / cos(z);
 }
 
-/// -i tan(iz); cosh z not 0.
+/// -i tan(iz); cosh z nonzero.
 template <scalar T>
 complex_number<T> tanh(const complex_number<T>& z) {
     const complex_number<T> turned = tan(complex_number<T>{T(-z.im), z.re});
@@ -92,7 +92,7 @@ complex_number<T> asin(const complex_number<T>& z) {
     return {logarithm.im, T(-logarithm.re)};
 }
 
-/// exp(w log z); z not 0.
+/// exp(w log z); z nonzero.
 template <scalar T>
 complex_number<T> pow(const complex_number<T>& z, const complex_number<T>& w) {
     return exp(w * log(z));

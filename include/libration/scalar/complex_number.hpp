@@ -1,8 +1,8 @@
 // A complex number as a pair of scalars: std::complex is only specified for the built-in floating types.
 //
-// It stays ours. Boost's complex_adaptor and mpc_complex round otherwise (mpc correctly, at a library more), neither
-// takes a ball, FLINT's acb takes nothing else, and all of them would have to be told apart wherever time is complex;
-// this is the textbook on any scalar.
+// Deliberately not a library type: Boost's complex_adaptor and mpc_complex round differently (mpc correctly, with an
+// additional library), neither accepts a ball, FLINT's acb accepts nothing else, and all of them would have to be
+// distinguished wherever time is complex; this is the textbook arithmetic on any scalar.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,8 @@
 
 namespace libration {
 
-/// re + i im; each operation costs what the textbook formula does, and products round in both of their terms, so that a
-/// part that cancels is right only relative to the whole number.
+/// re + i im; each operation costs as much as the textbook formula, and products round in both of their terms, so that
+/// a part that suffers from cancellation is accurate only relative to the whole number.
 template <scalar T>
 struct complex_number {
     T re = T(0);
@@ -54,7 +54,7 @@ struct complex_number {
     friend complex_number operator/(const complex_number& a, I n) {
         return {T(a.re / n), T(a.im / n)};
     }
-    /// By the squared modulus of b, which must be in range and not 0.
+    /// By the squared modulus of b, which must be in range and nonzero.
     friend complex_number operator/(const complex_number& a, const complex_number& b) {
         const T square = b.re * b.re + b.im * b.im;
         return {T((a.re * b.re + a.im * b.im) / square), T((a.im * b.re - a.re * b.im) / square)};
@@ -64,12 +64,12 @@ struct complex_number {
     }
 };
 
-/// What complex numbers have better than a loop: an inner product is four of real numbers, by what T has for those.
+/// Specialised operations of complex numbers: an inner product is computed as four real ones, by the method of T.
 template <scalar T>
 struct scalar_traits<complex_number<T>> {
     static complex_number<T> sum_of_products(const complex_number<T>* x, int x_step, const complex_number<T>* y,
                                              int y_step, int count) {
-        static_assert(sizeof(complex_number<T>) == 2 * sizeof(T), "the parts stand in every second place");
+        static_assert(sizeof(complex_number<T>) == 2 * sizeof(T), "the parts alternate in memory");
         const auto sum = [&](const T& of_x, const T& of_y) { return of_parts(&of_x, x_step, &of_y, y_step, count); };
         return {T(sum(x->re, y->re) - sum(x->im, y->im)), T(sum(x->re, y->im) + sum(x->im, y->re))};
     }
@@ -86,15 +86,15 @@ private:
     }
 };
 
-/// |z|. The squares have to be in range.
+/// |z|. The squares must be in range.
 template <scalar T>
 T modulus_of(const complex_number<T>& z) {
     using std::sqrt;
     return sqrt(T(z.re * z.re + z.im * z.im));
 }
 
-/// The root with real part >= 0: the larger of its parts as a sum, the other from the product 2 re im, so that neither
-/// cancels; +i sqrt(-re) for negative real numbers.
+/// The root with real part >= 0: the larger of its parts from a sum, the other from the product 2 re im, so that
+/// neither suffers from cancellation; +i sqrt(-re) for negative real numbers.
 template <rounding_scalar T>
 complex_number<T> square_root(const complex_number<T>& z) {
     using std::abs;

@@ -1,5 +1,5 @@
-// Constants at the working precision. They are computed anew in every call: a cached one would silently cap a later
-// computation of more digits.
+// Constants at the working precision. They are recomputed in every call: a cached one would silently limit a later
+// computation with more digits.
 #pragma once
 
 #include "libration/scalar/precision.hpp"

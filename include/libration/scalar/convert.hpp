@@ -1,4 +1,4 @@
-// Conversions between scalars without a detour through double: exact to wide, correctly rounded to narrow.
+// Direct conversions between scalars, not through double: exact to wide, correctly rounded to narrow.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,9 @@ wide_t<T> widen(const T& x) {
     return scalar_traits<T>::widen(x);
 }
 
-/// x rounded to nearest in T; to mpfr of the working precision where T is mpfr. Below the normal range of quad it is
-/// rounded twice. A ball is rounded to the working precision, its radius wider by what that moves its midpoint.
+/// x rounded to nearest in T; to mpfr of the working precision if T is mpfr. Below the normal range of quad it is
+/// rounded twice. A ball is rounded to the working precision, its radius enlarged by the rounding error of its
+/// midpoint.
 template <has_scalar_traits T>
 T narrow(const wide_t<T>& x) {
     return scalar_traits<T>::narrow(x);
@@ -48,25 +49,25 @@ inline integer nearest_integer(const mpfr& x) {
     return result;
 }
 
-/// The sign of a wide value that decides a branch: -1, 0 or 1. A rounding scalar's value is treated as exact.
+/// The sign of a wide value on which a branch depends: -1, 0 or 1. A rounding scalar's value is treated as exact.
 inline int decided_sign(const mpfr& x) { return mpfr_sgn(handle(x)); }
 
-/// A number next to x that is exact: x itself for a rounding scalar, the midpoint of a ball. For a choice that is free
-/// (a scale, a point), so that what follows has one uncertainty less.
+/// An exact number close to x: x itself for a rounding scalar, the midpoint of a ball. For a free choice (a scale, a
+/// point), so that the following computation has one uncertainty less.
 template <has_scalar_traits T>
 T midpoint(const T& x) {
     return scalar_traits<T>::midpoint(x);
 }
 
-/// Whether a < b is certain: of balls, whether every number of a is below every number of b; computed values of a
+/// Whether a < b is certain: for balls, whether every number of a is below every number of b; computed values of a
 /// rounding scalar are treated as exact.
 template <has_scalar_traits T>
 bool certainly_less(const T& a, const T& b) {
     return scalar_traits<T>::certainly_less(a, b);
 }
 
-/// What a formula takes for granted, |x| < limit: on a rounding scalar it holds within rounding; on a ball it has to be
-/// certain, or precision_exhausted is thrown, because the formula would enclose something else.
+/// An assumption of a formula, |x| < limit: on a rounding scalar it holds within rounding; on a ball it has to be
+/// proved, or precision_exhausted is thrown, because the formula would enclose a different value.
 template <has_scalar_traits T>
 void require_below(const T& x, const T& limit, const char* what) {
     if constexpr (proved_scalar<T>) {

@@ -1,4 +1,4 @@
-// A scalar that counts the operations done with it: what an algorithm costs whatever the arithmetic.
+// A scalar that counts the operations performed on it: the cost of an algorithm in any arithmetic.
 #pragma once
 
 #include <cmath>
@@ -8,16 +8,17 @@
 
 namespace libration {
 
-/// Operations between two numbers; those with a machine integer, which cost less in high precision, are apart.
+/// Operations between two numbers; those with a machine integer, which cost less in high precision, are counted
+/// separately.
 struct operation_count {
     long multiplications = 0;
-    long by_zero = 0;  ///< of the multiplications, those with a factor 0
+    long by_zero = 0;  ///< multiplications with a factor 0
     long divisions = 0;
     long additions = 0;    ///< and subtractions
     long by_integers = 0;  ///< all four with an int
 };
 
-/// A double that counts. The count belongs to the thread.
+/// A double that counts its operations. The count is per thread.
 class counted {
 public:
     counted() = default;

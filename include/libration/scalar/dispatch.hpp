@@ -1,4 +1,4 @@
-// From the name of a scalar at run time to its type: the one place where that happens.
+// From the name of a scalar at run time to its type: the only place where this happens.
 #pragma once
 
 #include <charconv>
@@ -16,15 +16,15 @@ namespace libration {
 
 enum class scalar_kind { binary64, extended, binary128, arbitrary, proved };
 
-/// What a reader of names offers: a computation that has no proofs refuses balls by not asking for them.
+/// The scalars accepted when a name is read: a computation without proofs does not accept balls.
 enum class arithmetics { rounding, proved_too };
 
 /// A scalar named at run time: double, long-double, quad, mpfr:DIGITS or ball:DIGITS.
 struct scalar_spec {
     scalar_kind kind = scalar_kind::arbitrary;
-    long digits = 50;  ///< correct digits wanted in a result; for the fixed scalars those that print a value in full
+    long digits = 50;  ///< correct digits requested in a result; for the fixed scalars those that print a value in full
 
-    /// The name as the command line takes it.
+    /// The name in the notation of the command line.
     std::string name() const {
         switch (kind) {
             case scalar_kind::binary64: return "double";
@@ -37,27 +37,27 @@ struct scalar_spec {
     }
 };
 
-/// The most digits that a run-time precision may ask for.
+/// The maximum number of digits of a run-time precision.
 inline constexpr long most_digits = 100'000;
 
-/// Digits as typed, 1 .. most_digits. Throws error saying what is wrong.
+/// A number of digits as text, 1 .. most_digits. Throws error with the reason.
 inline long read_digits(std::string_view text) {
     long value = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (problem == std::errc::result_out_of_range || (problem == std::errc() && value > most_digits)) {
         throw error(error_kind::argument, "number of digits", std::string(text),
-                    "asks for more than " + std::to_string(most_digits) + " digits");
+                    "is more than " + std::to_string(most_digits));
     }
     if (problem != std::errc() || end != text.data() + text.size()) {
         throw error(error_kind::argument, "number of digits", std::string(text), "is not a whole number of digits");
     }
     if (value < 1) {
-        throw error(error_kind::argument, "number of digits", std::string(text), "asks for less than one digit");
+        throw error(error_kind::argument, "number of digits", std::string(text), "is less than one");
     }
     return value;
 }
 
-/// Reads a scalar's name. Throws error saying what is wrong.
+/// Reads a scalar's name. Throws error with the reason.
 inline scalar_spec read_scalar(std::string_view name, arithmetics offered = arithmetics::rounding) {
     if (name == "double") {
         return {scalar_kind::binary64, std::numeric_limits<double>::max_digits10};
@@ -74,15 +74,15 @@ inline scalar_spec read_scalar(std::string_view name, arithmetics offered = arit
     if (name.starts_with("ball:")) {
         if (offered == arithmetics::rounding) {
             throw error(error_kind::argument, "scalar", std::string(name),
-                        "is proved arithmetic, which is not offered here");
+                        "is a proved arithmetic, which is not supported here");
         }
         return {scalar_kind::proved, read_digits(name.substr(5))};
     }
     throw error(error_kind::argument, "scalar", std::string(name), "is not a scalar");
 }
 
-/// Calls f<T>() with the rounding type that the spec names; mpfr at spec.digits + guard digits of working precision.
-/// Balls are not among them: their digits come from repeating until they are proved, and this header needs no FLINT.
+/// Calls f<T>() with the rounding type named by the spec; mpfr at spec.digits + guard digits of working precision.
+/// Balls are excluded: their digits come from repetition until they are proved, and this header does not need FLINT.
 /// Throws std::logic_error for them.
 template <class F>
 decltype(auto) with_scalar(const scalar_spec& spec, long guard, F&& f) {
@@ -90,7 +90,7 @@ decltype(auto) with_scalar(const scalar_spec& spec, long guard, F&& f) {
         case scalar_kind::binary64: return std::forward<F>(f).template operator()<double>();
         case scalar_kind::extended: return std::forward<F>(f).template operator()<long double>();
         case scalar_kind::binary128: return std::forward<F>(f).template operator()<quad>();
-        case scalar_kind::proved: throw std::logic_error(spec.name() + " among the scalars that round");
+        case scalar_kind::proved: throw std::logic_error(spec.name() + " among the rounding scalars");
         case scalar_kind::arbitrary: break;
     }
     const precision_scope scope(spec.digits + guard);

@@ -1,4 +1,4 @@
-// The one exception of this library for what a caller gave: which quantity, its value, and what is wrong with it.
+// The single exception type of this library for invalid input: the quantity, its value, and the reason.
 #pragma once
 
 #include <stdexcept>
@@ -7,15 +7,15 @@
 
 namespace libration {
 
-/// What a caller can do about it.
+/// The remedies available to a caller.
 enum class error_kind {
-    argument,  ///< the value is malformed or outside the domain: give another one
-    range,     ///< the value is beyond the range of this scalar: another scalar holds it
-    undecided  ///< no precision within the limits decides: nothing is wrong with the value
+    argument,  ///< the value is malformed or outside the domain: use another one
+    range,     ///< the value is out of range of this scalar: use another scalar
+    undecided  ///< no precision within the limits decides: the value itself is valid
 };
 
-/// "energy '-1' is negative": a quantity that the caller knows by this name, its value as text, and the reason.
-/// Mistakes of the library itself are std::logic_error, never this.
+/// "energy '-1' is negative": a quantity by the name familiar to the caller, its value as text, and the reason. Errors
+/// of the library itself are std::logic_error, never this.
 class error : public std::runtime_error {
 public:
     error(error_kind kind, std::string subject, std::string value, std::string reason)
@@ -28,7 +28,7 @@ public:
     error_kind kind() const { return kind_; }
     /// The quantity: "energy", "order", "time", "number".
     const std::string& subject() const { return subject_; }
-    /// As it was given; empty where no single value is wrong.
+    /// As it was given; empty if the error is not in a single value.
     const std::string& value() const { return value_; }
     /// A predicate of the quantity: "is negative".
     const std::string& reason() const { return reason_; }
@@ -38,7 +38,7 @@ private:
     std::string subject_, value_, reason_;
 };
 
-/// Throws error of kind argument for a number that is not named here.
+/// Throws error of kind argument for a number without a name at this point.
 [[noreturn]] inline void refuse_number(const std::string& reason) {
     throw error(error_kind::argument, "number", "", reason);
 }

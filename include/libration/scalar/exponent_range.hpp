@@ -1,12 +1,12 @@
-// The exponents of MPFR: at first those of 31 bits, about 10^(+-323 million).
+// The exponent range of MPFR: initially 31 bits, about 10^(+-323 million).
 #pragma once
 
 #include <mpfr.h>
 
 namespace libration {
 
-/// Gives mpfr all of its exponents, about 62 bits, in this thread until the end of the scope; numbers beyond the range
-/// before must not leave it.
+/// Extends the exponents of mpfr to their full range, about 62 bits, in this thread until the end of the scope; numbers
+/// beyond the previous range must not leave it.
 class whole_exponent_range {
 public:
     whole_exponent_range() : least_(mpfr_get_emin()), greatest_(mpfr_get_emax()) {

@@ -1,4 +1,4 @@
-// Real numbers as formulas: what a person typed, kept exactly and evaluated to any precision with proved bounds.
+// Real numbers as formulas: input as typed, stored exactly and evaluated to any precision with proved bounds.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace libration {
 
-/// What an exact number counts; `expression` where it is no fraction of a single one of the others.
+/// The unit of an exact number; `expression` if it is not a multiple of a single one of the others.
 enum class unit { one, pi, degree, period, expression };
 
-/// The functions of formulas and equations; function/NAME.hpp says all of each.
+/// The functions of formulas and equations; described in function/NAME.hpp.
 enum class function_kind {
     exp,
     log,
@@ -53,12 +53,12 @@ enum class function_kind {
 };
 inline constexpr std::size_t function_kinds = 33;
 
-/// The function of this name, "exp" say, and the name of a function.
+/// The function with this name, for example "exp", and the name of a function.
 std::optional<function_kind> function_named(std::string_view name);
 std::string_view name_of(function_kind f);
-/// All names, parted by blanks.
+/// All names, separated by blanks.
 std::string function_names();
-/// Whether it has a constant order before its argument: bessel_j(0, x).
+/// Whether it takes a constant order before its argument: bessel_j(0, x).
 bool has_order(function_kind f);
 
 /// lower <= x <= upper.
@@ -74,21 +74,22 @@ struct plain_number {
 };
 
 /// A constant real number: a sum of fractions times 1, pi, the period T, and products, quotients, powers and functions
-/// of such sums. Immutable and cheap to copy. Sums are exact: pi - 1e-10 - pi is -1e-10, and what is rational by the
-/// rules for roots of fractions, for sin, cos, tan at fractions of pi and for their inverses is folded. T is no number
-/// here: it stays linear. Parts that are shared, as in y = x*x, z = y*y, are evaluated and compared once. Operations throw libration::error of kind argument for a division by an exact 0, for what is
-/// outside the domain of a function, for T in anything but a sum, and for more than 10000 different terms or 200 levels
-/// of products, quotients, powers and functions; of kind undecided where no precision within the
-/// limits shows whether a value is in the domain.
+/// of such sums. Immutable and cheap to copy. Sums are exact: pi - 1e-10 - pi is -1e-10, and values that are rational
+/// by the rules for roots of fractions, for sin, cos, tan at fractions of pi and for their inverses are folded. T is
+/// not a number here: it occurs only linearly. Shared subexpressions, as in y = x*x, z = y*y, are evaluated and
+/// compared once. Operations throw libration::error of kind argument for a division by an exact 0, for arguments
+/// outside the domain of a function, for T anywhere except in a sum, and for more than 10000 different terms or 200
+/// levels of products, quotients, powers and functions; of kind undecided if no precision within the
+/// limits decides whether a value is in the domain.
 class expression {
 public:
     /// 0.
     expression() = default;
     explicit expression(const rational& coefficient, unit measure = unit::one);
 
-    /// The fraction of a single unit that this is, where it is one; 0 counts ones.
+    /// The value as a multiple of a single unit, if it is one; 0 has the unit one.
     std::optional<plain_number> plain() const;
-    /// The fraction that this is, where it is one.
+    /// The value as a fraction, if it is one.
     std::optional<rational> fraction() const;
     /// The multiple of T in the sum, and the sum without it.
     rational periods() const;
@@ -99,22 +100,22 @@ public:
     friend expression operator-(const expression& a, const expression& b) { return a + -b; }
     friend expression operator*(const expression& a, const expression& b);
     friend expression operator/(const expression& a, const expression& b);
-    /// base^exponent: any base with a whole exponent, else a base that is not negative.
+    /// base^exponent: any base with an integer exponent, otherwise a nonnegative base.
     friend expression power(const expression& base, const expression& exponent);
     friend expression apply(function_kind f, const expression& x);
-    /// Of a function with an order. Throws error for others.
+    /// For a function with an order. Throws error for others.
     friend expression apply(function_kind f, const rational& order, const expression& x);
-    /// Whether both are the same by their form; equal numbers may differ in it.
+    /// Whether both have the same form; equal numbers may have different forms.
     friend bool same_form(const expression& a, const expression& b);
     /// Equal for equal forms.
     std::size_t hash() const;
 
-    /// One evaluation with this many bits, rounded outwards at each step; nothing where they do not show whether a
-    /// value is inside the domain of a function.
+    /// One evaluation with this number of bits, rounded outwards at each step; std::nullopt if they do not suffice to
+    /// prove that a value is inside the domain of a function.
     std::optional<number_bounds> bounds_at(long bits) const;
-    /// Bounds with upper - lower <= 2^-bits |x|, from 64 more bits on, doubled as often as it takes. Throws
-    /// libration::error of kind undecided where the limit of the cost (about a second) is reached before: then the
-    /// number may be 0.
+    /// Bounds with upper - lower <= 2^-bits |x|, from 64 more bits on, doubled as often as necessary. Throws
+    /// libration::error of kind undecided if the limit of the cost (about a second) is reached first: then the number
+    /// may be 0.
     number_bounds narrowed(long bits) const;
     /// -1, 0 or 1, proved. Throws as narrowed().
     int sign() const;
@@ -135,9 +136,9 @@ private:
     const term* only_term() const { return terms_.size() == 1 ? &terms_.front() : nullptr; }
     void degrees_to_pi();
     long depth() const;
-    /// How many functions and powers an evaluation computes; what is shared counts once.
+    /// The number of functions and powers computed by an evaluation; shared ones count once.
     long functions() const;
-    /// The most bits worth trying.
+    /// The largest useful number of bits.
     long most_bits() const;
 
     std::vector<term> terms_;

@@ -14,7 +14,7 @@
 
 namespace libration {
 
-/// What the three share. Their wide arithmetic is mpfr.
+/// Common part of the three. Their wide arithmetic is mpfr.
 template <class T>
 struct fixed_scalar_traits : default_scalar_traits<T> {
     static constexpr bool fixed = true;
@@ -34,14 +34,14 @@ struct fixed_scalar_traits : default_scalar_traits<T> {
         return x == 0 ? exponent_of_zero : exponent;
     }
 
-    /// Through mpfr with 64 bits more: within half a unit in the last place and 2^-64 of it.
+    /// Through mpfr with 64 more bits: within half a unit in the last place and 2^-64 of it.
     static T from_rational(const rational& q) {
         const precision_scope guard(decimal_digits(digits() + 64));
         return scalar_traits<T>::narrow(scalar_traits<mpfr>::from_rational(q));
     }
 };
 
-/// What the two built-in types share.
+/// Common part of the two built-in types.
 template <class T>
 struct built_in_scalar_traits : fixed_scalar_traits<T> {
     static T pi() { return std::numbers::pi_v<T>; }
@@ -53,8 +53,8 @@ struct built_in_scalar_traits : fixed_scalar_traits<T> {
     }
 };
 
-/// sum_i x[i x_step] y[i y_step], i < count, in four partial sums, which compilers turn into vector instructions where
-/// the steps are 1; the four are the same whatever the width of a vector, and so is the result. O(count).
+/// sum_i x[i x_step] y[i y_step], i < count, in four partial sums, which compilers vectorise if the steps are 1; there
+/// are four whatever the width of a vector, and so the result is always the same. O(count).
 template <int x_step, int y_step>
 double sum_in_lanes(const double* x, const double* y, int count) {
     constexpr int lanes = 4;
@@ -75,7 +75,7 @@ template <>
 struct scalar_traits<double> : built_in_scalar_traits<double> {
     static double narrow(const mpfr& x) { return mpfr_get_d(handle(x), MPFR_RNDN); }
 
-    /// In lanes over neighbours, one product after the other elsewhere.
+    /// In lanes over neighbours, otherwise one product after the other.
     static double sum_of_products(const double* x, int x_step, const double* y, int y_step, int count) {
         if (x_step == 1 && (y_step == 1 || y_step == -1)) {
             return y_step == 1 ? sum_in_lanes<1, 1>(x, y, count) : sum_in_lanes<1, -1>(x, y, count);

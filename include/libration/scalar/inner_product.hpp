@@ -1,11 +1,11 @@
-// Sums of products over arrays, the one loop under every convolution, by the best that a type has.
+// Sums of products over arrays, the single loop used by every convolution, by the best method of each type.
 #pragma once
 
 #include "libration/scalar/scalar.hpp"
 
 namespace libration {
 
-/// sum += a * b, with one rounding where the arithmetic has a fused operation.
+/// sum += a * b, with one rounding if the arithmetic has a fused operation.
 template <ring R>
 void add_product(R& sum, const R& a, const R& b) {
     if constexpr (requires { scalar_traits<R>::add_product(sum, a, b); }) {
@@ -15,7 +15,7 @@ void add_product(R& sum, const R& a, const R& b) {
     }
 }
 
-/// sum = sum x + next, rounded twice as it is written, in place where the arithmetic can: one step of Horner's rule.
+/// sum = sum x + next, with the usual two roundings, in place if the arithmetic supports it: one step of Horner's rule.
 template <ring R>
 void horner_step(R& sum, const R& x, const R& next) {
     if constexpr (requires { scalar_traits<R>::horner_step(sum, x, next); }) {
@@ -26,7 +26,7 @@ void horner_step(R& sum, const R& x, const R& next) {
 }
 
 /// sum_i x[i x_step] y[i y_step], i < count; on balls with one rounding at the end, in double over neighbours by
-/// sum_in_lanes (long double and quad have no vectors). 0 for a count of 0, where arrays may have no address. O(count).
+/// sum_in_lanes (long double and quad have no vectors). 0 for a count of 0, where arrays may be null. O(count).
 template <ring R>
 R inner_product(const R* x, int x_step, const R* y, int y_step, int count) {
     if constexpr (requires { scalar_traits<R>::sum_of_products(x, x_step, y, y_step, count); }) {

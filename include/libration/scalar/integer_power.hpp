@@ -1,4 +1,4 @@
-// Powers with whole exponents, of real and complex numbers.
+// Powers with integer exponents, of real and complex numbers.
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 namespace libration {
 
 /// z^n, n >= 0, by squaring from the highest bit of n on: O(log n) products. Relative to |z|^n an error of n epsilon;
-/// on balls up to sqrt 2 times that for each product.
+/// on balls up to sqrt 2 times that per product.
 template <field R>
 R integer_power(const R& z, long n) {
     R power(1);

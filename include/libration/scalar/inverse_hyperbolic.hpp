@@ -1,5 +1,5 @@
-// arsinh for every scalar. Boost 1.81 declares asinh, log1p and their kin for float128 so that they do not compile
-// without expression templates; this goes to libquadmath itself.
+// arsinh for every scalar. Boost 1.81 declares asinh, log1p and similar functions for float128 in a way that does not
+// compile without expression templates; this calls libquadmath directly.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace libration {
 
-/// arsinh x, a few units in the last place, relative next to 0 too.
+/// arsinh x, a few units in the last place, also relative to small values near 0.
 template <class T>
 requires rounding_scalar<T> || proved_scalar<T> T arsinh(const T& x) {
     using std::asinh;

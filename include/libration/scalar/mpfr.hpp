@@ -1,10 +1,10 @@
 // The scalar `mpfr`: MPFR numbers of run-time precision through Boost.Multiprecision [MPFR, Boost.Multiprecision].
 //
-// Precision rules, as Boost has them: a new value takes the thread's working precision, a copy keeps the precision of
-// its source, and an operation works at the largest of the working precision and the precisions of its operands; but
-// one with a temporary operand computes into that temporary, in its precision. So a value computed in a narrow scope
-// and kept is never more precise than that scope, and nothing here caches a constant; and a function that returns an
-// mpfr returns it in at least the working precision of its caller, as widen() and narrow() do.
+// Precision rules, as in Boost: a new value takes the thread's working precision, a copy keeps the precision of its
+// source, and an operation works at the largest of the working precision and the precisions of its operands; but one
+// with a temporary operand computes into that temporary, in its precision. A value computed in a narrow scope and
+// stored is therefore never more precise than that scope, and nothing here caches a constant; and a function that
+// returns an mpfr returns it in at least the working precision of its caller, as widen() and narrow() do.
 #pragma once
 
 #include <mpfr.h>
@@ -21,7 +21,7 @@ using integer = boost::multiprecision::number<boost::multiprecision::gmp_int, bo
 /// Exact fractions, always in lowest terms.
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-/// The MPFR handle inside a value, for calls that Boost does not wrap.
+/// The underlying MPFR handle, for calls that Boost does not wrap.
 inline mpfr_srcptr handle(const mpfr& x) { return x.backend().data(); }
 inline mpfr_ptr handle(mpfr& x) { return x.backend().data(); }
 

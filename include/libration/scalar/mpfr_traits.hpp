@@ -1,4 +1,4 @@
-// The traits of the scalar `mpfr`, whose precision is that of the precision_scope in force.
+// The traits of the scalar `mpfr`, whose precision is that of the current precision_scope.
 #pragma once
 
 #include "libration/scalar/precision_scope.hpp"
@@ -8,7 +8,8 @@ namespace libration {
 
 template <>
 struct scalar_traits<mpfr> : default_scalar_traits<mpfr> {
-    /// Those that Boost gives to a number of working_digits(), asked for where these change: a new number is memory.
+    /// Those that Boost assigns to a number of working_digits(), recomputed when these change: a new number allocates
+    /// memory.
     static int digits() {
         struct known_digits {
             unsigned decimal = 0;

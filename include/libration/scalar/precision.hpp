@@ -1,4 +1,4 @@
-// Working precision: how many bits a scalar has, and what follows from it.
+// Working precision: the number of bits of a scalar, and derived quantities.
 #pragma once
 
 #include <stdexcept>
@@ -12,7 +12,7 @@
 
 namespace libration {
 
-/// Significand bits of T; of mpfr and ball, those of the working precision in force here.
+/// Significand bits of T; for mpfr and ball, those of the current working precision.
 template <has_scalar_traits T>
 constexpr int digits() {
     return scalar_traits<T>::digits();
@@ -24,23 +24,23 @@ T epsilon() {
     return scalar_traits<T>::epsilon();
 }
 
-/// Whether a number with this binary exponent (2^(e-1) <= |x| < 2^e) is neither below the normal range of T nor above
-/// it. The exponents of mpfr and ball never end in practice.
+/// Whether a number with this binary exponent (2^(e-1) <= |x| < 2^e) is within the normal range of T. The exponents of
+/// mpfr and ball are unlimited in practice.
 template <has_scalar_traits T>
 bool holds_exponent(long exponent) {
     return scalar_traits<T>::holds_exponent(exponent);
 }
 
-/// Remembers the precision in which an object computed what it keeps, and refuses a use that asks for more: the digits
-/// would be there, and wrong.
+/// Records the precision in which an object computed its stored values, and throws if it is used with a higher one: the
+/// additional digits would be wrong.
 template <has_scalar_traits T>
 class born_precision {
 public:
-    /// Throws std::logic_error where the working precision has grown since.
+    /// Throws std::logic_error if the working precision has increased since.
     void require() const {
         if (digits<T>() > digits_) {
-            throw std::logic_error("made with " + std::to_string(digits_) + " bits and used with " +
-                                   std::to_string(digits<T>()) + ": make it again in the wider precision_scope");
+            throw std::logic_error("computed with " + std::to_string(digits_) + " bits and used with " +
+                                   std::to_string(digits<T>()) + ": recompute it in the wider precision_scope");
         }
     }
 

@@ -1,4 +1,4 @@
-// The one scoped object that sets the working precision where it is a run-time choice: of mpfr, and of balls.
+// The single scoped object that sets the working precision where it is a run-time choice: for mpfr and for balls.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace libration {
 
 /// Sets the working precision of this thread, in decimal digits, until the end of the scope; scopes nest.
 ///
-/// MPFR's default precision is thread-local state: every worker thread opens a scope of its own. The precision in bits
-/// is the smallest that Boost gives for that many digits, never less than digits * log2(10).
-/// Throws error when digits is outside 1 .. 10^8.
+/// MPFR's default precision is thread-local state: every worker thread opens its own scope. The precision in bits is
+/// the smallest that Boost assigns to that many digits, never less than digits * log2(10).
+/// Throws error if digits is outside 1 .. 10^8.
 class precision_scope {
 public:
     explicit precision_scope(long digits) : previous_(mpfr::thread_default_precision()) {
@@ -31,10 +31,10 @@ private:
     unsigned previous_;
 };
 
-/// The working precision in force in this thread, in decimal digits.
+/// The current working precision of this thread, in decimal digits.
 inline long working_digits() { return static_cast<long>(mpfr::thread_default_precision()); }
 
-/// A number of decimal digits that holds `bits` bits: bits log10 2, rounded up.
+/// A number of decimal digits that suffices for `bits` bits: bits log10 2, rounded up.
 constexpr long decimal_digits(long bits) { return bits <= 0 ? 1 : (bits * 30103 + 99'999) / 100'000; }
 
 }  // namespace libration

@@ -1,5 +1,5 @@
-// What of proved arithmetic other headers name without FLINT: the ball as a declared type, and the exception of a
-// decision that is not proved.
+// The parts of proved arithmetic that other headers use without FLINT: the ball as a declared type, and the exception
+// for a decision that is not proved.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace libration {
 class ball;
 struct exact;
 
-/// A decision (a sign, a branch, a digit) that the enclosures at hand do not prove: repeat with more digits.
+/// A decision (a sign, a branch, a digit) that the available enclosures do not prove: repeat with more digits.
 class precision_exhausted : public error {
 public:
     explicit precision_exhausted(const std::string& what)

@@ -1,5 +1,5 @@
-// The scalar `quad`: IEEE binary128, 113 bits. __float128 through Boost where libquadmath is there (GCC), and otherwise
-// Boost's software cpp_bin_float_quad, which has the same precision and exponent range.
+// The scalar `quad`: IEEE binary128, 113 bits. __float128 through Boost if libquadmath is available (GCC), and
+// otherwise Boost's software cpp_bin_float_quad, which has the same precision and exponent range.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__) && __has_include(<quadmath.h>)

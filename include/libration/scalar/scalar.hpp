@@ -1,5 +1,5 @@
-// What the mathematics of this library asks of a type of numbers: everything in series/ is written once on a ring or a
-// field, everything in approximant/, elliptic/ and pendulum/ on a scalar.
+// The requirements of this library on number types: everything in series/ is written once on a ring or a field,
+// everything in approximant/, elliptic/ and pendulum/ on a scalar.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace libration {
 
-/// What coefficients of power series are at least: sums and products, and small integers as exact operands. Integers of
-/// C++ are no ring: theirs overflow.
+/// The minimum requirement for coefficients of power series: sums and products, and small integers as exact operands.
+/// The integer types of C++ are excluded: they overflow.
 template <class R>
 concept ring = std::copyable<R> && !std::is_integral_v<R> && requires(R a, const R b, const R c, int n) {
     R(n);
@@ -56,7 +56,7 @@ concept has_functions = requires(const T x) {
 
 }  // namespace elementary_functions
 
-/// A field with the elementary functions that has specialised scalar_traits. Order is not asked for: balls have none.
+/// A field with the elementary functions that has specialised scalar_traits. No order is required: balls have none.
 template <class T>
 concept scalar = field<T> && has_scalar_traits<T> && elementary_functions::has_functions<T> &&
     requires(const T x, const wide_t<T> y, const rational q, long exponent) {

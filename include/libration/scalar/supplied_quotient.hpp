@@ -1,5 +1,5 @@
-// The choice of a program how mpfr divides long sequences. mpfr needs no FLINT; a program that links it may have the
-// quotients of whole sequences that FLINT has, whose last digits are others.
+// A program's choice of how mpfr divides long sequences. mpfr does not need FLINT; a program that links it may use
+// FLINT's quotients of whole sequences, whose last digits are different.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace libration {
 
-/// q with sum_k b_k q_{n-k} = a_n for n below the shorter length, which is not 0, every q_n to within 2^48 epsilon of
-/// the largest of them; std::nullopt where that is not proved.
+/// q with sum_k b_k q_{n-k} = a_n for n below the shorter length, which is nonzero, every q_n to within 2^48 epsilon of
+/// the largest of them; std::nullopt if that is not proved.
 using mpfr_quotient = std::optional<std::vector<mpfr>> (*)(const std::vector<mpfr>& a, const std::vector<mpfr>& b);
 
-/// Lets mpfr divide whole sequences by a quotient of the program's choice, quotient_by_flint of
-/// scalar/ball/quotient.hpp say, in all threads until the end of the scope: made at the top of main(), before there are
-/// threads. Nothing else makes that choice; without one, coefficients come one after the other. A nullptr takes it
-/// back.
+/// Makes mpfr divide whole sequences by a quotient of the program's choice, for example quotient_by_flint of
+/// scalar/ball/quotient.hpp, in all threads until the end of the scope: created at the top of main(), before there are
+/// threads. Nothing else makes that choice; without one, coefficients are computed one after the other. A nullptr
+/// revokes it.
 class whole_quotient_scope {
 public:
     explicit whole_quotient_scope(mpfr_quotient by) : previous_(std::exchange(chosen(), by)) {}
@@ -35,7 +35,7 @@ private:
     mpfr_quotient previous_;
 };
 
-/// The choice in force; nullptr without one.
+/// The current choice; nullptr without one.
 inline mpfr_quotient supplied_quotient() { return whole_quotient_scope::chosen(); }
 
 }  // namespace libration

@@ -1,7 +1,8 @@
-// What the library has to know of a type of numbers beside its operators: its precision, its pi, how exact numbers
-// enter, whether its results are proved. A type enters by specialising scalar_traits, as with std::numeric_limits and
-// Eigen's NumTraits; the functions digits<T>(), epsilon<T>(), pi<T>(), enclose(), ... that mathematics calls forward to
-// it. So no header of the library has to come behind that of the type, and there is no list of types.
+// The properties of a number type that the library needs in addition to its operators: its precision, its pi, the
+// conversion of exact numbers, whether its results are proved. A type is added by specialising scalar_traits, as with
+// std::numeric_limits and Eigen's NumTraits; the functions digits<T>(), epsilon<T>(), pi<T>(), enclose(), ... called by
+// the mathematics forward to it. No header of the library therefore has to be included after that of the type, and
+// there is no list of types.
 #pragma once
 
 #include <cmath>
@@ -21,18 +22,18 @@ namespace libration {
 ///     static long binary_exponent(const T&) the e with 2^(e-1) <= |x| < 2^e, exponent_of_zero for 0
 ///     static bool holds_exponent(long e)    whether T has numbers of this binary exponent, at full precision
 ///     static T enclose(const T& value, const T& bound)     all numbers within |bound| of the value, where T can
-///     static T midpoint(const T&)           an exact number next to x
+///     static T midpoint(const T&)           an exact number close to x
 ///     static bool certainly_less(const T& a, const T& b)
 ///     using wide; static wide widen(const T&); static T narrow(const wide&)
-///                                           the arithmetic that serves T where T has too few digits, and the way back
-/// default_scalar_traits<T> has what most types share: derive from it, then digits, pi, from_rational and
-/// binary_exponent are left. Where a type has something better than the loops of the library, also
+///                                           the arithmetic used where T has too few digits, with conversions
+/// default_scalar_traits<T> has the common part of most types: derive from it, then digits, pi, from_rational and
+/// binary_exponent remain. If a type has faster operations than the loops of the library, also
 ///     static void add_product(T& sum, const T& a, const T& b)                 sum += a b with one rounding
 ///     static void horner_step(T& sum, const T& x, const T& next)              sum = sum x + next with two roundings
 ///     static T sum_of_products(const T* x, int x_step, const T* y, int y_step, int count), count > 0
 ///     static std::vector<T> whole_product(const std::vector<T>& a, const std::vector<T>& b)
 ///     static std::vector<T> whole_quotient(const std::vector<T>& a, const std::vector<T>& b)
-/// of which any type may have any, also a ring that is no scalar.
+/// of which any type may have any, including a ring that is not a scalar.
 template <class T>
 struct scalar_traits;
 
@@ -44,11 +45,11 @@ concept has_scalar_traits = requires {
     { scalar_traits<T>::proved } -> std::convertible_to<bool>;
 };
 
-/// A scalar whose results contain the truth: a ball, an interval.
+/// A scalar whose results contain the true value: a ball, an interval.
 template <class T>
 concept proved_scalar = has_scalar_traits<T> && scalar_traits<T>::proved;
 
-/// A scalar that rounds, and proves nothing.
+/// A scalar that rounds, without proof.
 template <class T>
 concept rounding_scalar = has_scalar_traits<T> && !scalar_traits<T>::proved;
 
@@ -56,11 +57,11 @@ concept rounding_scalar = has_scalar_traits<T> && !scalar_traits<T>::proved;
 template <class T>
 concept fixed_scalar = rounding_scalar<T> && scalar_traits<T>::fixed;
 
-/// What binary_exponent() answers for 0: below the exponent of every other number.
+/// The value of binary_exponent() for 0: below the exponent of every other number.
 inline constexpr long exponent_of_zero = -(1L << 61);
 
-/// What most types share: computed values are treated as exact, exponents do not end, and the type is wide enough to
-/// serve itself.
+/// Common part of most types: computed values are treated as exact, exponents are unlimited, and the type is its own
+/// wide arithmetic.
 template <class T>
 struct default_scalar_traits {
     static constexpr bool fixed = false;
@@ -79,7 +80,8 @@ struct default_scalar_traits {
     static T narrow(const T& x) { return x; }
 };
 
-/// The arithmetic that serves T where T itself has too few digits (a huge time, say): mpfr for what rounds.
+/// The arithmetic used instead of T where T itself has too few digits (for example for a huge time): mpfr for rounding
+/// scalars.
 template <class T>
 using wide_t = typename scalar_traits<T>::wide;
 

@@ -1,5 +1,5 @@
 // Sum, product, quotient, derivative and integral of truncated power series, and their evaluation.
-// A result has the smaller order of its operands: what lies beyond is unknown.
+// A result has the smaller order of its operands: higher coefficients are unknown.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ power_series<T> operator*(const power_series<T>& a, const power_series<T>& b) {
     return product(a, b);
 }
 
-/// q = a / b with b q = a: quotient() of convolution.hpp. b_0 must not be 0.
+/// q = a / b with b q = a: quotient() of convolution.hpp. b_0 must be nonzero.
 template <field T>
 power_series<T> operator/(const power_series<T>& a, const power_series<T>& b) {
     return quotient(a, b);
@@ -74,7 +74,7 @@ jet<T> evaluate(const power_series<T>& a, const T& x) {
     if (order == 0) {
         return {a[0], T(0)};
     }
-    // The first step, by the operators, finds the precision of the others.
+    // The first step, by the operators, determines the precision of the others.
     jet<T> result{a[order] * x + a[order - 1], T(0) * x + a[order]};
     for (int n = order - 2; n >= 0; --n) {
         horner_step(result.slope, x, result.value);

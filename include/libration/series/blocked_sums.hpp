@@ -9,32 +9,32 @@
 
 namespace libration::series {
 
-/// A fast product of whole sequences, which a library brings (ode/ball/fast_product.hpp has FLINT's).
+/// A fast product of whole sequences, provided by a library (ode/ball/fast_product.hpp has FLINT's).
 template <ring R>
 class block_product {
 public:
     virtual ~block_product() = default;
     /// sums[i] += sum_k a_k b_{length+i-k} for 0 <= i < count <= length: a has `length` terms, b `terms`, which is
-    /// `length` or twice that; what is beyond is 0.
+    /// `length` or twice that; terms beyond are 0.
     virtual void add_middle(R* sums, int count, const R* a, int length, const R* b, int terms) const = 0;
-    /// The least length for which that is faster than term by term.
+    /// The smallest length for which that is faster than term by term.
     virtual int least_length() const = 0;
 };
 
-/// The sums of term_by_term (kernel.hpp) on arrays that keep their places, n after n.
+/// The sums of term_by_term (kernel.hpp) on arrays at fixed addresses, n after n.
 ///
 /// Of the pairs i + j = n those with i, j below c, the last multiple of a length B that is not above n, have been
-/// prepared in rectangles: at c, with L = B 2^p the largest such divisor of c, the terms [c-L, c) of either sequence
+/// computed in rectangles: at c, with L = B 2^p the largest such divisor of c, the terms [c-L, c) of either sequence
 /// were multiplied by the first 2L of the other, and at c = L the first L by each other, for c <= n < c + L
 /// [vdHoeven2002]. The rest, i or j in [c, n], is summed term by term. O(M(N) log N) for all n <= N, M the cost of a
-/// fast product. Rounding as that of the fast product and of the sums of log N parts.
+/// fast product. Rounding error of the fast product and of the sums of log N parts.
 template <ring R>
 class blocked_sums {
 public:
     /// For n <= order; term by term without a fast product.
     blocked_sums(const block_product<R>* by, int order) : by_(by), order_(order) {}
 
-    /// Forgets all sums: the same arrays hold another series.
+    /// Discards all sums: the same arrays contain another series.
     void restart() { all_.clear(); }
 
     R convolution(const R* a, const R* b, int n, int first, int last, progression of_a) {
@@ -63,14 +63,14 @@ public:
     }
 
 private:
-    // Of a and b only the terms of one residue each matter: a' = a_{first + i stride}, and b' likewise. Term n of a b
+    // Only the terms of one residue each of a and b are used: a' = a_{first + i stride}, and b' likewise. Term n of a b
     // is term m of a' b'.
     struct prepared {
         const R* a;
         const R* b;
         progression of_a;
         progression of_b;
-        int length;  // B; 0 where the series are too short
+        int length;  // B; 0 if the series are too short
         int known;   // c
         std::vector<R> sums;
     };
@@ -78,7 +78,7 @@ private:
     static int index_of(int n, progression of_a) { return n < of_a.first ? 0 : (n - of_a.first) / of_a.stride; }
     static int degree_of(int index, progression of) { return of.first + index * of.stride; }
 
-    // B between the least length and twice that, so that the last rectangle ends where the series does.
+    // B between the smallest length and twice that, such that the last rectangle ends where the series does.
     int block_length(progression of_a) const {
         const int terms = index_of(order_, of_a) + 1;
         int blocks = 1;
@@ -128,7 +128,7 @@ private:
         }
     }
 
-    // [c-L, c) of a times the first 2L of b, or L where c = L; twice.
+    // [c-L, c) of a times the first 2L of b, or L if c = L; twice.
     void add_rectangle(prepared& sums, const R* a, progression of_a, const R* b, progression of_b, int length,
                        bool twice) {
         const int c = sums.known;
@@ -149,7 +149,7 @@ private:
         }
     }
 
-    // Terms first .. first + count - 1 of the residue, side by side.
+    // Terms first .. first + count - 1 of the residue, contiguous.
     static const R* terms_of(const R* a, progression of, int first, int count, std::vector<R>& room) {
         if (of.stride == 1) {
             return a + first;

@@ -1,5 +1,5 @@
-// Products, squares and quotients of coefficient sequences, one coefficient at a time on arrays that the caller keeps
-// (kernel.hpp stands on these) and of whole series; every product in this library goes through
+// Products, squares and quotients of coefficient sequences, one coefficient at a time on arrays owned by the caller
+// (used by kernel.hpp) and of whole series; every product in this library goes through
 // inner_product().
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace libration::series {
 
-/// Which degrees of a series may be non-zero, known from a symmetry (never guessed from the values).
+/// The degrees in which a series may be nonzero, known from a symmetry (never guessed from the values).
 enum class parity { any, even, odd };
 
 /// The parity of the derivative.
@@ -19,7 +19,7 @@ constexpr parity opposite(parity p) {
     return p == parity::any ? parity::any : p == parity::even ? parity::odd : parity::even;
 }
 
-/// The degrees first, first + stride, first + 2 stride, ...: those in which a series may be non-zero.
+/// The degrees first, first + stride, first + 2 stride, ..., in which a series may be nonzero.
 struct progression {
     int stride = 1;
     int first = 0;  ///< below the stride
@@ -27,7 +27,7 @@ struct progression {
     constexpr progression(int of_stride, int of_first) : stride(of_stride), first(of_first) {}
     /// Every second degree.
     constexpr progression(parity p) : stride(p == parity::any ? 1 : 2), first(p == parity::odd ? 1 : 0) {}
-    /// The first degree of them that is not below n >= 0.
+    /// The smallest of these degrees that is not below n >= 0.
     constexpr int from(int n) const {
         const int behind = (n - first) % stride;
         return behind == 0 ? n : n + (behind > 0 ? stride - behind : -behind);
@@ -38,7 +38,7 @@ struct progression {
 /// The degrees of the derivative.
 constexpr progression degrees_of_slope(progression of) { return {of.stride, (of.first + of.stride - 1) % of.stride}; }
 
-/// sum_{k=first}^{last} a_k b_{n-k}, over the k in which a may be non-zero.
+/// sum_{k=first}^{last} a_k b_{n-k}, over the k in which a may be nonzero.
 /// The indices must exist: 0 <= first, last <= order of a, 0 <= n - last, n - first <= order of b. O(last - first).
 template <ring R>
 R convolution(const R* a, const R* b, int n, int first, int last, progression of_a = parity::any) {
@@ -62,7 +62,7 @@ R product_coefficient(const power_series<R>& a, const power_series<R>& b, int n,
     return product_coefficient(a.data(), b.data(), n, of_a);
 }
 
-/// Twice sum_{k=first}^{k < n-k} a_k a_{n-k}, and a_{n/2}^2 where n is even: sum_{k=first}^{n-first} a_k a_{n-k}, each
+/// Twice sum_{k=first}^{k < n-k} a_k a_{n-k}, plus a_{n/2}^2 if n is even: sum_{k=first}^{n-first} a_k a_{n-k}, each
 /// pair of equal products formed once.
 template <ring R>
 R sum_of_pairs(const R* a, int n, int first, progression of_a = parity::any) {
@@ -85,7 +85,7 @@ R square_coefficient(const power_series<R>& a, int n, progression of_a = parity:
 }
 
 /// The coefficient of x^n in q = a / b, from b q = a: q_n = (a_n - sum_{k=1}^{n} b_k q_{n-k}) / b_0. Reads a_n, b_0 ..
-/// b_n and q_0 .. q_{n-1}; b_0 must not be 0. O(n).
+/// b_n and q_0 .. q_{n-1}; b_0 must be nonzero. O(n).
 template <field R>
 R quotient_coefficient(const R* a, const R* b, const R* q, int n, progression of_b = parity::any) {
     return (a[n] - convolution(b, q, n, 1, n, of_b)) / b[0];
@@ -106,8 +106,8 @@ power_series<R> product(const power_series<R>& a, const power_series<R>& b) {
     }
 }
 
-/// q = a / b, of the smaller order; b_0 must not be 0. O(N^2) products by quotient_coefficient(); on balls one quotient
-/// of whole sequences, the cost of a few such products.
+/// q = a / b, of the smaller order; b_0 must be nonzero. O(N^2) products by quotient_coefficient(); on balls one
+/// quotient of whole sequences, the cost of a few such products.
 template <field R>
 power_series<R> quotient(const power_series<R>& a, const power_series<R>& b) {
     if constexpr (requires { scalar_traits<R>::whole_quotient(a.coefficients(), b.coefficients()); }) {

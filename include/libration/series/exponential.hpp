@@ -1,7 +1,8 @@
 // Exponential, logarithm, real power and sine-cosine of a series, each a loop on its kernel (kernel.hpp): O(N^2).
 //
-// Each comes twice: with the value at the centre from the function of that name, and with that value given, over any
-// field: log f of fractions with f_0 = 1 and l_0 = 0, the sine of an angle that is known less well than its sine.
+// Each has two versions: with the value at the centre from the function of that name, and with that value given, over
+// any field: log f of fractions with f_0 = 1 and l_0 = 0, the sine of an angle that is known less accurately than its
+// sine.
 #pragma once
 
 #include <utility>
@@ -11,7 +12,7 @@
 
 namespace libration::series {
 
-/// The slope f' in as many coefficients as f has, the last of them 0: what the kernels of whole series read.
+/// The slope f' with as many coefficients as f has, the last of them 0: the input of the kernels of whole series.
 template <ring R>
 power_series<R> slope_of(const power_series<R>& f) {
     auto slope = power_series<R>::zero(f.order());
@@ -40,7 +41,7 @@ power_series<R> exponential(const power_series<R>& f) {
     return exponential(f, R(exp(f[0])));
 }
 
-/// log f with l_0 given, f_0 not 0.
+/// log f with l_0 given, f_0 nonzero.
 template <field R>
 power_series<R> logarithm(const power_series<R>& f, const R& value) {
     auto slope = power_series<R>::zero(f.order());
@@ -52,14 +53,14 @@ power_series<R> logarithm(const power_series<R>& f, const R& value) {
     return l;
 }
 
-/// log f, f_0 > 0; of complex numbers f_0 not 0, by the principal value of log f_0.
+/// log f, f_0 > 0; for complex numbers f_0 nonzero, by the principal value of log f_0.
 template <field R>
 power_series<R> logarithm(const power_series<R>& f) {
     using std::log;
     return logarithm(f, R(log(f[0])));
 }
 
-/// f^r with p_0 given, f_0 not 0.
+/// f^r with p_0 given, f_0 nonzero.
 template <field R>
 power_series<R> power(const power_series<R>& f, const R& r, const R& value) {
     const auto slope = slope_of(f);
@@ -72,15 +73,15 @@ power_series<R> power(const power_series<R>& f, const R& r, const R& value) {
     return p;
 }
 
-/// f^r, f_0 > 0; of complex numbers f_0 not 0, by the principal value of f_0^r.
+/// f^r, f_0 > 0; for complex numbers f_0 nonzero, by the principal value of f_0^r.
 template <field R>
 power_series<R> power(const power_series<R>& f, const R& r) {
     using std::pow;
     return power(f, r, R(pow(f[0], r)));
 }
 
-/// (sin f, cos f) with s_0 and c_0 given, for a start whose sine or cosine is known better than its angle; the parity
-/// of f is that of f - f_0 and saves half of the products.
+/// (sin f, cos f) with s_0 and c_0 given, for an initial value whose sine or cosine is known more accurately than its
+/// angle; the parity of f is that of f - f_0 and saves half of the products.
 template <field R>
 std::pair<power_series<R>, power_series<R>> sine_cosine(const power_series<R>& f, const R& sine, const R& cosine,
                                                         parity of_f = parity::any) {

@@ -19,8 +19,8 @@ namespace libration::series {
 template <ring T>
 class polynomial_blocks {
 public:
-    /// Whether it is the way to evaluate this polynomial at x: in mpfr from order 8 on, where all is in the working
-    /// precision, which is that of inner products.
+    /// Whether this is the method for evaluating this polynomial at x: in mpfr from order 8 on, provided everything is
+    /// in the working precision, which is that of inner products.
     static bool serve(const power_series<T>& a, const T& x) {
         if constexpr (std::same_as<T, mpfr>) {
             const auto fits = [](const mpfr& y) {
@@ -87,7 +87,7 @@ private:
     }
 
     const power_series<T>& a_;
-    int length_ = 1;         ///< M, about (3/2 N)^(1/2): blocks are dearer than powers
+    int length_ = 1;         ///< M, about (3/2 N)^(1/2): blocks are more expensive than powers
     std::vector<T> powers_;  ///< x^i, i <= M
 };
 

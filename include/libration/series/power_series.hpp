@@ -1,4 +1,4 @@
-// Truncated power series: index = degree, a series of order N holds the coefficients of degrees 0 .. N.
+// Truncated power series: index = degree, a series of order N has the coefficients of degrees 0 .. N.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace libration::series {
 
-/// sum_{n=0}^{N} a_n x^n, everything beyond x^N forgotten. N >= 0. Over any ring: fractions and complex numbers too.
+/// sum_{n=0}^{N} a_n x^n, with all terms beyond x^N dropped. N >= 0. Over any ring, including fractions and complex
+/// numbers.
 template <ring T>
 class power_series {
 public:
@@ -19,11 +20,11 @@ public:
     explicit power_series(std::vector<T> coefficients) : coefficients_(std::move(coefficients)) {
         if (coefficients_.empty()) {
             throw error(error_kind::argument, "list of coefficients", "",
-                        "is empty: a power series has one of degree 0 at least");
+                        "is empty: a power series has at least the coefficient of degree 0");
         }
     }
 
-    /// The zero series of order N. Throws error when N < 0.
+    /// The zero series of order N. Throws error if N < 0.
     static power_series zero(int order) {
         if (order < 0) {
             throw error(error_kind::argument, "order", std::to_string(order), "of a power series is negative");
@@ -41,11 +42,11 @@ public:
     const T* data() const { return coefficients_.data(); }
     T* data() { return coefficients_.data(); }
 
-    /// The first degrees 0 .. N of this series. Throws error when it holds fewer.
+    /// The first degrees 0 .. N of this series. Throws error if it has fewer.
     power_series truncated(int order) const {
         if (order < 0 || order > this->order()) {
             throw error(error_kind::argument, "order", std::to_string(order),
-                        "is not between 0 and the " + std::to_string(this->order()) + " of the series");
+                        "is not between 0 and the order of the series, " + std::to_string(this->order()));
         }
         return power_series(std::vector<T>(coefficients_.begin(), coefficients_.begin() + order + 1));
     }
@@ -54,7 +55,7 @@ private:
     std::vector<T> coefficients_;
 };
 
-/// The series in y = x / factor: a_n factor^n. One rounding a power, O(N).
+/// The series in y = x / factor: a_n factor^n. One rounding per power, O(N).
 template <ring T>
 power_series<T> rescale(power_series<T> series, const T& factor) {
     T power(1);

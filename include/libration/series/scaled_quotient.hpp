@@ -1,4 +1,4 @@
-// The quotient of series that are scaled to their circle of convergence, by whole sequences where there is a way.
+// The quotient of series that are scaled to their circle of convergence, by whole sequences if available.
 #pragma once
 
 #include <concepts>
@@ -21,8 +21,8 @@ bool has_whole_quotients() {
     }
 }
 
-/// quotient() for series that are scaled to their circle of convergence, where an error relative to the largest
-/// coefficient is small beside each of them: by whole sequences in mpfr too where the program has chosen so
+/// quotient() for series that are scaled to their circle of convergence, for which an error relative to the largest
+/// coefficient is small compared with each of them: also by whole sequences in mpfr if the program has selected this
 /// (whole_quotient_scope), within 2^48 epsilon of the largest.
 template <scalar T>
 power_series<T> scaled_quotient(const power_series<T>& a, const power_series<T>& b) {

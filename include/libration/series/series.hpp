@@ -1,4 +1,4 @@
-// Truncated power series over any ring: their kernels, coefficient by coefficient, and the functions made of them.
+// Truncated power series over any ring: their kernels, coefficient by coefficient, and the functions based on them.
 #pragma once
 
 #include "libration/series/arithmetic.hpp"

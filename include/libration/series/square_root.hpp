@@ -6,7 +6,7 @@
 namespace libration::series {
 
 /// r = sqrt f, with r_0 given (of either sign, r_0^2 = f_0; f_0 itself is not read), by square_root_kernel(). O(N^2),
-/// half of a product of series; an even f, a quarter of that.
+/// half of a product of series; for an even f, a quarter of that.
 template <field R>
 power_series<R> square_root(const power_series<R>& f, const R& root_of_constant, parity of_f = parity::any) {
     auto r = power_series<R>::zero(f.order());

@@ -1,5 +1,5 @@
-// Tangent, arctangent and hyperbolic tangent of a series, each a loop on its kernel (kernel.hpp): O(N^2). As those of
-// exponential.hpp, each comes with and without the value at the centre.
+// Tangent, arctangent and hyperbolic tangent of a series, each a loop on its kernel (kernel.hpp): O(N^2). As in
+// exponential.hpp, each has versions with and without the value at the centre.
 #pragma once
 
 #include "libration/series/exponential.hpp"
@@ -19,7 +19,7 @@ power_series<R> tangent(const power_series<R>& f, const R& value) {
     return t;
 }
 
-/// tan f, cos f_0 not 0.
+/// tan f, cos f_0 nonzero.
 template <field R>
 power_series<R> tangent(const power_series<R>& f) {
     using std::tan;
@@ -46,7 +46,7 @@ power_series<R> hyperbolic_tangent(const power_series<R>& f) {
     return hyperbolic_tangent(f, R(tanh(f[0])));
 }
 
-/// atan f with a_0 given, 1 + f_0^2 not 0.
+/// atan f with a_0 given, 1 + f_0^2 nonzero.
 template <field R>
 power_series<R> arctangent(const power_series<R>& f, const R& value) {
     const auto slope = slope_of(f);
@@ -60,7 +60,7 @@ power_series<R> arctangent(const power_series<R>& f, const R& value) {
     return a;
 }
 
-/// atan f; of complex numbers f_0 not i or -i, by the principal value.
+/// atan f; for complex numbers f_0 not i or -i, by the principal value.
 template <field R>
 power_series<R> arctangent(const power_series<R>& f) {
     using std::atan;

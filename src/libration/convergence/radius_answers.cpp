@@ -17,12 +17,12 @@ constexpr long uncertainty_digits = 3;
 // floor(log10 |x|).
 long exponent_of_ten(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
 
-// The digits of x down to the last place of its uncertainty as that is printed; 0 or less where x is below it.
+// The number of digits of x down to the last place of its uncertainty as printed; 0 or less if x is below it.
 long supported_digits(const mpfr& x, const mpfr& uncertainty) {
     return exponent_of_ten(x) - exponent_of_ten(uncertainty) + uncertainty_digits;
 }
 
-// x with the digits that its uncertainty supports, and no more than asked.
+// x with the digits that its uncertainty supports, and no more than requested.
 std::string supported(const mpfr& x, const mpfr& uncertainty, long digits) {
     if (uncertainty == 0) {
         const integer whole = nearest_integer(x);
@@ -32,7 +32,7 @@ std::string supported(const mpfr& x, const mpfr& uncertainty, long digits) {
     return count < 1 ? "0" : to_decimal(x, std::min(count, digits));
 }
 
-// The uncertainty of the radius as printed: where the digits asked cut it off, with a unit of its last place.
+// The uncertainty of the radius as printed: if the requested digits truncate it, with a unit of its last place.
 mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
     if (supported_digits(*estimate.radius, estimate.uncertainty) <= digits) {
         return estimate.uncertainty;
@@ -41,7 +41,8 @@ mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
     return estimate.uncertainty + pow(mpfr(10), last_place);
 }
 
-// The report on a list of a file, which may end in a floor of noise; a motion's coefficients are right to the last.
+// The report on a list from a file, which may end in a noise floor; a motion's coefficients are correct to the last
+// digit.
 template <class T>
 list_report<T> report_in(const listed_series& list) {
     if (!list.written.empty()) {
@@ -60,7 +61,7 @@ radius_answers answers_in(const listed_series& list, int root) {
         return in_powers_of_root(in_unit(widened(estimate), found.unit.length), root);
     };
     answers.rows.reserve(report.tests.size() + 1);
-    // The radius may be beyond the range of T where the coefficients are.
+    // The radius may be out of the range of T even if the coefficients are not.
     const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
     answers.rows.push_back(in_variable(report.verdict));
     for (const auto& test : report.tests) {
@@ -91,7 +92,8 @@ mpfr aligned_sum(const std::vector<listed_series>& parts, const complex_number<m
     return modulus_of(sum);
 }
 
-// Real and imaginary parts of a list have both of z and its conjugate where the list has one: the one that it has.
+// Lists of real and imaginary parts have both z and its conjugate as singularities even if the whole list has only one:
+// selects that one.
 void choose_side(radius_estimate<mpfr>& verdict, const std::vector<listed_series>& parts) {
     if (!verdict.position || verdict.position->im == 0) {
         return;
@@ -115,7 +117,7 @@ printed_estimate printed(const radius_estimate<mpfr>& estimate, long digits) {
     printed_estimate shown;
     if (estimate.radius) {
         shown.radius = text(*estimate.radius);
-        if (shown.radius == "0") {  // a radius is more than 0, however uncertain
+        if (shown.radius == "0") {  // a radius is positive, however uncertain
             shown.radius = to_decimal(*estimate.radius, 1);
         }
         shown.uncertainty = to_decimal(printed_uncertainty(estimate, digits), uncertainty_digits);

@@ -6,14 +6,15 @@ namespace libration {
 
 namespace {
 
-// A second run with more than twice the guard digits: what two equal losses leave would not agree.
+// A second run has more than twice the guard digits: the remainders of two equal losses would not agree.
 constexpr long first_guard = 20;
 constexpr long second_guard = 45;
 
-// Two runs that lost everything are both 0: where nobody says what is 0, so many guard digits have to say so.
+// Two runs that lost all digits are both 0: unless vanishing() confirms it, 0 is accepted only from this number of
+// guard digits on.
 constexpr long guard_of_zero = 1440;
 
-// In few digits: of a number that is not 0 both parts, of which one may be small beside the other.
+// In few digits: for a nonzero number of both parts, one of which may be small compared with the other.
 mpfr size_of(const complex_number<mpfr>& z) {
     const precision_scope scope(20);
     return sqrt(mpfr(z.re * z.re + z.im * z.im));
@@ -45,7 +46,7 @@ bool agree(const mpfr& a, const mpfr& b, long digits) {
 std::vector<mpfr> agreed_values(long digits, const std::function<std::vector<mpfr>(long guard)>& compute,
                                 const std::function<std::vector<bool>()>& vanishing) {
     std::optional<std::vector<bool>> zero;
-    // Whether the runs agree; the values that are known to be 0 become so.
+    // Whether the runs agree; values known to be 0 are set to 0.
     const auto same = [&](const std::vector<mpfr>& before, std::vector<mpfr>& now, long guard) {
         bool all = true;
         for (std::size_t i = 0; i < now.size(); ++i) {

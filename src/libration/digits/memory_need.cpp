@@ -18,14 +18,14 @@ namespace {
 constexpr double kilobyte = 1024;
 constexpr double always_there = 64 * kilobyte * kilobyte;
 
-// The first number of a file; std::nullopt for none, as in "max".
+// The first number in a file; std::nullopt if there is none, as in "max".
 std::optional<double> number_in(const char* path) {
     std::ifstream file(path);
     double value = 0;
     return file >> value ? std::optional(value) : std::nullopt;
 }
 
-// The sum of the numbers behind these words of a file; std::nullopt if one is missing.
+// The sum of the numbers after these words in a file; std::nullopt if one is missing.
 std::optional<double> sum_in(const char* path, std::initializer_list<std::string_view> words) {
     std::ifstream file(path);
     std::size_t found = 0;
@@ -42,7 +42,7 @@ std::optional<double> sum_in(const char* path, std::initializer_list<std::string
     return found == words.size() ? std::optional(sum) : std::nullopt;
 }
 
-// The pages of this process: all of its addresses, and its data with the stack.
+// The pages of this process: its whole address space, and its data with the stack.
 struct pages {
     double all, data;
 };
@@ -58,7 +58,7 @@ std::optional<pages> pages_of_process() {
     return pages{values[0], values[5]};
 }
 
-// What a limit leaves; std::nullopt without one.
+// What remains of a limit; std::nullopt without one.
 std::optional<double> left_of(const rlimit& limit, double used_pages) {
     if (limit.rlim_cur == RLIM_INFINITY) {
         return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<double> left_of(const rlimit& limit, double used_pages) {
     return static_cast<double>(limit.rlim_cur) - used_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-// Files in memory count as used and are given back where it is short.
+// Files in memory count as used but are released when memory is short.
 std::optional<double> left_of_group() {
     const auto most = number_in("/sys/fs/cgroup/memory.max");
     const auto used = number_in("/sys/fs/cgroup/memory.current");
@@ -115,7 +115,7 @@ void require_memory(const std::string& quantity, double least) {
     const auto available = available_memory();
     if (available && least > *available) {
         throw memory_shortage(quantity + " needs at least " + text_of_bytes(least) + " of memory, and " +
-                              text_of_bytes(*available) + " are available: ask for less");
+                              text_of_bytes(*available) + " are available: reduce it");
     }
 }
 

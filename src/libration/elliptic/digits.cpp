@@ -12,7 +12,7 @@ using namespace elliptic;
 
 namespace {
 
-// The digits of a function without a bound, and those that its argument loses besides.
+// The digits of a function without a bound, plus those that its argument loses.
 template <class Function>
 rounded_decimal agreed(long digits, long before, const Function& function) {
     const auto compute = [&](long guard) {

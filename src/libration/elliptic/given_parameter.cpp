@@ -22,7 +22,7 @@ exact_parameter exact_parameter_of(const given_modulus& given) {
         }
         if (chosen != nullptr) {
             throw error(error_kind::argument, each.name, each.text,
-                        std::string("comes together with the ") + chosen->name);
+                        std::string("cannot be combined with the ") + chosen->name);
         }
         chosen = &each;
     }
@@ -39,7 +39,7 @@ exact_parameter exact_parameter_of(const given_modulus& given) {
 exact exact_argument(const std::string& text) {
     exact u = given_number("argument", text);
     if (u.measure == unit::period || u.measure == unit::degree) {
-        throw error(error_kind::argument, "argument", text, "is no number");
+        throw error(error_kind::argument, "argument", text, "has a unit");
     }
     return u;
 }

@@ -1,4 +1,4 @@
-// What was written for a modulus and an argument, read exactly: shared by the rounded and the proved digits.
+// The modulus and the argument as given, read exactly: shared by the rounded and the proved digits.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace libration::elliptic {
 
-/// The parameter; throws error of the kind argument for none, for two and for one outside [0, 1].
+/// The parameter; throws error of the kind argument if none or two are given, or one outside [0, 1].
 exact_parameter exact_parameter_of(const given_modulus& given);
 
 /// The argument of am, sn, cn and dn; throws error of the kind argument for angles in degrees and for times.

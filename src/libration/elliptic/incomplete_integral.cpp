@@ -1,4 +1,4 @@
-// The templates of the header for the scalars that round.
+// The templates of the header for the rounding scalars.
 #include "libration/elliptic/incomplete_integral.hpp"
 
 namespace libration::elliptic {

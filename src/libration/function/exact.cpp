@@ -6,10 +6,10 @@ namespace libration::function {
 
 namespace {
 
-// q less its whole part, in [0, 1).
+// The fractional part of q, in [0, 1).
 rational part_of_one(const rational& q) { return q - rational(floor_of(q)); }
 
-// cos(q pi) for q in [0, 2), where it is rational.
+// cos(q pi) for q in [0, 2), if it is rational.
 std::optional<rational> cosine_of_turn(const rational& q) {
     const rational from_top = q > 1 ? rational(2 - q) : q;
     const rational sixths = from_top * 6;

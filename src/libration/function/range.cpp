@@ -14,11 +14,11 @@ namespace libration::function {
 
 namespace {
 
-// Numbers of more than this many bits before the point, or zeros behind it, are refused: they become fractions.
+// Numbers with more than this many bits before the point, or zeros after it, are rejected, since they become fractions.
 constexpr long largest_exponent_of_two = 1L << 27U;
 
-// x / y rounded down or up, y != 0: the exact product of y and of the result lies on that side of x, or on the other
-// where y < 0. Beyond the range of exponents the result is infinite or 0, and stands.
+// x / y rounded down or up, y != 0: the exact product of y and of the result lies on the corresponding side of x, or on
+// the opposite one if y < 0. Beyond the range of exponents the result is infinite or 0, and is accepted.
 int checked_quotient(mpfr_ptr result, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding) {
     const int inexact = mpfr_div(result, x, y, rounding);
     if (mpfr_regular_p(result) != 0 && mpfr_regular_p(x) != 0) {
@@ -90,7 +90,8 @@ number_bounds rising_steeply(rounded_function f, const number_bounds& x) {
     return rising(f, x);
 }
 
-// sin and cos move no faster than their argument: the value at the middle, and the distance from there to the ends.
+// sin and cos have derivatives bounded by 1: the value at the midpoint, plus or minus the distance from there to the
+// ends.
 number_bounds of_circle(rounded_function f, const number_bounds& x) {
     mpfr middle = (x.lower + x.upper) / 2;
     middle = std::clamp(middle, x.lower, x.upper);
@@ -162,7 +163,7 @@ mpfr rounded_value(function_kind f, const rational* order, const mpfr& x, long b
             return result;
         }
     }
-    return result;  // a new number of MPFR is none
+    return result;  // a new MPFR number is NaN
 }
 
 }  // namespace libration::function

@@ -9,7 +9,7 @@ namespace libration {
 
 namespace {
 
-// A text in parentheses where it is no single number.
+// A text, in parentheses unless it is a single number.
 std::string operand(const exact& number) {
     const bool single = number.text.find_first_of("+-*/^ ") == std::string::npos;
     return single ? number.text : "(" + number.text + ")";
@@ -19,7 +19,7 @@ std::string operand(const exact& number) {
 
 rational exact::in_pi() const {
     if (!is_angle() && !is_zero()) {
-        throw std::logic_error(text + " is no fraction of pi");
+        throw std::logic_error(text + " is not a fraction of pi");
     }
     return measure == unit::degree ? rational(coefficient / 180) : coefficient;
 }

@@ -1,5 +1,5 @@
 // Sums of products of MPFR numbers in fixed point: a loop of mpfr_fma aligns, rounds and normalises
-// every term, this the sum alone.
+// every term, this only the sum.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -22,7 +22,7 @@ struct significand {
     const mp_limb_t* limbs;
     mp_size_t size;
 
-    // Without low limbs of 0, as whole numbers and values of lower precision have.
+    // Without low zero limbs, which integers and values of lower precision have.
     explicit significand(const mpfr& x)
         : limbs(static_cast<const mp_limb_t*>(mpfr_custom_get_significand(handle(x)))),
           size((mpfr_get_prec(handle(x)) - 1) / limb_bits + 1) {
@@ -39,7 +39,7 @@ struct significand {
     }
 };
 
-// Memory of so many limbs, on the stack where they are few.
+// Memory for this number of limbs, on the stack if they are few.
 class limb_buffer {
 public:
     explicit limb_buffer(mp_size_t size) : far_(size > few ? static_cast<std::size_t>(size) : 0) {
@@ -57,14 +57,14 @@ private:
     mp_limb_t* data_;
 };
 
-// A number of fixed point, below 2^(top + limb_bits - 1), of `size` limbs below 2^top; in two's complement.
+// A fixed-point number, below 2^(top + limb_bits - 1), of `size` limbs below 2^top; in two's complement.
 class fixed_sum {
 public:
     fixed_sum(mpfr_exp_t top, mp_size_t size) : top_(top), size_(size), sum_(size + 1), product_(2 * size + 5) {
         mpn_zero(sum_.data(), size_ + 1);
     }
 
-    // Takes x y, 0 < |x y| < 2^top, less what is below two units of the last place.
+    // Adds x y, 0 < |x y| < 2^top, without the part below two units of the last place.
     void add(const mpfr& x, const mpfr& y) {
         const auto down = static_cast<mp_size_t>(top_ - mpfr_get_exp(handle(x)) - mpfr_get_exp(handle(y)));
         const mp_size_t reached = size_ - down / limb_bits;
@@ -75,7 +75,7 @@ public:
         significand b(y);
         a.keep_highest(reached + 1);
         b.keep_highest(reached + 1);
-        // One limb of 0 under the product, so that no bit of it is lost to the shift.
+        // One zero limb below the product, so that no bit of it is lost to the shift.
         mp_limb_t* const product = product_.data();
         product[0] = 0;
         multiply(product + 1, a, b);
@@ -111,7 +111,7 @@ private:
         }
     }
 
-    // Adds or subtracts `count` limbs, the highest of them at the place `end` - 1.
+    // Adds or subtracts `count` limbs, the highest of them at position `end` - 1.
     void accumulate(const mp_limb_t* limbs, mp_size_t count, mp_size_t end, bool negative) {
         mp_limb_t* const low = sum_.data() + (end - count);
         mp_limb_t* const high = sum_.data() + end;
@@ -129,7 +129,7 @@ private:
     limb_buffer product_;
 };
 
-// The least t with every |x y| < 2^t; nothing where all products are 0.
+// The smallest t with every |x y| < 2^t; std::nullopt if all products are 0.
 struct size_of_terms {
     std::optional<mpfr_exp_t> top;
     bool finite = true;

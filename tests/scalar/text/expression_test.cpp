@@ -148,15 +148,15 @@ TEST_CASE("a wrong formula is refused with what is wrong and where", "[scalar][e
     CHECK_THAT(refusal("1+2*foo"), Equals("has an unknown name \"foo\" at column 5"));
     CHECK_THAT(refusal("2*(1+3"), Equals("does not end: a ) is missing"));
     CHECK_THAT(refusal("2*("), Equals("does not end: a number is missing"));
-    CHECK_THAT(refusal("1+2)"), Equals("has a ) too many at column 4"));
+    CHECK_THAT(refusal("1+2)"), Equals("has an unmatched ) at column 4"));
     CHECK_THAT(refusal("(1,2)"), Equals("has an unexpected , at column 3"));
     CHECK_THAT(refusal("2*\x01"), Equals("has an unexpected character at column 3"));
-    CHECK_THAT(refusal("sin*2"), Equals("has sin without a ( behind it at column 1"));
+    CHECK_THAT(refusal("sin*2"), Equals("has sin without a ( after it at column 1"));
     for (const std::string sign : {"+-", " +- ", "-+", "\u00b1", " \u2213"}) {
-        CHECK_THAT(refusal("1" + sign + "0.1"), Contains("stands for an interval, which is not supported"));
+        CHECK_THAT(refusal("1" + sign + "0.1"), Contains("denotes an interval, which is not supported"));
     }
-    CHECK_THAT(refusal("2*3x"), Contains("directly behind a number"));
-    CHECK_THAT(refusal("2sqrt(2)"), Contains("directly behind a number"));
+    CHECK_THAT(refusal("2*3x"), Contains("directly after a number"));
+    CHECK_THAT(refusal("2sqrt(2)"), Contains("directly after a number"));
     CHECK_THAT(refusal("1/2pi"), Equals("is ambiguous at column 3: write parentheses, as 1/(2*pi) or (1/2)*pi"));
     CHECK_THAT(refusal("5"), Equals("accepted"));
     for (const auto* text :

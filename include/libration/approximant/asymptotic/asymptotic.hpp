@@ -1,5 +1,6 @@
-// Asymptotic approximants: functions whose series at 0 is the given one as far as it goes, and which behave far away as
-// is known: f there tends to a constant or a line, decays like a power or exponentially, or has a branch point.
+// Asymptotic approximants: functions whose series at 0 agrees with the given one to its order, and which have the known
+// asymptotic behaviour: there f tends to a constant or a line, decays like a power or exponentially, or has a branch
+// point.
 #pragma once
 
 #include "libration/approximant/asymptotic/branch_approximant.hpp"

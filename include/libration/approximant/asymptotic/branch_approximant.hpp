@@ -1,11 +1,11 @@
-// The asymptotic approximant of what ends at a branch point on the circle of convergence:
+// The asymptotic approximant of a function that ends at a branch point on the circle of convergence:
 //
 //     f(t) = (1 - (t/T)^k)^p sum_{n=0}^{N} A_n t^n,
 //
 // k = 2 for an even f, as the collapse of an empty bubble, p = 2/5 [Harkin2021]. The A_n are the Taylor coefficients of
-// g = f (1 - (t/T)^k)^-p. Where f ~ (T - t)^p (g_0 + g_1 (T - t)^q + ..) with a q that is no whole number, those of f
-// fall like n^-(1+p) T^-n and the A_n like n^-(1+q) T^-n: the largest error on [0, T], like N^-p for the series, is
-// like N^-(p+q) for the approximant.
+// g = f (1 - (t/T)^k)^-p. Where f ~ (T - t)^p (g_0 + g_1 (T - t)^q + ..) with a non-integer q, those of f fall like
+// n^-(1+p) T^-n and the A_n like n^-(1+q) T^-n: the largest error on [0, T] is of order N^-p for the series and
+// N^-(p+q) for the approximant.
 #pragma once
 
 #include <utility>
@@ -15,7 +15,7 @@
 
 namespace libration {
 
-/// f (1 - (t/T)^k)^-p as a series, to the order of f. O(N^2/k), over any field. Throws error for k < 1.
+/// f (1 - (t/T)^k)^-p as a series, to the order of f. O(N^2/k), over any field. Throws error if k < 1.
 template <field R>
 series::power_series<R> without_branch_point(const series::power_series<R>& f, const R& end, const R& p, int k) {
     if (k < 1) {

@@ -1,11 +1,11 @@
-// The asymptotic approximant of what tends to a constant exponentially, by a rational function:
+// The asymptotic approximant of a function that tends to a constant exponentially, by a rational function:
 //
 //     f(t) = f_inf + e^(-a t) (1 + t)^-s P(t)/Q(t),   deg P = deg Q = M,
 //
-// the modified symmetric Pade approximant, published with s = 0 for ln S of SEIR [Weinstein2020]. s = 1/2 gives the far
-// behaviour of the modified Bessel function K_0, that of a decaying solution of the equation of Flierl and
-// Petviashvili: published for it is another form [Barlow2017], which predicts f(0) too. P/Q tends to a constant, which
-// is free.
+// the modified symmetric Pade approximant, published with s = 0 for ln S of SEIR [Weinstein2020]. s = 1/2 gives the
+// asymptotic behaviour of the modified Bessel function K_0, which is that of a decaying solution of the
+// Flierl-Petviashvili equation; the form published for it is different [Barlow2017] and also predicts f(0). P/Q tends
+// to a constant, which is free.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace libration {
 
-/// How f comes to its limit: e^(-rate t) (1 + t)^-power.
+/// How f approaches its limit: e^(-rate t) (1 + t)^-power.
 template <class T>
 struct damping {
     T limit;
@@ -43,8 +43,8 @@ series::power_series<R> undamped(series::power_series<R> f, const damping<R>& of
 template <scalar T>
 class damped_pade {
 public:
-    /// From the series to the order 2 M at least. std::nullopt where the approximant does not exist. O(M^3); the system
-    /// loses digits as that of pade().
+    /// From the series to order 2 M at least. Returns std::nullopt if the approximant does not exist. O(M^3); the
+    /// system loses digits as in pade().
     static std::optional<damped_pade> of(const series::power_series<T>& f, int m, damping<T> far) {
         auto inner = pade(undamped(f.truncated(2 * m), far), m, m, T(0));
         return inner ? std::optional(damped_pade(*std::move(inner), std::move(far))) : std::nullopt;

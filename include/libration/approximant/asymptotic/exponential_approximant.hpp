@@ -1,18 +1,18 @@
-// The asymptotic approximant of what tends to a constant exponentially:
+// The asymptotic approximant of a function that tends to a constant exponentially:
 //
 //     P(t) = f_inf + sum_{j=1}^{N} A_j e^(-j a t),   a > 0,
 //
-// of f itself (the boundary layer of Sakiadis [Barlow2017]) or of f_inf/f (SIR, S = S_inf/(1 + sum A_j e^(-j a t))
-// [BarlowWeinstein2020]). The A_j are published as the solution of a Vandermonde system: P_n = f_n for n < N is
-// sum_j A_j j^n = n! f_n/(-a)^n, n > 0. It loses more than a digit with every term (vandermonde_condition). The
-// same polynomial in z = 1 - e^(-a t) needs no system:
+// for f itself (the boundary layer of Sakiadis [Barlow2017]) or for f_inf/f (SIR, S = S_inf/(1 + sum A_j e^(-j a t))
+// [BarlowWeinstein2020]). The A_j are published as the solution of a Vandermonde system: P_n = f_n for n < N is sum_j
+// A_j j^n = n! f_n/(-a)^n, n > 0. It loses more than one digit per term (vandermonde_condition). The same polynomial in
+// z = 1 - e^(-a t) needs no system:
 //
 //     P = sum_{k<N} c_k z^k + (f_inf - sum_{k<N} c_k) z^N,
 //
-// the Taylor polynomial of f at z = 0 with one term more, which is right at z = 1, t = infinity. The c_k are positive
-// combinations of n! f_n/a^n: k! c_k = D (D+1) .. (D+k-1) f at t = 0, D = d/d(a t). What happens as N grows follows:
-// where f(z) is analytic in |z| < rho, rho > 1, and at z = 1, the largest error on [0, infinity) falls like rho^-N;
-// where rho < 1 it grows. rho is the least of |1 - e^(-a s)| over the singularities s of f.
+// the Taylor polynomial of f at z = 0 with one more term, which makes it exact at z = 1, t = infinity. The c_k are
+// positive combinations of n! f_n/a^n: k! c_k = D (D+1) .. (D+k-1) f at t = 0, D = d/d(a t). The behaviour as N grows
+// follows: if f(z) is analytic in |z| < rho, rho > 1, and at z = 1, the largest error on [0, infinity) falls like
+// rho^-N; if rho < 1 it grows. rho is the least of |1 - e^(-a s)| over the singularities s of f.
 #pragma once
 
 #include <cmath>
@@ -24,7 +24,8 @@
 
 namespace libration {
 
-/// The series in z = 1 - e^(-a t) of what has the series f in t, to the same order. O(N^2), over any field; a not 0.
+/// The series in z = 1 - e^(-a t) of the function with the series f in t, to the same order. O(N^2), over any field; a
+/// nonzero.
 template <field R>
 series::power_series<R> series_in_decay(const series::power_series<R>& f, const R& a) {
     std::vector<R> row;  // D^n of the newest operator's result
@@ -45,8 +46,8 @@ series::power_series<R> series_in_decay(const series::power_series<R>& f, const 
     return c;
 }
 
-/// A_1 .. A_N by the published Vandermonde system, from f_0 .. f_(N-1). O(N^2), over any field. It loses the digits
-/// that vandermonde_condition says.
+/// A_1 .. A_N by the published Vandermonde system, from f_0 .. f_(N-1). O(N^2), over any field. The loss of digits is
+/// given by vandermonde_condition.
 template <field R>
 std::vector<R> exponential_sum(const series::power_series<R>& f, const R& limit, const R& a) {
     std::vector<R> nodes;
@@ -64,7 +65,7 @@ std::vector<R> exponential_sum(const series::power_series<R>& f, const R& limit,
 template <scalar T>
 class exponential_approximant {
 public:
-    /// f: the series at 0, of which f_0 .. f_(N-1) are matched; the limit at infinity; a > 0.
+    /// f: the series at 0, of which f_0 .. f_(N-1) are matched; limit: the limit at infinity; a > 0.
     exponential_approximant(const series::power_series<T>& f, const T& limit, T a)
         : in_decay_(series_in_decay(f, a)), rate_(std::move(a)) {
         T last = limit;

@@ -1,13 +1,14 @@
-// The asymptotic approximant of what tends to a polynomial, a line or a constant, faster than its form can say:
+// The asymptotic approximant of a function that tends to a polynomial, a line or a constant, faster than its form can
+// express:
 //
 //     f(t) = far(t) + c (1 + sum_{n=1}^{N} A_n t^n)^p,   c = f(0) - far(0),
 //
-// for p = -1 and far(t) = t + B that of the boundary layers of Blasius [Barlow2017] and of Falkner and Skan
-// [Belden2020]; for p = -q/N what decays like t^-q. The A_n are the Taylor coefficients of h = ((f - far)/c)^(1/p), so
-// that no system is solved. For p = -1 what happens as N grows follows from that. Let r be the radius of convergence of
-// h. Where t < r, the approximants converge; where t > r and |A_n t^n| -> infinity, they tend to far(t). The largest
-// error on [0, infinity) of an f that comes nearer to far(t) with t does not vanish, therefore, but tends to |f(r) -
-// far(r)|.
+// for p = -1 and far(t) = t + B the approximant of the boundary layers of Blasius [Barlow2017] and of Falkner and Skan
+// [Belden2020]; for p = -q/N that of a function decaying like t^-q. The A_n are the Taylor coefficients of h = ((f -
+// far)/c)^(1/p), so that no system is solved. For p = -1 the behaviour as N grows follows from that. Let r be the
+// radius of convergence of h. For t < r, the approximants converge; for t > r with |A_n t^n| -> infinity, they tend to
+// far(t). If f approaches far(t) as t grows, the largest error on [0, infinity) therefore does not vanish but tends to
+// |f(r) - far(r)|.
 #pragma once
 
 #include <utility>
@@ -33,14 +34,14 @@ series::power_series<R> power_of_one_plus(const series::power_series<R>& h, cons
     return result;
 }
 
-/// f - far, a polynomial in t. Throws error where it is 0 at 0.
+/// f - far, a polynomial in t. Throws error if it is 0 at 0.
 template <field R>
 series::power_series<R> distance_from_far(series::power_series<R> f, const series::power_series<R>& far) {
     for (int n = 0; n <= f.order() && n <= far.order(); ++n) {
         f[n] = R(f[n] - far[n]);
     }
     if (f[0] == R(0)) {
-        throw error(error_kind::argument, "far behaviour", "", "has the value of the function at 0 itself");
+        throw error(error_kind::argument, "asymptotic behaviour", "", "has the same value at 0 as the function");
     }
     return f;
 }
@@ -61,7 +62,7 @@ series::power_series<R> bracket_of_power(const series::power_series<R>& f, const
 template <scalar T>
 class power_approximant {
 public:
-    /// f: the series at 0 to the order N, f(0) other than far(0); far: a polynomial; p other than 0.
+    /// f: the series at 0 to order N, f(0) != far(0); far: a polynomial; p nonzero.
     power_approximant(const series::power_series<T>& f, series::power_series<T> far, T p)
         : bracket_(bracket_of_power(f, far, T(1 / p))),
           far_(std::move(far)),
@@ -72,8 +73,7 @@ public:
     /// 1, A_1, .., A_N.
     const series::power_series<T>& bracket() const { return bracket_; }
 
-    /// Value and slope at t. O(N). Where p is no whole number the bracket has to be positive: the value is NaN
-    /// elsewhere.
+    /// Value and slope at t. O(N). For non-integer p the bracket has to be positive; otherwise the value is NaN.
     series::jet<T> operator()(const T& t) const {
         using std::exp;
         using std::log;

@@ -1,4 +1,4 @@
-// Maxima of the errors of approximants, proved.
+// Rigorous maxima of the errors of approximants.
 #pragma once
 
 #include "libration/approximant/approximant.hpp"

@@ -1,16 +1,16 @@
-// The largest |f| on an interval, proved: by subdivision of polynomials with bounded tails, not by samples.
+// The largest |f| on an interval, rigorously: by subdivision of polynomials with bounded tails, not by sampling.
 //
 // On a piece with the midpoint m and the half width h, f, f' and f'' are enclosed by Horner's rule on the ball m +- h,
 // and |f| <= |f(m)| + h max|f'| there. A piece
-//   1. whose |f| is below a value that |f| takes somewhere counts for nothing;
-//   2. on which f' has no zero has its largest |f| at an end;
-//   3. on which |f''| >= mu > 0 has, beside its ends, at most one stationary point x. For any s in the piece
+//   1. on which |f| is below a value that |f| attains elsewhere is discarded;
+//   2. on which f' has no zero attains its largest |f| at an end;
+//   3. on which |f''| >= mu > 0 has at most one stationary point x in addition to its ends. For any s in the piece
 //      |s - x| <= |f'(s)|/mu, and the extreme value of f lies between f(s) and f(s) -+ f'(s)^2/(2 mu): for f'' > 0,
-//      f(y) >= f(s) + f'(s) (y - s) + mu/2 (y - s)^2, whose least value that is, and f(s) is not below the least;
-//   4. is cut in two otherwise.
-// In 3 the point s comes from Newton's iteration; nothing is taken on trust from it. The result is the hull of
-// what may be the maximum. Where two far places share it to the working precision, the value is proved, and
-// the place is not narrow.
+//      f(y) >= f(s) + f'(s) (y - s) + mu/2 (y - s)^2, whose minimum that is, and f(s) is not below the minimum;
+//   4. is bisected otherwise.
+// In 3 the point s comes from Newton's iteration; nothing is assumed about it. The result is the hull of all
+// possible maxima. If two distant points share the maximum to the working precision, the value is proved, and
+// the location is not narrow.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct proved_maximum {
 /// The search behind largest_magnitude().
 class maximum_search {
 public:
-    /// With so many steps of Newton's iteration, at least 0; as many as double the precision unless given.
+    /// With this number of steps of Newton's iteration, at least 0; by default as many as reach full precision.
     explicit maximum_search(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {})
         : panels_(panels), steps_(steps.value_or(doublings(digits<ball>()) + 3)) {
         const precision_scope few(rough_digits);
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    /// Throws precision_exhausted where the working precision does not part the pieces.
+    /// Throws precision_exhausted if the working precision does not separate the pieces.
     proved_maximum result() {
         std::vector<piece> left;
         for (std::size_t i = 0; i < panels_.size(); ++i) {
@@ -67,8 +67,8 @@ public:
 
 private:
     static constexpr long most_pieces = 20'000;
-    static constexpr long rough_digits = 19;      // of a ball without memory of its own
-    static constexpr long most_rough_level = 12;  // below, differences of neighbours would need more digits
+    static constexpr long rough_digits = 19;      // of a ball that needs no allocated memory
+    static constexpr long most_rough_level = 12;  // below this level, differences of neighbours would need more digits
 
     struct piece {
         std::size_t panel;
@@ -91,7 +91,7 @@ private:
         }
     }
 
-    // Whether nothing of the piece is left to be found.
+    // Whether the piece needs no further search.
     bool is_settled(const piece& p) {
         if (const auto roughly = is_settled_roughly(p)) {
             return *roughly;
@@ -115,7 +115,7 @@ private:
                is_found(f, p.centre, all, lower_bound(abs(over.curvature)));
     }
 
-    // The same by enclosures in few digits, which hold as those in many do; nothing where they do not decide.
+    // The same by enclosures in few digits, which are equally rigorous; std::nullopt if they do not decide.
     std::optional<bool> is_settled_roughly(const piece& p) const {
         if (p.level > most_rough_level) {
             return std::nullopt;
@@ -125,7 +125,7 @@ private:
         const ball half = ldexp(ball(1), -p.level);
         const ball all = enclose(p.centre, half);
         if (certainly_less(abs(f.value_at(all)), lower_)) {
-            return true;  // most pieces, and a third of what the next line takes
+            return true;  // most pieces, at a third of the cost of the next line
         }
         const enclosed_two_jet over = f.at(all);
         if (is_below(f, over, p.centre, half)) {
@@ -134,7 +134,7 @@ private:
         return contains_zero(over.slope) && contains_zero(over.curvature) ? std::optional(false) : std::nullopt;
     }
 
-    // Whether |f| is nowhere as large as it is somewhere else.
+    // Whether |f| is everywhere below a value that it attains elsewhere.
     bool is_below(const enclosed_panel& f, const enclosed_two_jet& over, const ball& centre, const ball& half) const {
         if (certainly_less(abs(over.value), lower_)) {
             return true;
@@ -143,14 +143,14 @@ private:
         return certainly_less(reach, lower_);
     }
 
-    // Takes an end into account; the sign of the slope there, 0 where it is not decided.
+    // Takes an end into account; returns the sign of the slope there, 0 if it is not decided.
     int consider_end(const enclosed_panel& f, const ball& s) {
         const series::jet<ball> at = f.jet_at(s);
         consider(at.value, f.place_of(s));
         return contains_zero(at.slope) ? 0 : decided_sign(at.slope);
     }
 
-    // The stationary point of a piece that bends by at least `least`; false where Newton's iteration did not come near
+    // The stationary point of a piece with |f''| at least `least`; false if Newton's iteration did not come close to
     // it.
     bool is_found(const enclosed_panel& f, const ball& centre, const ball& all, const ball& least) {
         ball s = centre;
@@ -187,15 +187,15 @@ private:
     const std::vector<enclosed_panel>& panels_;
     std::vector<enclosed_panel> rough_;  ///< in few digits
     int steps_;
-    ball lower_;  ///< |f| is not below this somewhere; exact
+    ball lower_;  ///< |f| attains at least this value somewhere; exact
     std::vector<candidate> candidates_;
 };
 
-/// The largest |f| over all panels, as narrow as the working precision makes it. Cost: a few Horner evaluations of
-/// order J for each halving next to a stationary point, most of them in 19 digits; their number follows the shape of f
-/// and hardly the precision. Newton's iteration is stopped after so many steps where they are given: pieces then are
-/// halved until those do.
-/// Throws precision_exhausted where the working precision does not part the pieces, as where f is 0.
+/// The largest |f| over all panels, as narrow as the working precision allows. Cost: a few Horner evaluations of order
+/// J per bisection near a stationary point, most of them in 19 digits; their number depends on the shape of f and
+/// hardly on the precision. If `steps` is given, Newton's iteration stops after that many steps: pieces are then
+/// bisected until they suffice.
+/// Throws precision_exhausted if the working precision does not separate the pieces, for example if f is 0.
 inline proved_maximum largest_magnitude(const std::vector<enclosed_panel>& panels, std::optional<int> steps = {}) {
     return maximum_search(panels, steps).result();
 }

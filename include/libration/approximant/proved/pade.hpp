@@ -1,4 +1,4 @@
-// Pade approximants on balls, which exist where they are given.
+// Pade approximants on balls, which are proved to exist when they are returned.
 #pragma once
 
 #if __has_include(<flint/arb_mat.h>)
@@ -12,7 +12,8 @@
 
 namespace libration {
 
-/// [L/M] of every series of the balls, the system solved by Arb. Nothing where it is not seen to be regular.
+/// [L/M] of every series in the balls, the system solved by Arb. Returns std::nullopt if it cannot be proved to be
+/// regular.
 inline std::optional<pade_approximant<ball>> pade(const series::power_series<ball>& series, int numerator_degree,
                                                   int denominator_degree) {
     const auto solve = [](const std::vector<std::vector<ball>>& a, const std::vector<ball>& b) {

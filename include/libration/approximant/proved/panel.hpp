@@ -16,11 +16,11 @@ struct enclosed_two_jet {
     ball curvature;
 };
 
-/// A function of s in [-1, 1], the part [from, to] of the caller's variable: a polynomial with a tail whose
-/// coefficients obey |c_j| <= scale ratio^j for every j > J, the order of the polynomial.
+/// A function of s in [-1, 1], which maps to the interval [from, to] of the caller's variable: a polynomial with a tail
+/// whose coefficients satisfy |c_j| <= scale ratio^j for every j > J, the order of the polynomial.
 class enclosed_panel {
 public:
-    /// Throws precision_exhausted where ratio < 1 is not certain.
+    /// Throws precision_exhausted if ratio < 1 cannot be proved.
     enclosed_panel(series::power_series<ball> kept, const ball& scale, const ball& ratio, rational from, rational to)
         : kept_(std::move(kept)), from_(std::move(from)), to_(std::move(to)) {
         require_below(ratio, ball(1), "the rate of a tail");
@@ -35,7 +35,7 @@ public:
 
     int order() const { return kept_.order(); }
 
-    /// On a ball of s, for those of its numbers that are in [-1, 1].
+    /// On a ball of s, for those of its points that are in [-1, 1].
     enclosed_two_jet at(const ball& s) const {
         enclosed_two_jet sum{kept_[kept_.order()], ball(), ball()};
         for (int n = kept_.order() - 1; n >= 0; --n) {
@@ -47,7 +47,7 @@ public:
         return {with_tail(sum.value), slope_with_tail(sum.slope), enclose(sum.curvature, tail_.curvature)};
     }
 
-    /// The same without the curvature.
+    /// The same without the second derivative.
     series::jet<ball> jet_at(const ball& s) const {
         const series::jet<ball> sum = evaluate(kept_, s);
         return {with_tail(sum.value), slope_with_tail(sum.slope)};
@@ -56,7 +56,7 @@ public:
     /// The value alone.
     ball value_at(const ball& s) const { return with_tail(evaluate_value(kept_, s)); }
 
-    /// The same function with its coefficients rounded to the working precision: wider enclosures, for less.
+    /// The same function with its coefficients rounded to the working precision: wider enclosures at lower cost.
     enclosed_panel rounded() const {
         enclosed_panel result = *this;
         for (int n = 0; n <= kept_.order(); ++n) {

@@ -1,4 +1,4 @@
-// Ratios of successive coefficients, what a Domb-Sykes plot draws.
+// Ratios of successive coefficients, as in a Domb-Sykes plot.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct coefficient_ratio {
     T value;  ///< c_k/c_{k-1}, in x^-stride
 };
 
-/// c_k/c_{k-1} for k = 1 .. last where the earlier coefficient is not 0. For a single singularity x0 in w = x^stride,
+/// c_k/c_{k-1} for k = 1 .. last where the earlier coefficient is nonzero. For a single singularity x0 in w = x^stride,
 /// (1 - x/x0)^nu, the ratio is x0^-stride (1 - stride (nu + 1)/n + O(1/n^2)) [DombSykes]. O(N).
 template <rounding_scalar T>
 std::vector<coefficient_ratio<T>> ratios_of(const strided_series<T>& c) {

@@ -1,5 +1,5 @@
-// A pair of conjugate singularities in w = x^stride as the quadratic 1 - s w + d w^2, what the tests for pairs solve
-// for.
+// A pair of conjugate singularities in w = x^stride as the quadratic 1 - s w + d w^2, whose coefficients the pair tests
+// determine.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +15,19 @@ struct pair_quadratic {
     T s;
     T d;
 
-    /// The root of least modulus, with im >= 0. d is not 0.
+    /// The root of smallest modulus, with im >= 0. d is nonzero.
     complex_number<T> nearest_root() const {
         using std::sqrt;
         const T square = s * s - d * 4;
         if (square < 0) {
             return {T(s / (d * 2)), T(sqrt(-square) / abs_of(T(d * 2)))};
         }
-        // The larger of s +- sqrt does not cancel.
+        // The larger of s +- sqrt does not suffer from cancellation.
         const T larger = s < 0 ? T(s - sqrt(square)) : T(s + sqrt(square));
         return {T(2 / larger), T(0)};
     }
-    /// Whether the roots are conjugate, at an angle that turns by half a circle at least within k powers of w: a pair
-    /// at a smaller angle looks like a single singularity.
+    /// Whether the roots are conjugate, with an angle that advances by at least half a circle within k powers of w: a
+    /// pair at a smaller angle looks like a single singularity.
     bool conjugate(int k) const {
         const T angle_from_axis = d * 4 - s * s;
         return angle_from_axis * k * k > d * 36;
@@ -65,7 +65,7 @@ private:
     std::vector<T> values_;
 };
 
-/// Coefficients that tests for pairs ask for.
+/// Number of coefficients that the pair tests require.
 inline constexpr int fewest_for_pairs = 12;
 
 }  // namespace libration::convergence

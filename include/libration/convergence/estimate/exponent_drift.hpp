@@ -1,10 +1,10 @@
-// How far an exponent may still drift: what corrections that decay like 1/log n hide from estimates that agree.
+// The remaining drift of an exponent: the error that corrections decaying like 1/log n hide from estimates that agree.
 //
 // Of (1 - x/x0)^nu log(1 - x/x0)^k the coefficients are x0^-n n^(-nu-1) (log n)^k (1 + ...): every estimate from
-// coefficients near n sees the local exponent nu - k/log n, and all estimates from one list share that error however
-// well they agree. It shows in lists of different lengths: over a factor f < 1 of n the local exponent moves by about
-// k log(1/f)/(log n)^2, the part log(1/f)/log n of its error, and hardly less from f^2 n to f n, where a correction
-// n^-p, p >= 1, moves by the factor f^-p more.
+// coefficients near n yields the local exponent nu - k/log n, and all estimates from one list share that error however
+// well they agree. It shows in lists of different lengths: over a factor f < 1 of n the local exponent moves by about k
+// log(1/f)/(log n)^2, the part log(1/f)/log n of its error, and hardly less from f^2 n to f n, where a correction n^-p,
+// p >= 1, moves by the factor f^-p more.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,14 @@
 
 namespace libration::convergence {
 
-/// A quantity at the ends n, f n and f^2 n of lists.
+/// A quantity for lists that end at n, f n and f^2 n.
 template <rounding_scalar T>
 struct drifting_value {
     std::array<T, 3> at;
     T factor;  ///< f < 1
 
     T last_step() const { return distance(0, 1); }
-    /// Whether the steps decrease as those of a correction like 1/n do, to a quarter.
+    /// Whether the steps decrease like those of a 1/n correction, to within a quarter.
     bool settles() const { return last_step() * 4 <= distance(1, 2) * factor * 5; }
 
 private:
@@ -35,14 +35,14 @@ private:
     }
 };
 
-/// Exponents from the recurrence of least degree at the ends n, f n, f^2 n and f^3 n of lists.
+/// Exponents from the recurrence of smallest degree for lists that end at n, f n, f^2 n and f^3 n.
 template <rounding_scalar T>
 struct local_exponents {
     std::array<T, 4> at;
     T factor;
 
     drifting_value<T> themselves() const { return {{at[0], at[1], at[2]}, factor}; }
-    /// Without their part like 1/n: (e_n - f e_{f n})/(1 - f).
+    /// Without their 1/n part: (e_n - f e_{f n})/(1 - f).
     drifting_value<T> extrapolated() const {
         const auto without = [&](std::size_t i) { return T((at[i] - factor * at[i + 1]) / (1 - factor)); };
         return {{without(0), without(1), without(2)}, factor};
@@ -74,7 +74,7 @@ struct shorter_lists {
     rational factor;
 };
 
-/// f is 1/2, or 2/3 for a list whose eighth has less than `needed` coefficients. Returns std::nullopt if neither does.
+/// f is 1/2, or 2/3 for a list whose eighth has fewer than `needed` coefficients. Returns std::nullopt if neither does.
 inline std::optional<shorter_lists> shorter_lists_of(int last, int needed) {
     for (const auto& [above, below] : {std::pair(1, 2), std::pair(2, 3)}) {
         std::vector<int> lasts{last};
@@ -118,8 +118,8 @@ complex_number<mpfr> upper_power(const complex_number<T>& x0, int stride) {
 
 }  // namespace fitting
 
-/// The local exponents at a singularity x0 (im >= 0) that is one of `count` on the circle of convergence. Returns
-/// std::nullopt if the list is too short for four of them or one has no root near x0. In 20 digits more than T has. O(N).
+/// The local exponents at a singularity x0 (im >= 0), one of `count` on the circle of convergence. Returns std::nullopt
+/// if the list is too short for four of them or one has no root near x0. Computed with 20 digits more than T has. O(N).
 template <rounding_scalar T>
 std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c, const complex_number<T>& x0,
                                                      int count) {
@@ -142,8 +142,8 @@ std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c,
     return found;
 }
 
-/// How wrong an exponent may be for corrections like 1/log n, n the last power: 0 where the local exponents settle
-/// faster, otherwise their last step times log n/log(1/f), and their distance from the exponent.
+/// The error of an exponent due to corrections like 1/log n, n the last power: 0 if the local exponents settle faster,
+/// otherwise their last step times log n/log(1/f), plus their distance from the exponent.
 template <rounding_scalar T>
 T drift_of_exponent(const local_exponents<T>& local, const T& exponent, const list_quality<T>& list) {
     using std::abs;

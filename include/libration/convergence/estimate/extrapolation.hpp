@@ -1,10 +1,10 @@
 // The limit of a sequence s_n = s + s_1/n + s_2/n^2 + ..., n -> infinity, with an estimate of its error.
 //
 // Neville's table: the value at 1/n = 0 of the polynomial in 1/n through s_n and j earlier entries, s - S =
-// O(n^-(j+1)); with steps h between the entries taken [Guttmann1989]. Rounding grows with the column like
-// (n/h)^j/j!, so the best column is the one whose last entries move least; larger steps amplify less. What oscillates
-// is amplified in the same way and shows in the movement: then column 0 is the best one. Where the oscillation falls
-// faster than what it hides, polynomials in 1/n fitted by least squares to many entries reach further.
+// O(n^-(j+1)); with steps h between the entries used [Guttmann1989]. Rounding grows with the column like (n/h)^j/j!, so
+// the best column is the one whose last entries move least; larger steps amplify less. Oscillations are amplified in
+// the same way and increase the movement: then column 0 is the best one. If the oscillation decays faster than the
+// terms it hides, polynomials in 1/n fitted by least squares to many entries are more accurate.
 #pragma once
 
 #include <algorithm>
@@ -51,7 +51,8 @@ void next_column(std::vector<T>& column, const std::vector<sequence_entry<T>>& s
     }
 }
 
-/// Entry i of a column with the movement of the entries before it, as the error that an entry of order n^-(j+1) has.
+/// Entry i of a column with the movement of the previous entries, which estimates the error of an entry of order
+/// n^-(j+1).
 template <rounding_scalar T>
 sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<sequence_entry<T>>& s, std::size_t j,
                                std::size_t first) {
@@ -67,7 +68,7 @@ sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<s
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
 
-/// The sums that least squares with a polynomial in 1/n on the entries `first` .. `last` ask for, in the variable u
+/// The sums needed for a least-squares fit of a polynomial in 1/n to the entries `first` .. `last`, in the variable u
 /// with u = -+1 at the ends n = m and n = m/2, so that the normal equations are well conditioned.
 template <rounding_scalar T>
 class fitted_polynomial {
@@ -90,7 +91,7 @@ public:
         }
     }
 
-    /// The polynomial of this degree at 1/n = 0, u = -3; std::nullopt where the equations are singular.
+    /// The polynomial of this degree at 1/n = 0, u = -3; std::nullopt if the equations are singular.
     std::optional<T> at_infinity(std::size_t degree) const {
         std::vector<std::vector<T>> normal(degree + 1);
         for (std::size_t i = 0; i <= degree; ++i) {
@@ -116,9 +117,9 @@ private:
 
 }  // namespace fitting
 
-/// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n grows from entry to entry; four entries at
-/// least, of size about 1 or scaled alike. On a power law in 1/n the uncertainty is about the error. O(N log N) for
-/// each column. Throws error for fewer entries.
+/// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n increases from entry to entry; at least four
+/// entries, of size about 1 or equally scaled. For a power law in 1/n the uncertainty is about the error. O(N log N)
+/// per column. Throws error for fewer entries.
 template <rounding_scalar T>
 sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
     constexpr std::size_t fewest = 4;
@@ -151,9 +152,9 @@ sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
     return *std::move(best);
 }
 
-/// By least squares with a polynomial of degree p <= 4 in 1/n on the last half of the entries; the degree is the one
-/// whose value moves least as the last eighth and the last quarter of the entries are left out, and the last one, two,
-/// three. For sequences that oscillate about a power law. Four entries at least. O(N).
+/// By least squares with a polynomial of degree p <= 4 in 1/n on the last half of the entries; the chosen degree is the
+/// one whose value moves least when the last eighth and the last quarter of the entries are left out, and the last one,
+/// two, three. For sequences that oscillate about a power law. At least four entries. O(N).
 template <rounding_scalar T>
 sequence_limit<T> fitted_limit(const std::vector<sequence_entry<T>>& s) {
     using std::abs;

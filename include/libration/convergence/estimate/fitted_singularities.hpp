@@ -1,9 +1,9 @@
 // The nearest singularities as roots of fitted recurrences, each with an exponent and an estimate of its error.
 //
-// The systems are solved in 20 digits more than the coefficients have, and so are their roots: what elimination rounds
-// is what coefficients that are 20 digits more certain would change, far less than their own rounding does. What a
-// recurrence leaves out and what that rounding spoils shows in the uncertainty: every root is compared with those from
-// the list without its last one, its last two and so on up to its last quarter of coefficients.
+// The systems and their roots are computed with 20 digits more than the coefficients have: rounding during elimination
+// then has the effect of changing the coefficients 20 digits below their own rounding. The truncation error of a
+// recurrence and the effect of that rounding appear in the uncertainty: every root is compared with those from the list
+// without its last one, its last two and so on up to its last quarter of coefficients.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 
 namespace libration::convergence {
 
-/// A root w of Q_highest with im >= 0, the exponent of f there, and how far both moved with the last coefficients.
+/// A root w of Q_highest with im >= 0, the exponent of f there, and how far both moved when the last coefficients were
+/// added.
 struct fitted_singularity {
     complex_number<mpfr> at;
     mpfr exponent;
@@ -28,11 +29,11 @@ struct fitted_singularity {
     mpfr exponent_sensitivity;  ///< how the exponent changes with the root
 };
 
-/// The nearest singularities of one fit by growing modulus, the first one defining the radius in w.
+/// The nearest singularities of one fit by increasing modulus, the first one defining the radius in w.
 struct fitted_singularities {
     int degree = 0;  ///< M
     std::vector<fitted_singularity> nearest;
-    mpfr nearer = mpfr(0);  ///< how much nearer another degree has one; 0 where none has
+    mpfr nearer = mpfr(0);  ///< how much nearer the closest root of another degree is; 0 if there is none
 };
 
 namespace fitting {
@@ -49,9 +50,9 @@ inline mpfr exponent_at(const leading_polynomials& q, const complex_number<mpfr>
     return form.highest - 1 - (above / below).re;
 }
 
-/// By how much the exponent d - 1 + e at a root w of Q_d changes with the root: |e Q_d''/(2 Q_d')|, which is |e| over
-/// the distance of another root that is near. Where that is within the uncertainty of the root, as at a double root, the
-/// formula for a simple root gives an arbitrary number.
+/// How much the exponent d - 1 + e at a root w of Q_d changes with the root: |e Q_d''/(2 Q_d')|, which is |e| over the
+/// distance to a nearby root. If that distance is within the uncertainty of the root, as at a double root, the formula
+/// for a simple root yields an arbitrary number.
 inline mpfr sensitivity_of_exponent(const series::power_series<mpfr>& top, const complex_number<mpfr>& w,
                                     const mpfr& e) {
     if (e == 0 || top.order() < 2) {
@@ -65,14 +66,15 @@ inline mpfr sensitivity_of_exponent(const series::power_series<mpfr>& top, const
     return abs(e) * modulus_of(at.slope) / (modulus_of(at.value) * 2);
 }
 
-/// A root followed through the recurrences from fewer coefficients. Nothing where one of them has no root near.
+/// A root followed through the recurrences from fewer coefficients. Returns std::nullopt if one of them has no root
+/// near it.
 inline std::optional<fitted_singularity> followed(const std::vector<leading_polynomials>& fits,
                                                   complex_number<mpfr> start, const recurrence_form& form, int stride,
                                                   int s) {
     std::vector<complex_number<mpfr>> at;
     std::vector<complex_number<mpfr>> exponents;
     for (const auto& q : fits) {
-        // Of all but the first one, how far it is away is asked.
+        // For all but the first one, only the distance is required.
         const auto root = polished(q.top, start, !at.empty());
         if (!root) {
             return std::nullopt;
@@ -86,7 +88,7 @@ inline std::optional<fitted_singularity> followed(const std::vector<leading_poly
                               sensitivity_of_exponent(fits[0].top, at[0], mpfr(exponents[0].re - (form.highest - 1)))};
 }
 
-/// A list and what the fits of all degrees share.
+/// A list and the data shared by the fits of all degrees.
 struct list_to_fit {
     list_to_fit(const wide_series& of_series, const recurrence_form& of_form)
         : series(of_series),
@@ -100,8 +102,8 @@ struct list_to_fit {
     falling_logarithms logarithms;
 };
 
-/// The first of the roots, by growing modulus, that the coefficients show, judged beside those up to two and a half
-/// times as far from 0, six at most; their number where they show none.
+/// The first of the roots, by increasing modulus, that is visible in the coefficients, fitted together with those up to
+/// two and a half times as far from 0, six at most; the number of roots if none is visible.
 inline std::size_t first_visible(list_to_fit& list, const leading_polynomials& q,
                                  const std::vector<complex_number<mpfr>>& roots) {
     constexpr std::size_t most = 6;
@@ -128,8 +130,7 @@ inline std::size_t first_visible(list_to_fit& list, const leading_polynomials& q
     return first;
 }
 
-/// The singularities of one degree: the root nearest to 0 that the coefficients show and the others no further than a
-/// tenth more.
+/// The singularities of one degree: the nearest visible root and the others at most a tenth further away.
 inline std::optional<fitted_singularities> singularities_of_degree(list_to_fit& list, int degree) {
     const recurrence_form& form = list.form;
     const wide_series& series = list.series;
@@ -168,9 +169,9 @@ inline const fitted_singularity& nearest_to(const fitted_singularities& other, c
     });
 }
 
-/// Where a degree is the one of an exact recurrence, how many of its last steps the error may be: 4 where it is certain
-/// to fine^(7/8) of its root; 16 where it is to ten digits, four more than the degree before, and no less than the
-/// next, which agrees, for there rounding alone is left, and grows; 0 otherwise.
+/// For the degree of an exact recurrence, the error as a number of its last steps: 4 if it is certain to fine^(7/8) of
+/// its root; 16 if it is certain to ten digits, four more than the previous degree, and no less than the next, which
+/// agrees, since only rounding is left there, and it grows; 0 otherwise.
 inline int steps_of_exact_degree(const std::vector<fitted_singularities>& all, std::size_t best, const mpfr& fine) {
     const auto safe = [&](std::size_t i) -> const mpfr& { return all[i].nearest.front().moved.safe; };
     const auto& at = all[best].nearest.front().at;
@@ -186,10 +187,10 @@ inline int steps_of_exact_degree(const std::vector<fitted_singularities>& all, s
     return next.moved.safe >= safe(best) && modulus_of(next.at - at) <= next.moved.safe * 4 ? 16 : 0;
 }
 
-/// Steps may be small by chance: unless the degree is that of an exact recurrence, the error is thought to be four
-/// times what the steps say, or four times the second smallest distance from the roots of the two next degrees on
-/// either side; a single degree is believed two thirds of its digits. No error is thought to be below a sixteenth of
-/// the last steps.
+/// Steps may be small by chance: unless the degree is that of an exact recurrence, the error is taken to be four times
+/// the estimate from the steps, or four times the second smallest distance from the roots of the two next degrees on
+/// either side; for a single degree, two thirds of its digits are trusted. The error is never taken below a sixteenth
+/// of the last steps.
 inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std::size_t best, const mpfr& fine) {
     fitted_singularity& first = all[best].nearest.front();
     first.moved.likely = std::max(first.moved.likely, mpfr(first.moved.safe / 16));
@@ -219,8 +220,9 @@ inline void compare_with_neighbours(std::vector<fitted_singularities>& all, std:
     first.exponent_moved = std::max(first.exponent_moved, second_of(exponents_apart));
 }
 
-/// A weak singularity nearer than a strong one shows in some degrees only, and less certain than that: how much nearer
-/// the furthest root is that lies before the best one and moves by less than an eighth of its distance; 0 for none.
+/// A weak singularity nearer than a strong one appears only in some degrees, and with a larger uncertainty: the largest
+/// distance by which a root of any degree is nearer than the best one, among those that move by less than an eighth of
+/// that distance; 0 if there is none.
 inline mpfr distance_of_nearer(const std::vector<fitted_singularities>& all, std::size_t best) {
     const fitted_singularity& first = all[best].nearest.front();
     mpfr most(0);
@@ -238,9 +240,10 @@ inline mpfr distance_of_nearer(const std::vector<fitted_singularities>& all, std
 }  // namespace fitting
 
 /// The nearest singularities by the degree whose root is the most certain, among those whose system has at most 64
-/// unknowns, as far as the coefficients go; degrees grow more and more thinly, and growing ends where five in turn do
-/// not halve it. Nothing where no degree gives a root that can be followed. Works in the precision of the caller, which
-/// should have 20 digits more than the coefficients; `fine` is the relative uncertainty that these allow at best.
+/// unknowns, as far as the coefficients suffice; degrees are spaced more and more widely, and the search ends when five
+/// in turn do not halve the uncertainty. Returns std::nullopt if no degree has a root that can be followed. Works in
+/// the precision of the caller, which should have 20 digits more than the coefficients; `fine` is the smallest relative
+/// uncertainty that these allow.
 inline std::optional<fitted_singularities> nearest_singularities(const fitting::wide_series& series,
                                                                  const recurrence_form& form, const mpfr& fine) {
     constexpr int most_unknowns = 64;

@@ -1,5 +1,5 @@
-// Roots of polynomials that change a little: starts, Newton's iteration, and how uncertain a root is that was followed
-// from fewer coefficients to more.
+// Roots of polynomials that change slightly: initial guesses, Newton's iteration, and the uncertainty of a root that
+// was followed from fewer coefficients to more.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 
 namespace libration::convergence::fitting {
 
-/// How uncertain a value is.
+/// The uncertainty of a value.
 struct leftover {
-    mpfr safe;    ///< what the last steps do not exceed: for choosing between degrees
-    mpfr likely;  ///< the error that their decrease leaves
+    mpfr safe;    ///< an upper estimate of the last steps: for choosing between degrees
+    mpfr likely;  ///< the remaining error, from the decrease of the steps
 };
 
 /// p and p' at many points, in the working precision, which is that of p: without the temporaries of evaluate() in
@@ -24,7 +24,7 @@ struct leftover {
 /// and at its conjugate [Knuth, 4.6.4], half the products, which loses the digits of |z|/|im z|.
 class polynomial_values {
 public:
-    /// p is kept by reference.
+    /// p is stored by reference.
     explicit polynomial_values(const series::power_series<mpfr>& p) : a_(p.coefficients()) {}
     explicit polynomial_values(series::power_series<mpfr>&&) = delete;
 
@@ -37,7 +37,7 @@ public:
         return z.im == 0 ? on_real_axis(z.re) : beside_real_axis(z);
     }
 
-    /// What rounding may have made of a value at a point of this modulus: eps 4 n sum |a_i| |z|^i.
+    /// An estimate of the rounding error of a value at a point of this modulus: eps 4 n sum |a_i| |z|^i.
     mpfr rounding_at(const mpfr& size) const {
         mpfr sum(0);
         for (auto n = a_.size(); n-- > 0;) {
@@ -58,7 +58,7 @@ private:
         return {{value, mpfr(0)}, {slope, mpfr(0)}};
     }
 
-    // p = (t^2 - 2 re t + |z|^2) quotient + before (t - 2 re) + last, and the quotient divided in turn.
+    // p = (t^2 - 2 re t + |z|^2) quotient + before (t - 2 re) + last, and the same for the quotient.
     value_and_slope beside_real_axis(const complex_number<mpfr>& z) const {
         const mpfr square = z.re * z.re + z.im * z.im;
         division of_p(mpfr(z.re * 2), square);
@@ -74,7 +74,7 @@ private:
                 {mpfr(of_p.before - z.im * z.im * of_quotient.before * 2), mpfr(z.im * along * 2)}};
     }
 
-    // The two last coefficients of a division by t^2 - twice t + square.
+    // The last two coefficients of a division by t^2 - twice t + square.
     struct division {
         division(mpfr of_twice, mpfr of_square) : twice(std::move(of_twice)), square(std::move(of_square)) {}
         mpfr twice;
@@ -98,15 +98,15 @@ private:
 /// |z|^2.
 inline mpfr square_of_modulus(const complex_number<mpfr>& z) { return z.re * z.re + z.im * z.im; }
 
-/// A simple root of p by Newton's iteration from a good start, in the working precision, which is that of p. It ends
-/// where a step is so small that the next one, which squares it, is below rounding, where the value is, or, for
-/// `way_alone`, where the way from the start is known to twelve digits: a step of 10^-4 of it leaves (10^-4)^3. Nothing
-/// where none of that comes. A real start stays real.
+/// A simple root of p by Newton's iteration from a good initial guess, in the working precision, which is that of p. It
+/// ends when a step is so small that the next one, which squares it, is below rounding, when the value is, or, for
+/// `way_alone`, when the displacement from the initial guess is known to twelve digits: a step of 10^-4 of it leaves
+/// (10^-4)^3. Returns std::nullopt if none of these occurs. A real initial guess stays real.
 inline std::optional<complex_number<mpfr>> polished(const series::power_series<mpfr>& p,
                                                     const complex_number<mpfr>& start, bool way_alone = false) {
     constexpr int most_steps = 50;
     constexpr int part_of_way = 100'000'000;
-    // The square of eps^(11/20): what squares it leaves eps^(1/10) for the curvature of p.
+    // The square of eps^(11/20): squaring a step of that size leaves a factor eps^(1/10) for the curvature of p.
     const mpfr fine = ldexp(mpfr(1), -digits<mpfr>() * 11 / 10);
     const polynomial_values values(p);
     complex_number<mpfr> z{narrow<mpfr>(start.re), narrow<mpfr>(start.im)};
@@ -128,8 +128,9 @@ inline std::optional<complex_number<mpfr>> polished(const series::power_series<m
     return std::nullopt;
 }
 
-/// Roots with im >= 0 by growing modulus, as starts for Newton, found in the arithmetic S. Nothing where S does not
-/// tell every root to a thousandth of its size, or a conjugate pair from two real ones.
+/// Roots with im >= 0 by increasing modulus, as initial guesses for Newton's iteration, computed in the arithmetic S.
+/// Returns std::nullopt if S does not resolve every root to a thousandth of its size, or does not distinguish a
+/// conjugate pair from two real roots.
 template <rounding_scalar S>
 std::optional<std::vector<complex_number<mpfr>>> roots_in(const series::power_series<mpfr>& p) {
     auto rounded = series::power_series<S>::zero(p.order());
@@ -159,7 +160,7 @@ std::optional<std::vector<complex_number<mpfr>>> roots_in(const series::power_se
     return upper;
 }
 
-/// The same in long double, or in 40 digits where that does not do; none where these do not do either.
+/// The same in long double, or in 40 digits if that is not sufficient; empty if neither suffices.
 inline std::vector<complex_number<mpfr>> starting_roots(const series::power_series<mpfr>& p) {
     auto found = roots_in<long double>(p);
     if (!found) {
@@ -169,8 +170,8 @@ inline std::vector<complex_number<mpfr>> starting_roots(const series::power_seri
     return found ? *std::move(found) : std::vector<complex_number<mpfr>>{};
 }
 
-/// The lists that a root is followed through, by how many coefficients they have less: 0, 1, 2, 3, then s and 2 s, s an
-/// eighth of all or what the degree can spare.
+/// The lists that a root is followed through, by the number of coefficients left out: 0, 1, 2, 3, then s and 2 s, s an
+/// eighth of all or as many as the degree can spare.
 inline std::vector<int> fewer_coefficients(int count, int needed) {
     const int eighth = std::max(2, std::min(count / 8, (count - needed) / 2));
     return {0, 1, 2, 3, eighth, 2 * eighth};
@@ -179,10 +180,9 @@ inline std::vector<int> fewer_coefficients(int count, int needed) {
 /// The error of a value x_0 from x_1, x_2, ... with the fewer coefficients of fewer_coefficients(); s = fewer[4].
 ///
 /// An error that falls like rho^K makes |x_0 - x_s| and |x_0 - x_2s| differ by rho^s. Then each of the last steps
-/// leaves |x_(j-1) - x_j| rho^j/(1 - rho), where rho is not taken for smaller than these steps themselves show:
-/// where they are rounding they do not shrink. Where the two hardly differ the error falls like a power of 1/K
-/// and is 8 |x_0 - x_s|, for s = K/8 the error of a fall like 1/K; or it is rounding alone, as large in one step
-/// as in s of them.
+/// leaves |x_(j-1) - x_j| rho^j/(1 - rho), where rho is not taken smaller than the ratio of these steps: if they are
+/// rounding errors they do not shrink. If the two hardly differ, the error falls like a power of 1/K and is 8 |x_0 -
+/// x_s|, for s = K/8 the error of a decay like 1/K; or it is rounding alone, as large in one step as in s of them.
 inline leftover left_after(const std::vector<complex_number<mpfr>>& x, int s) {
     const auto apart = [&](std::size_t i, std::size_t j) { return modulus_of(x[i] - x[j]); };
     const std::array<mpfr, 3> steps{apart(0, 1), apart(1, 2), apart(2, 3)};

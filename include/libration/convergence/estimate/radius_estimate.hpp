@@ -1,7 +1,8 @@
-// What a radius test answers: a radius with its uncertainty, or the reason why it has none.
+// The result of a radius test: a radius with its uncertainty, or the reason why it has none.
 //
-// Finitely many coefficients cannot prove a radius: any series agrees to x^N with a polynomial. Every estimate here is a
-// heuristic and carries its own uncertainty, an estimate too: made for covering the error, not a bound of it.
+// Finitely many coefficients cannot determine a radius: any series agrees to x^N with a polynomial. Every estimate here
+// is heuristic and has an uncertainty, which is also an estimate: it is intended to cover the error, but is not a bound
+// on it.
 #pragma once
 
 #include <optional>
@@ -29,32 +30,32 @@ inline std::string name_of(singularity_kind kind) {
     return "unknown";
 }
 
-/// The answer of one test, in the unit of the variable. What a test does not tell is left out.
+/// The result of one test, in units of the variable. What a test does not determine is left out.
 template <rounding_scalar T>
 struct radius_estimate {
     std::string method;
-    std::optional<T> radius;                    ///< nothing where the test does not apply; `note` says why then
+    std::optional<T> radius;                    ///< std::nullopt if the test does not apply; `note` then has the reason
     T uncertainty = T(0);                       ///< of the radius, absolute
-    T nearer = T(0);                            ///< a weaker singularity may be nearer by this; 0 where none was seen
-    std::optional<complex_number<T>> position;  ///< of one nearest singularity, the one of least argument >= 0
+    T nearer = T(0);                            ///< a weaker singularity may be nearer by this; 0 if none was detected
+    std::optional<complex_number<T>> position;  ///< of one nearest singularity, the one of smallest argument >= 0
     std::optional<T> exponent;                  ///< nu of (1 - x/x0)^nu there; 0 is a logarithm
     T exponent_uncertainty = T(0);
-    bool exponent_assumed = false;  ///< the test presupposes it
+    bool exponent_assumed = false;  ///< the exponent is an assumption of the test
     singularity_kind kind = singularity_kind::unknown;
-    int count = 0;            ///< singularities on the circle of convergence; 0 where the test does not tell
-    std::string note;         ///< the reason for no radius, or what a reader should know
-    bool may_decide = false;  ///< its test is one whose uncertainty can be trusted (radius_test)
-    int caution = 1;          ///< a verdict takes its uncertainty so many times
+    int count = 0;            ///< singularities on the circle of convergence; 0 if the test does not determine it
+    std::string note;         ///< the reason why there is no radius, or a remark
+    bool may_decide = false;  ///< the uncertainty of its test is reliable (radius_test)
+    int caution = 1;          ///< a verdict multiplies its uncertainty by this factor
 };
 
-/// A list a_0 .. a_N, each known to `noise` of its size.
+/// A list a_0 .. a_N, each known to `noise` relative to its size.
 template <rounding_scalar T>
 struct list_quality {
     int order;  ///< N
     T noise;
 };
 
-/// The answer of a test that does not apply.
+/// The result of a test that does not apply.
 template <rounding_scalar T>
 radius_estimate<T> no_estimate(const std::string& method, const std::string& reason) {
     radius_estimate<T> result;
@@ -63,14 +64,14 @@ radius_estimate<T> no_estimate(const std::string& method, const std::string& rea
     return result;
 }
 
-/// The answer of a test that needs more coefficients than there are.
+/// The result of a test that needs more coefficients than are given.
 template <rounding_scalar T>
 radius_estimate<T> too_short(const std::string& method, int needed, int given) {
     return no_estimate<T>(
         method, "needs " + std::to_string(needed) + " non-zero coefficients, there are " + std::to_string(given));
 }
 
-/// The same answer in the working precision in force, exactly.
+/// The same result in the current working precision, exactly.
 template <rounding_scalar T>
 radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
     const auto wide = [](const std::optional<T>& x) { return x ? std::optional<mpfr>(widen(*x)) : std::nullopt; };

@@ -1,4 +1,4 @@
-// The answer of a test that fits recurrences: its radius, its exponent, how many singularities are on the circle, and
+// The result of a test that fits recurrences: its radius, its exponent, the number of singularities on the circle, and
 // the uncertainties that follow from how the roots move.
 #pragma once
 
@@ -14,16 +14,16 @@ namespace libration::convergence {
 
 namespace fitting {
 
-/// How many of the roots, which begin with the nearest one, are on its circle; roots that are not told apart, as those
-/// that a fit puts in the place of a confluent singularity, are one. `certain` is the error of the nearest one, and
-/// `safety` times the errors is believed.
+/// The number of roots, ordered by distance, that are on the circle of the nearest one; roots that are not resolved, as
+/// those that a fit produces for a confluent singularity, count as one. `certain` is the error of the nearest one, and
+/// `safety` times the errors is allowed.
 inline int number_on_circle(const std::vector<fitted_singularity>& roots, const mpfr& certain, const mpfr& safety) {
     const mpfr radius = modulus_of(roots.front().at);
     std::vector<complex_number<mpfr>> counted;
     int count = 0;
     for (const fitted_singularity& each : roots) {
         const mpfr error = (each.moved.likely + certain) * safety;
-        // Roots that mean nothing lie near the circle too, but they do not stay: half of the digits are asked for.
+        // Spurious roots may lie near the circle too, but they do not stay there: half of the digits are required.
         const bool stays = each.moved.safe * each.moved.safe <= certain * radius;
         const bool on_circle = abs(modulus_of(each.at) - radius) <= error;
         const bool apart = std::none_of(counted.begin(), counted.end(),
@@ -38,16 +38,16 @@ inline int number_on_circle(const std::vector<fitted_singularity>& roots, const 
 
 }  // namespace fitting
 
-/// The exponent that the form presupposes is known no better than the position allows: another one moves the root by
+/// The exponent that the form assumes is known no better than the position allows: a different one moves the root by
 /// about 1/K^2 of its size, K the number of coefficients.
 inline mpfr uncertainty_of_assumption(const fitted_singularity& found, int count) {
     return found.moved.likely / modulus_of(found.at) * count * count;
 }
 
-/// The answer of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the error
-/// that is thought to be left, a factor chosen on the half "calibration" of the study radius_tournament, and a rounding
-/// of the coefficients. A verdict takes three times that of a form that presupposes the exponent, unless six digits are
-/// certain: what is neither a pole nor a logarithm settles slowly there.
+/// The result of a test that fits recurrences of one form, in the variable x. The uncertainty is four times the
+/// estimated remaining error, a factor chosen on the half "calibration" of the study radius_tournament, plus a rounding
+/// of the coefficients. A verdict uses three times that of a form that assumes the exponent, unless six digits are
+/// certain: for a singularity that is neither a pole nor a logarithm, such a form converges slowly.
 template <rounding_scalar T>
 radius_estimate<T> estimate_by_recurrence(const std::string& method, const strided_series<T>& c,
                                           const recurrence_form& form) {

@@ -1,7 +1,7 @@
-// A linear recurrence with polynomials in n as coefficients, fitted to the last coefficients of a series: the engine of
+// A linear recurrence with polynomials in n as coefficients, fitted to the last coefficients of a series: the basis of
 // the pole tests and of the differential approximants.
 //
-// f is taken to obey a linear differential equation sum_i Q_i(w) (x d/dx)^i f = P(w), x d/dx x^n = n x^n, with
+// f is assumed to satisfy a linear differential equation sum_i Q_i(w) (x d/dx)^i f = P(w), x d/dx x^n = n x^n, with
 // polynomials Q_i of degree M in w = x^stride. Beyond the degree of P its coefficients satisfy
 //     sum_{j=0}^{M} sum_{i=lowest}^{highest} q_ij n_{k-j}^i c_{k-j} = 0,   n_k = first + stride k,
 // a linear system for the q_ij (q of the highest i and j = 0 is 1). f is singular at the roots of Q_highest
@@ -20,18 +20,18 @@
 
 namespace libration::convergence {
 
-/// Which powers of n the recurrence has: the i of (x d/dx)^i.
+/// The powers of n in the recurrence: the i of (x d/dx)^i.
 struct recurrence_form {
     int lowest;
     int highest;
     int powers() const { return highest - lowest + 1; }
 };
 
-/// The q_ij of degree M but the one that is 1.
+/// The number of q_ij of degree M, except the one that is 1.
 inline int unknowns_of(const recurrence_form& form, int degree) { return (degree + 1) * form.powers() - 1; }
 
-/// The coefficients that a fit takes: one for each unknown, as many before them as the recurrence looks
-/// back, and four for comparison.
+/// The number of coefficients that a fit uses: one per unknown, the order of the recurrence before them,
+/// and four for comparison.
 inline int coefficients_needed(const recurrence_form& form, int degree) {
     return unknowns_of(form, degree) + degree + 4;
 }
@@ -55,7 +55,7 @@ wide_series widened(const strided_series<T>& series) {
     return wide;
 }
 
-/// Q_highest and Q_{highest-1} (0 where the form has none) in the variable w, of the recurrence for n/n_last.
+/// Q_highest and Q_{highest-1} (0 if the form has none) in the variable w, of the recurrence for n/n_last.
 struct leading_polynomials {
     series::power_series<mpfr> top;
     series::power_series<mpfr> below;
@@ -69,8 +69,8 @@ public:
         add_terms(series);
     }
 
-    /// Those of a degree from the coefficients up to each of `lasts`. Nothing where one of the lists does not determine
-    /// it, as an exact recurrence of smaller degree does not.
+    /// Those of one degree from the coefficients up to each of `lasts`. Returns std::nullopt if one of the lists does
+    /// not determine it, for example if an exact recurrence of smaller degree exists.
     std::optional<std::vector<leading_polynomials>> up_to(const std::vector<int>& lasts, int degree) const {
         const int unknowns = unknowns_of(form_, degree);
         std::vector<mpfr> equation(static_cast<std::size_t>(unknowns) + 1);
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    // The equation at k: the terms of k, k - 1, .., k - degree, the one whose factor is 1 on the right side.
+    // The equation at k: the terms of k, k - 1, .., k - degree, with the one whose factor is 1 on the right-hand side.
     void write_equation(int k, int degree, std::vector<mpfr>& equation) const {
         const auto powers = static_cast<std::size_t>(form_.powers());
         auto next = equation.begin();
@@ -134,7 +134,7 @@ private:
     std::vector<mpfr> terms_;
 };
 
-/// The recurrence from the coefficients up to `last` alone.
+/// The recurrence from the coefficients up to `last` only.
 inline std::optional<leading_polynomials> fit_recurrence(const wide_series& series, const recurrence_form& form,
                                                          int degree, int last) {
     auto found = recurrence_fits(series, form).up_to({last}, degree);

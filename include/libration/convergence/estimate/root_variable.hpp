@@ -1,4 +1,4 @@
-// What a radius test says of a series in powers of a root of the variable, said of the variable.
+// Conversion of the result of a radius test for a series in powers of a root of the variable to the variable itself.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 
 namespace libration::convergence {
 
-/// The answer to a list in powers of s = t^(1/q), q >= 1, as one in t: the radius and the position are raised to the
-/// power q, the uncertainty u to (R + u)^q - R^q; exponents stay, for t - t0 is linear in s - s0 where s0 is not 0.
-/// Several singularities in s may stand at one t, on
-/// different sheets: the note of a verdict says where in s. Rounds as a power does.
+/// The result for a list in powers of s = t^(1/q), q >= 1, as one in t: the radius and the position are raised to the
+/// power q, the uncertainty u becomes (R + u)^q - R^q; exponents are unchanged, since t - t0 is linear in s - s0 if s0
+/// is nonzero. Several singularities in s may have the same t, on
+/// different sheets: the note of a verdict gives their position in s. Rounding error of a power.
 template <rounding_scalar T>
 radius_estimate<T> in_powers_of_root(radius_estimate<T> of, int q) {
     const auto raised = [q](const T& x) {
@@ -32,7 +32,7 @@ radius_estimate<T> in_powers_of_root(radius_estimate<T> of, int q) {
     std::string note = "in powers of t^(1/" + std::to_string(q) + ")";
     if (of.position) {
         const complex_number<T> root = *of.position;
-        note += ", where the singularity stands at " + to_decimal(root.re, 4) +
+        note += ", where the singularity is at " + to_decimal(root.re, 4) +
                 (root.im == 0 ? "" : " + " + to_decimal(root.im, 4) + "i");
         for (int i = 1; i < q; ++i) {
             of.position = *of.position * root;

@@ -1,7 +1,7 @@
-// Whether a sequence of estimates has settled: its last entries, how far they move, and the answer that follows.
+// Whether a sequence of estimates has settled: its last entries, how far they move, and the resulting estimate.
 //
-// An error that falls like 1/n^p, p >= 1, moves by (4/3)^p - 1 of itself, a third at least, over the last quarter of n;
-// one that oscillates moves by its own size. Tests take four times the movement as uncertainty: calibrated, not proved.
+// An error that falls like 1/n^p, p >= 1, moves by (4/3)^p - 1 of itself, at least a third, over the last quarter of n;
+// one that oscillates moves by its own size. Tests use four times the movement as uncertainty: calibrated, not proved.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +15,19 @@
 
 namespace libration::convergence {
 
-/// The last of some estimates, the least and the largest of them.
+/// The last of several estimates, with the smallest and the largest of them.
 template <rounding_scalar T>
 struct settled_value {
     T value;
     T lowest;
     T highest;
 
-    T moved_late;  ///< the largest distance from the last in the last half of them
-    T last_steps;  ///< and among the three before the last
+    T moved_late;  ///< the largest distance from the last one within their last half
+    T last_steps;  ///< and within the three before the last
 
     T spread() const { return highest - lowest; }
-    /// Four times the spread; or, where the last half moves less than a sixth of it, the error falls geometrically and
-    /// is continued so: four times moved_late^2/spread, and no less than the last steps.
+    /// Four times the spread; or, if the last half moves less than a sixth of it, the error is assumed to keep falling
+    /// geometrically: four times moved_late^2/spread, and no less than the last steps.
     T uncertainty() const {
         if (moved_late * 6 < spread()) {
             const T continued = moved_late * moved_late / spread();
@@ -44,10 +44,10 @@ struct settled_value {
     }
 };
 
-/// A quarter of so many entries, four steps at least.
+/// A quarter of this number of entries, at least four steps.
 inline int settling_window(int count) { return std::min(count, std::max(4, count / 4) + 1); }
 
-/// Of the last quarter of a sequence, which has one entry at least.
+/// Of the last quarter of a sequence, which has at least one entry.
 template <rounding_scalar T>
 settled_value<T> settled_range(const std::vector<T>& last_quarter) {
     using std::abs;
@@ -71,8 +71,8 @@ bool is_a_number(const T& x) {
     return T(x * 0) == 0;
 }
 
-/// The answer as it is where all its numbers are finite, the radius is above 0 and its uncertainty below it; without
-/// position or exponent where these are not finite; otherwise no estimate: the sequence has not settled.
+/// The estimate unchanged if all its numbers are finite, the radius is above 0 and its uncertainty below it; without
+/// position or exponent if these are not finite; otherwise no estimate: the sequence has not settled.
 template <rounding_scalar T>
 radius_estimate<T> if_settled(radius_estimate<T> answer) {
     if (!answer.radius || !is_a_number(*answer.radius) || !(*answer.radius > 0)) {

@@ -1,6 +1,6 @@
-// The part of a power series that symmetry leaves: f(x) = x^first h(x^stride), as coefficients of h.
+// The part of a power series that remains after symmetry: f(x) = x^first h(x^stride), as coefficients of h.
 //
-// Ratios of successive coefficients need a series without gaps. In w = x^stride one singularity w0 stands for `stride`
+// Ratios of successive coefficients need a series without gaps. In w = x^stride one singularity w0 represents `stride`
 // singularities of f on a circle, the roots of x^stride = w0.
 #pragma once
 
@@ -19,11 +19,11 @@ namespace libration::convergence {
 template <rounding_scalar T>
 class strided_series {
 public:
-    /// The coefficients of that class of indices. Throws error where there is none.
+    /// The coefficients in that residue class of indices. Throws error if there are none.
     strided_series(const series::power_series<T>& a, int first, int stride) : first_(first), stride_(stride) {
         if (first < 0 || stride < 1 || first > a.order()) {
             throw error(error_kind::argument, "stride", std::to_string(stride),
-                        "from " + std::to_string(first) + " takes no coefficients of a series of order " +
+                        "from " + std::to_string(first) + " has no coefficients in a series of order " +
                             std::to_string(a.order()));
         }
         for (int n = first; n <= a.order(); n += stride) {
@@ -54,7 +54,7 @@ T stride_root(const T& w, int stride) {
     return stride == 1 ? w : stride == 2 ? T(sqrt(w)) : T(exp(log(w) / stride));
 }
 
-/// The root of x^stride = w of least argument >= 0; w has im >= 0.
+/// The root of x^stride = w of smallest argument >= 0; w has im >= 0.
 template <rounding_scalar T>
 complex_number<T> stride_root(const complex_number<T>& w, int stride) {
     using std::atan2;

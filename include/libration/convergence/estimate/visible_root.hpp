@@ -1,10 +1,11 @@
-// Whether the coefficients show a singularity at all: a differential equation fitted to them may be singular where its
-// solution is not.
+// Whether a singularity is visible in the coefficients at all: a differential equation fitted to them may be singular
+// where its solution is not.
 //
-// A singularity at w with the exponent nu adds A w^-k k^(-nu-1) (1 + a/k + ...) to c_k. Where the coefficients fall as
-// slowly as that, it is the nearest one. Where they fall faster, A is small, or 0 at an apparent singularity.
-// The A of both are unknowns of a linear system from the last coefficients; one that is there stays as the last
-// coefficients are left out, and what rounding or the rest of the function makes of a 0 does not.
+// A singularity at w with the exponent nu adds A w^-k k^(-nu-1) (1 + a/k + ...) to c_k. If the coefficients fall as
+// slowly as that, it is the nearest one. If they fall faster, A is small, or 0 at an apparent singularity. The A of
+// both are unknowns of a linear system from the last coefficients; the amplitude of an actual singularity is stable
+// when the last coefficients are left out, whereas one that is 0 except for rounding or the rest of the function is
+// not.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 
 namespace libration::convergence::fitting {
 
-/// log2 |x| of x != 0, to the rounding of double.
+/// log2 |x| of x != 0, to double precision.
 inline double log2_of(const mpfr& x) {
     long exponent = 0;
     const double mantissa = mpfr_get_d_2exp(&exponent, handle(x), MPFR_RNDN);
@@ -56,15 +57,15 @@ inline bool as_large_as_coefficients(const wide_series& series, const root_with_
     return !late || !early || *late + 10 >= *early;
 }
 
-/// Whether there is a reason to doubt a root: the coefficients have fallen below it by 2^10, or its exponent is a whole
-/// number of 1 or more, as where a solution is analytic.
+/// Whether there is a reason to doubt a root: the coefficients have fallen below it by 2^10, or its exponent is an
+/// integer >= 1, as for an analytic solution.
 inline bool is_doubtful(const wide_series& series, const root_with_exponent& root) {
     const mpfr whole(nearest_integer(root.exponent));
     const bool analytic = whole >= 1 && abs(root.exponent - whole) * 100 < 1;
     return analytic || !as_large_as_coefficients(series, root);
 }
 
-/// log(last/k), 0 < k <= last, each computed once, in the working precision, which is to stay the same.
+/// log(last/k), 0 < k <= last, each computed once, in the working precision, which must not change.
 class falling_logarithms {
 public:
     explicit falling_logarithms(int last) : known_(static_cast<std::size_t>(last) + 1), last_(last) {}
@@ -132,9 +133,10 @@ private:
     std::vector<std::vector<mpfr>> rows_;
 };
 
-/// Whether the amplitude |A_0| of the first root, the others taken from the coefficients at once, stays within a
-/// quarter from all coefficients to three quarters of the list. Precision: 20 digits more than the coefficients have,
-/// for the equations magnify these 20 digits less than the rounding of the coefficients themselves.
+/// Whether the amplitude |A_0| of the first root, with the others determined from the coefficients at the same time, is
+/// stable to within a quarter from all coefficients to three quarters of the list. Precision: 20 digits more than the
+/// coefficients have, since the equations magnify the error of these 20 digits less than the rounding of the
+/// coefficients themselves.
 inline bool amplitude_stays(const wide_series& series, falling_logarithms& logarithms,
                             const std::vector<root_with_exponent>& roots) {
     const int last = static_cast<int>(series.c.size()) - 1;

@@ -1,4 +1,4 @@
-// Blasius' boundary layer f''' + f f''/2 = 0, f(0) = f'(0) = 0, f'(infinity) = 1: a series whose singularities are no
+// Blasius' boundary layer f''' + f f''/2 = 0, f(0) = f'(0) = 0, f'(infinity) = 1: a series whose singularities are not
 // fractional powers.
 #pragma once
 
@@ -17,11 +17,11 @@ inline constexpr const char* blasius_curvature =
 inline constexpr const char* blasius_radius =
     "5.690038054522639997479095712414787877240800361151316761657276209931428433581121614660836232099035461";
 
-/// f of [Blasius], with powers 2, 5, 8, ... alone; right to the digits of f''(0), 100. O(N^2).
+/// f of [Blasius], with powers 2, 5, 8, ... only; correct to the digits of f''(0), 100. O(N^2).
 ///
-/// Nearest are three singularities, R e^(+-i pi/3) and -R. Near each f = 6/u + a u^(1+i sqrt 2) + b u^(1-i sqrt 2) +
-/// ... with the distance u: a simple pole with branch points upon it, as p^2 - 2p + 3 = 0 for a power u^p that disturbs
-/// it.
+/// There are three nearest singularities, R e^(+-i pi/3) and -R. Near each f = 6/u + a u^(1+i sqrt 2) + b u^(1-i sqrt
+/// 2) + ... with the distance u: a simple pole with superposed branch points, from p^2 - 2p + 3 = 0 for a perturbation
+/// u^p.
 template <rounding_scalar T>
 series::power_series<T> blasius_series(int order) {
     const ode::explicit_system layer(

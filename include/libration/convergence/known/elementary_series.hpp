@@ -1,8 +1,8 @@
-// Coefficients of functions that have elementary ones, by recurrences: powers and logarithms of a linear or a quadratic
-// polynomial, tangent, secant, Bernoulli's numbers.
+// Coefficients of functions with elementary recurrences: powers and logarithms of a linear or a quadratic polynomial,
+// tangent, secant, Bernoulli numbers.
 //
-// All return a_0 .. a_N with an error that grows like n eps: known_series.hpp makes them in more digits and rounds
-// once. O(N) where nothing else is said.
+// All return a_0 .. a_N with an error that grows like n eps: known_series.hpp computes them in more digits and rounds
+// once. O(N) unless stated otherwise.
 #pragma once
 
 #include <utility>
@@ -66,7 +66,7 @@ series::power_series<T> logarithm_series(const std::vector<weighted_singularity<
     return a;
 }
 
-/// (1 - 2 c t + t^2)^nu, the generating function of Gegenbauer's polynomials C_n^(-nu)(c) [DLMF 18.12.4]:
+/// (1 - 2 c t + t^2)^nu, the generating function of the Gegenbauer polynomials C_n^(-nu)(c) [DLMF 18.12.4]:
 /// n a_n = 2 c (n - 1 - nu) a_{n-1} - (n - 2 - 2 nu) a_{n-2}. -1 <= c <= 1.
 template <rounding_scalar T>
 series::power_series<T> quadratic_power_series(const T& c, const T& nu, int order) {
@@ -128,13 +128,13 @@ series::power_series<T> secant_series(int order) {
 }
 
 /// t/(e^t - 1), a_n = B_n/n! [DLMF 24.2.1], by its even part u = (t/2) coth(t/2): t u' = u - u^2 + t^2/4, whose sums
-/// have terms of one sign, where a division by (e^t - 1)/t leaves roundings for zeros. O(N^2).
+/// have terms of one sign, whereas a division by (e^t - 1)/t leaves rounding errors instead of zeros. O(N^2).
 template <rounding_scalar T>
 series::power_series<T> bernoulli_series(int order) {
     auto a = series::power_series<T>::zero(order);
     a[0] = T(1);
     for (int n = 2; n <= order; n += 2) {
-        const T products = square_coefficient(a, n, series::parity::even);  // a_n still is 0
+        const T products = square_coefficient(a, n, series::parity::even);  // a_n is still 0
         a[n] = ((n == 2 ? T(1) / 4 : T(0)) - products) / (n + 1);
     }
     if (order >= 1) {

@@ -1,5 +1,5 @@
-// Elementary functions with known singularities: poles, logarithms and branch points, alone, in pairs and near to each
-// other.
+// Elementary functions with known singularities: poles, logarithms and branch points, single, in pairs and close to
+// each other.
 #pragma once
 
 #include <algorithm>
@@ -24,12 +24,12 @@ inline std::function<complex_number<mpfr>()> unit_point(const rational& c) {
     };
 }
 
-/// (1 - t)^nu for a fraction nu.
+/// (1 - t)^nu for a rational nu.
 inline std::function<series::power_series<mpfr>(int)> power_of_linear(const rational& nu) {
     return [nu](int order) { return binomial_series(from_rational<mpfr>(nu), order); };
 }
 
-/// (1 - 2 c t + t^2)^nu for fractions.
+/// (1 - 2 c t + t^2)^nu for rational c and nu.
 inline std::function<series::power_series<mpfr>(int)> power_of_quadratic(const rational& c, const rational& nu) {
     return
         [c, nu](int order) { return quadratic_power_series(from_rational<mpfr>(c), from_rational<mpfr>(nu), order); };

@@ -1,4 +1,4 @@
-// Series with known answers, the problems of the radius tournament: elementary and special functions with isolated
+// Series with known radii, the problems of the radius tournament: elementary and special functions with isolated
 // singularities, entire functions, natural boundaries, and a divergent series.
 #pragma once
 
@@ -32,7 +32,7 @@ std::vector<known_series<T>> special_functions() {
     };
 }
 
-/// sum_{k >= 1} t^(n_k), n_k = power(k) growing.
+/// sum_{k >= 1} t^(n_k), n_k = power(k) increasing.
 template <rounding_scalar T, class Power>
 series::power_series<T> gap_series(Power power, int order) {
     auto a = series::power_series<T>::zero(order);
@@ -42,7 +42,8 @@ series::power_series<T> gap_series(Power power, int order) {
     return a;
 }
 
-/// No isolated singularity: entire functions, natural boundaries [Hadamard1892; Fabry1896], and a divergent series.
+/// Without isolated singularities: entire functions, natural boundaries [Hadamard1892; Fabry1896], and a divergent
+/// series.
 template <rounding_scalar T>
 std::vector<known_series<T>> without_singularity() {
     return {
@@ -60,7 +61,7 @@ std::vector<known_series<T>> without_singularity() {
 
 }  // namespace tournament
 
-/// All of them. Radius and position are right to an eps, those of Blasius' layer to 100 digits at most.
+/// All of them. Radius and position are correct to an eps, those of the Blasius layer to 100 digits at most.
 template <rounding_scalar T>
 std::vector<known_series<T>> all_known_series() {
     auto all = tournament::on_the_real_axis<T>();

@@ -1,4 +1,4 @@
-// A series whose radius of convergence is known: what radius tests are judged by.
+// A series whose radius of convergence is known: the reference for radius tests.
 #pragma once
 
 #include <functional>
@@ -12,29 +12,29 @@ namespace libration::convergence {
 
 /// The nearest singularities of a function, `count` of them at one distance.
 struct known_singularity {
-    std::function<complex_number<mpfr>()> position;  ///< of least argument >= 0, in working precision
+    std::function<complex_number<mpfr>()> position;  ///< of smallest argument >= 0, in working precision
     int count = 1;
-    singularity_kind kind = singularity_kind::unknown;  ///< of that one
+    singularity_kind kind = singularity_kind::unknown;  ///< of that singularity
     std::optional<rational> exponent = std::nullopt;    ///< nu of (1 - x/x0)^nu there; 0 is a logarithm
 };
 
-/// A function by its coefficients at 0, and all that a radius test could find out about it, in T. Everything is
-/// computed in guard digits more than T has, and rounded once.
+/// A function given by its coefficients at 0, and everything that a radius test could determine about it, in T.
+/// Everything is computed with guard digits beyond those of T, and rounded once.
 template <rounding_scalar T>
 struct known_series {
     std::string name;  ///< ASCII, no comma
     std::function<series::power_series<mpfr>(int)>
         expand;                                   ///< a_0 .. a_N with the error of a recurrence, in working precision
-    growth coefficient_size = growth::geometric;  ///< entire and divergent where the radius is not positive and finite
-    std::optional<T> radius = std::nullopt;       ///< nothing for an entire function, 0 for a divergent series
+    growth coefficient_size = growth::geometric;  ///< entire and divergent if the radius is not positive and finite
+    std::optional<T> radius = std::nullopt;       ///< std::nullopt for an entire function, 0 for a divergent series
     std::optional<complex_number<T>> position =
-        {};         ///< the nearest singularity of least argument >= 0, where there is one
-    int count = 0;  ///< singularities on the circle of convergence; 0 for none, or where they fill it
+        {};         ///< the nearest singularity of smallest argument >= 0, if there is one
+    int count = 0;  ///< singularities on the circle of convergence; 0 if there are none or they fill it
     singularity_kind kind = singularity_kind::unknown;  ///< of the singularity at `position`
     std::optional<rational> exponent = std::nullopt;    ///< nu there
 
-    /// a_n unit^n, n = 0 .. N, each within an eps of its size. Without a unit near the radius the coefficients leave
-    /// the range of double as R^-n does. The cost of `expand`, up to O(N^2).
+    /// a_n unit^n, n = 0 .. N, each within an eps of its size. Without a unit close to the radius the coefficients
+    /// leave the range of double like R^-n. The cost of `expand`, up to O(N^2).
     series::power_series<T> coefficients(int order, const T& unit = T(1)) const {
         constexpr long guard_bits = 100;
         const auto wide = [&] {
@@ -69,7 +69,7 @@ known_series<T> singular_series(std::string name, std::function<series::power_se
     return series;
 }
 
-/// A function that ends at the unit circle, all of which is singular.
+/// A function with the unit circle as natural boundary: every point of it is singular.
 template <rounding_scalar T>
 known_series<T> bounded_series(std::string name, std::function<series::power_series<mpfr>(int)> expand) {
     known_series<T> series{std::move(name), std::move(expand)};

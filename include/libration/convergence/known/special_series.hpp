@@ -1,8 +1,8 @@
-// Coefficients of some special functions: Lambert's W, K(m), Airy's Ai, Bessel's J0, digamma, the inverse of Langevin's
+// Coefficients of some special functions: Lambert's W, K(m), Airy's Ai, Bessel's J0, digamma, the inverse Langevin
 // function and Blasius' boundary layer.
 //
-// All return a_0 .. a_N with an error that grows like n eps, or like n^2 eps where a power enters: known_series.hpp
-// makes them in more digits and rounds once.
+// All return a_0 .. a_N with an error that grows like n eps, or like n^2 eps if a power is involved: known_series.hpp
+// computes them in more digits and rounds once.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ series::power_series<T> lambert_series(int order) {
         order, T(0), [](const T& before, int n) { return n == 1 ? T(1) : T(-before * pow(T(T(n) / (n - 1)), n - 2)); });
 }
 
-/// (1 - sqrt(1 - 4t))/(2t), Catalan's numbers: a_n = 2 (2n - 1)/(n + 1) a_{n-1} [DLMF 26.5.1]. O(N).
+/// (1 - sqrt(1 - 4t))/(2t), the Catalan numbers: a_n = 2 (2n - 1)/(n + 1) a_{n-1} [DLMF 26.5.1]. O(N).
 template <rounding_scalar T>
 series::power_series<T> catalan_series(int order) {
     return series_by_steps(order, T(1), [](const T& before, int n) { return T(before * (4 * n - 2) / (n + 1)); });
@@ -104,7 +104,7 @@ series::power_series<T> digamma_series(int order) {
     return a;
 }
 
-/// The inverse y of Langevin's function, t = coth y - 1/y: y' (y (1 - t^2) - 2 t) = y, from the derivative
+/// The inverse y of the Langevin function, t = coth y - 1/y: y' (y (1 - t^2) - 2 t) = y, from the derivative
 /// 1 - t^2 - 2 t/y of t. With s = y^2, odd n >= 3 and s' without a_n in it,
 ///     2 (n + 2) a_n = (n - 1) s_{n-1} - (n + 1) s'_{n+1},   a_1 = 3, a_3 = 9/5, ... [Itskov2012]. O(N^2).
 template <rounding_scalar T>
@@ -112,7 +112,7 @@ series::power_series<T> inverse_langevin_series(int order) {
     auto a = series::power_series<T>::zero(order);
     T square(0);
     for (int n = 1; n <= order; n += 2) {
-        const T products = square_coefficient(a, n + 1, series::parity::odd);  // a_n still is 0
+        const T products = square_coefficient(a, n + 1, series::parity::odd);  // a_n is still 0
         a[n] = n == 1 ? T(3) : T((square * (n - 1) - products * (n + 1)) / (2 * (n + 2)));
         square = products + a[1] * a[n] * (n == 1 ? 1 : 2);
     }
@@ -121,8 +121,8 @@ series::power_series<T> inverse_langevin_series(int order) {
 
 /// The singularity of that inverse in the first quadrant, one of four at the distance 0.9046436794574...: square root
 /// branch points, where the derivative 1/y^2 - 1/sinh^2 y of t is 0, first at sinh y = -y, y = 2.25 + 4.21 i
-/// [Rickaby2018]; there t = -(1 + cosh y)/y. By Newton's iteration, whose first eight bits double in each step. To some
-/// eps.
+/// [Rickaby2018]; there t = -(1 + cosh y)/y. By Newton's iteration, which starts with eight correct bits and doubles
+/// them in each step. To a few eps.
 template <rounding_scalar T>
 complex_number<T> inverse_langevin_singularity() {
     using std::cos;

@@ -1,10 +1,11 @@
-// An absolute floor of noise in a list: where the coefficients come from an FFT or a quadrature, every one has an error
-// of the same size, and the last ones are nothing but that error.
+// An absolute noise floor in a list: if the coefficients come from an FFT or a quadrature, all have an error of the
+// same size, and the last ones consist of that error only.
 //
-// With errors of size F r^-n (r the radius of the circle that was sampled, 1 for plain coefficients), log |a_n| falls
-// with n until it meets the line log F - n log r, and from there on scatters about it. A true a_n could do so too,
-// where a weak far singularity or an entire part ends: but those follow a linear recurrence of few terms, which noise
-// does not. So the tail is taken for noise only where no such recurrence explains three quarters of it.
+// With errors of size F r^-n (r the radius of the sampled circle, 1 for plain coefficients), log |a_n| falls with n
+// until it meets the line log F - n log r, and then scatters about it. An exact a_n could do so too, where the
+// contribution of a weak distant singularity or an entire part ends: but those satisfy a linear recurrence of few
+// terms, which noise does not. The tail is therefore taken for noise only if no such recurrence explains three quarters
+// of it.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 
 namespace libration::convergence {
 
-/// The floor of a list: a_n is known to about level rate^n, and is no more than that from n = first on.
+/// The floor of a list: a_n is known to about level rate^n, and is not larger than that from n = first on.
 struct coefficient_floor {
     int first = 0;
     mpfr level;
@@ -27,8 +28,8 @@ struct coefficient_floor {
 
 namespace fitting {
 
-/// The share of the squares of x_p .. x_{W-1} that x_n = c_1 x_{n-1} + ... + c_p x_{n-p} leaves, c by least squares; 0
-/// where the equations are singular.
+/// The fraction of the sum of squares of x_p .. x_{W-1} that x_n = c_1 x_{n-1} + ... + c_p x_{n-p} leaves unexplained,
+/// c by least squares; 0 if the equations are singular.
 inline mpfr unexplained_share(const std::vector<mpfr>& x, int terms) {
     const auto p = static_cast<std::size_t>(terms);
     std::vector<std::vector<mpfr>> normal(p, std::vector<mpfr>(p, mpfr(0)));
@@ -71,11 +72,11 @@ inline bool looks_like_noise(const std::vector<binary_size>& points, const serie
     return true;
 }
 
-/// The floor by the tail of the list that starts at the point `begin` of all; nothing where that is no noise, or where
-/// fewer than eight coefficients stand above it or none of them by a factor of a thousand.
+/// The floor from the tail of the list that starts at the point `begin`; std::nullopt if that is not noise, or if fewer
+/// than eight coefficients are above it or none exceeds it by a factor of a thousand.
 inline std::optional<coefficient_floor> floor_by_tail(const series::power_series<mpfr>& a,
                                                       const std::vector<binary_size>& points, std::size_t begin) {
-    constexpr int margin = 3;  // bits between the mean size and the largest of few
+    constexpr int margin = 3;  // bits between the mean size and the largest of a few
     constexpr int fewest_above = 8;
     constexpr int least_height = 10;
     constexpr std::size_t fewest_sloped = 24;
@@ -93,7 +94,7 @@ inline std::optional<coefficient_floor> floor_by_tail(const series::power_series
     if (above < fewest_above || height(*highest) < least_height || last->n >= tail.front().n) {
         return std::nullopt;
     }
-    // A slope of less than four bits over the tail is that of a plain floor.
+    // A slope of less than four bits over the tail means a constant floor.
     const bool level = abs(line.slope) * (tail.back().n - tail.front().n) < 4;
     if (!level && tail.size() < fewest_sloped) {
         return std::nullopt;
@@ -104,9 +105,9 @@ inline std::optional<coefficient_floor> floor_by_tail(const series::power_series
 
 }  // namespace fitting
 
-/// The floor of a_0 .. a_N, where the list ends in noise: by the longest of its last half, quarter and eighth that
-/// looks like it, ten coefficients at least. Fails where more than a quarter of the tail follows a recurrence by
-/// chance, and where the list ends before three coefficients in a row are noise. O(N).
+/// The floor of a_0 .. a_N if the list ends in noise: from the longest of its last half, quarter and eighth that looks
+/// like noise, at least ten coefficients. Not detected if more than a quarter of the tail follows a recurrence by
+/// chance, or if the list ends before three successive coefficients are noise. O(N).
 inline std::optional<coefficient_floor> floor_of(const series::power_series<mpfr>& a) {
     constexpr std::size_t fewest = 10;
     const precision_scope scope(40);
@@ -123,8 +124,8 @@ inline std::optional<coefficient_floor> floor_of(const series::power_series<mpfr
     return std::nullopt;
 }
 
-/// The list above its floor: up to the last coefficient that is `times` the floor, and what is no more than four times
-/// the floor before it is 0, as it is where symmetry leaves nothing but noise.
+/// The list above its floor: up to the last coefficient that is `times` the floor; earlier coefficients of at most four
+/// times the floor are set to 0, since symmetry may leave nothing but noise there.
 inline series::power_series<mpfr> above_floor(const series::power_series<mpfr>& a, const coefficient_floor& floor,
                                               int times) {
     int last = floor.first - 1;

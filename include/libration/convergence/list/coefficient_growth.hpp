@@ -1,10 +1,10 @@
-// Do the coefficients of a series fall or grow like powers R^-n at all? Those of an entire function fall faster, like
-// n^(-n/rho) for the order rho [Boas1954, 2.2.2]; those of a divergent series grow faster, like n!.
+// Whether the coefficients of a series fall or grow like powers R^-n at all. Those of an entire function fall faster,
+// like n^(-n/rho) for the order rho [Boas1954, 2.2.2]; those of a divergent series grow faster, like n!.
 //
 // log |c_k| is fitted by alpha + beta k + gamma k log k on the last three quarters: gamma -> 0 for 0 < R < infinity,
-// where the factor k^(-nu-1) of a singularity leaves gamma = O(1/K); -stride/rho for an entire function, and more than
-// 0 where the radius is 0. Coefficients of a complex pair pass near 0 again and again, so the fit is made a second time
-// without the points that lie below the first.
+// where the factor k^(-nu-1) of a singularity leaves gamma = O(1/K); -stride/rho for an entire function, and positive
+// if the radius is 0. Coefficients of a complex pair come close to 0 repeatedly, so the fit is repeated without the
+// points that lie below the first fit.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ enum class growth { unknown, geometric, entire, divergent };
 /// How the coefficients grow, and gamma.
 template <rounding_scalar T>
 struct coefficient_growth {
-    growth kind = growth::unknown;  ///< unknown with fewer than eight non-zero coefficients
+    growth kind = growth::unknown;  ///< unknown with fewer than eight nonzero coefficients
     T gamma = T(0);
 };
 
@@ -35,7 +35,7 @@ struct size_point {
     T log_size;
 };
 
-/// alpha, beta, gamma by least squares; std::nullopt where the equations are singular.
+/// alpha, beta, gamma by least squares; std::nullopt if the equations are singular.
 template <rounding_scalar T>
 std::optional<std::vector<T>> fit_sizes(const std::vector<size_point<T>>& points, const T& last) {
     using std::log;
@@ -57,9 +57,9 @@ std::optional<std::vector<T>> fit_sizes(const std::vector<size_point<T>>& points
 
 }  // namespace fitting
 
-/// The growth of the coefficients. gamma counts below -1/8 - 12/K, since k^(-nu-1) leaves about 1.6 (nu + 1)/K and few
-/// coefficients of a pair scatter; and above 1/4 + 16/K, for small coefficients that a nearer singularity overtakes are
-/// more common than divergent series. O(K).
+/// The growth of the coefficients. gamma is significant below -1/8 - 12/K, since k^(-nu-1) leaves about 1.6 (nu + 1)/K
+/// and few coefficients of a pair scatter; and above 1/4 + 16/K, since small coefficients dominated later by a nearer
+/// singularity are more common than divergent series. O(K).
 template <rounding_scalar T>
 coefficient_growth<T> growth_of(const strided_series<T>& c) {
     using std::abs;

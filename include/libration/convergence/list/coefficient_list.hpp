@@ -1,11 +1,11 @@
-// A list of coefficients as people write it down, read exactly.
+// A list of coefficients in the usual notations, read exactly.
 //
 //     1              0,1               n,coefficient
 //     1/3            1,1/3             0,1
 //     2/15           2,2/15            2,0.1333
-// One number a line stands for a_0, a_1, ...; two numbers are n and a_n. Cells are separated by commas, semicolons
-// or blanks and may be quoted. Lines may end in CR LF; blank lines are skipped, and what follows a #. A first line
-// of names is a header.
+// One number per line represents a_0, a_1, ...; two numbers are n and a_n. Cells are separated by commas, semicolons or
+// blanks and may be quoted. Lines may end in CR LF; blank lines and everything after a # are skipped. A first line of
+// names is a header.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace libration::convergence {
 
-/// A line that is no coefficient: its number from 1 on, its text, and in reason() what is wrong with it.
+/// A line that is not a coefficient: its number from 1 on, its text, and the error in reason().
 class malformed_line : public error {
 public:
     malformed_line(std::size_t number, std::string text, const std::string& reason)
@@ -34,10 +34,10 @@ private:
     std::size_t number_;
 };
 
-/// Reads a whole text. n has to grow from line to line; a missing n is a coefficient 0.
+/// Reads a whole text. n has to increase from line to line; a missing n is a coefficient 0.
 class coefficient_reader {
 public:
-    /// a_0 .. a_N, none in an empty text. Throws malformed_line.
+    /// a_0 .. a_N, empty for an empty text. Throws malformed_line.
     std::vector<exact> read(std::string_view text) {
         if (text.starts_with("\xEF\xBB\xBF")) {
             text.remove_prefix(3);
@@ -56,7 +56,7 @@ private:
     static constexpr std::size_t largest_order = 100'000;
     static constexpr std::string_view blanks = " \t\r\v\f";
 
-    /// Which cell is n, which is a_n, and how many there are.
+    /// Which cell is n, which is a_n, and the number of cells.
     struct layout {
         std::optional<std::size_t> index;
         std::size_t value = 0;
@@ -90,7 +90,7 @@ private:
         throw malformed_line(number_, std::string(line_), reason);
     }
 
-    // Names only; a single one has to be "coefficient", for it might be a number gone wrong.
+    // Names only; a single one has to be "coefficient", since it might be a misspelt number.
     static bool is_header(const std::vector<std::string_view>& cells) {
         if (cells.size() == 1) {
             return cells.front() == "coefficient";
@@ -107,7 +107,7 @@ private:
         };
         const std::size_t value = place("coefficient");
         if (cells.size() > 2 && value == cells.size()) {
-            fail("names no column 'coefficient'");
+            fail("has no column 'coefficient'");
         }
         if (cells.size() == 1) {
             return {std::nullopt, 0, 1};
@@ -139,7 +139,7 @@ private:
         const exact number = number_in(cell);
         const rational n = number.is_fraction() ? number.coefficient : rational(-1);
         if (boost::multiprecision::denominator(n) != 1 || n < 0) {
-            fail("has an n that is no whole number of 0 or more");
+            fail("has an n that is not a nonnegative integer");
         }
         if (n > largest_order) {
             fail("has an n beyond " + std::to_string(largest_order));
@@ -161,11 +161,11 @@ private:
             }
         }
         if (cells.size() != layout_->cells) {
-            fail("has another number of cells than the lines before");
+            fail("has a different number of cells than the previous lines");
         }
         const std::size_t n = layout_->index ? index_in(cells[*layout_->index]) : list_.size();
         if (n < list_.size()) {
-            fail("has an n that is not above those before");
+            fail("has an n that is not greater than the previous ones");
         }
         if (n > largest_order) {
             fail("is the coefficient of a power beyond " + std::to_string(largest_order));

@@ -1,4 +1,4 @@
-// How far the numbers of a list can be relied on, judged by how they are written.
+// The accuracy of the numbers of a list, estimated from their notation.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace libration::convergence {
 
-/// Significant digits of a number written with a point or an exponent; 0 of whole numbers and fractions, which are
+/// Significant digits of a number written with a point or an exponent; 0 for whole numbers and fractions, which are
 /// exact.
 inline long written_digits(const exact& number) {
     const std::string& text = number.text;
@@ -24,9 +24,9 @@ inline long written_digits(const exact& number) {
                                            [](unsigned char c) { return std::isdigit(c) != 0; }));
 }
 
-/// How far the numbers of a list can be relied on, relative to their size: epsilon, or 10^(1-d) where that is more, d
-/// the largest number of digits among the decimals of the second half; never more than 2^-12, for a short decimal is as
-/// often exact (1e-7) as rounded. Fails where decimals were printed with more digits than are right.
+/// The relative accuracy of the numbers of a list: epsilon, or 10^(1-d) if that is larger, d the largest number of
+/// digits among the decimals of the second half; never more than 2^-12, since a short decimal is as often exact (1e-7)
+/// as rounded. Wrong if decimals were printed with more digits than are correct.
 template <rounding_scalar T>
 T noise_of(const std::vector<exact>& list) {
     using std::ldexp;

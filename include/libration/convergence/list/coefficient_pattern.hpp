@@ -1,6 +1,6 @@
-// Which coefficients of a list are 0: what has to be known before any ratio is taken.
+// Which coefficients of a list are 0, which must be known before ratios are formed.
 //
-// Symmetries make every coefficient 0 outside of one class n = first mod stride (parity: stride 2). A series whose gaps
+// Symmetries make every coefficient 0 outside one class n = first mod stride (parity: stride 2). A series whose gaps
 // grow has a whole circle of singularities [Hadamard1892: gaps n_{k+1} >= q n_k, q > 1; Fabry1896: n_k/k -> infinity].
 #pragma once
 
@@ -14,18 +14,18 @@
 
 namespace libration::convergence {
 
-/// What the zeros of a_0 .. a_N say.
+/// The zero pattern of a_0 .. a_N.
 struct coefficient_pattern {
     int order = 0;            ///< N
-    int last = -1;            ///< the last non-zero coefficient; -1 where all are 0
-    int first = 0;            ///< least index of the class that the later coefficients are in
+    int last = -1;            ///< the last nonzero coefficient; -1 if all are 0
+    int first = 0;            ///< smallest index of the class that the later coefficients are in
     int stride = 1;           ///< of that class
-    int exceptions = 0;       ///< non-zero coefficients outside of the class, all in the first quarter
-    int zeros = 0;            ///< coefficients 0 inside of the class, in the last three quarters
-    bool lacunary = false;    ///< at most a quarter of the class is not 0 in its second half
-    bool polynomial = false;  ///< no coefficient of the second half is other than 0
+    int exceptions = 0;       ///< nonzero coefficients outside the class, all in the first quarter
+    int zeros = 0;            ///< zero coefficients inside the class, in the last three quarters
+    bool lacunary = false;    ///< at most a quarter of the class is nonzero in its second half
+    bool polynomial = false;  ///< all coefficients of the second half are 0
 
-    /// In words: "all coefficients but n = 2 mod 4 are 0, with 1 exception below".
+    /// As text: "all coefficients but n = 2 mod 4 are 0, with 1 exception below".
     std::string text() const {
         if (last < 0) {
             return "all coefficients are 0";
@@ -47,8 +47,8 @@ struct coefficient_pattern {
     }
 };
 
-/// Whether a_n is 0 for a list whose coefficients are known to `noise` of their size: no larger than 64 noise times the
-/// largest of its eight neighbours on either side. The list has to be scaled: radius of convergence about 1.
+/// Whether a_n is 0 for a list whose coefficients are known to `noise` of their size: not larger than 64 noise times
+/// the largest of its eight neighbours on either side. The list has to be scaled: radius of convergence about 1.
 template <rounding_scalar T>
 std::vector<bool> zeros_of(const series::power_series<T>& a, const T& noise) {
     using std::abs;
@@ -66,7 +66,7 @@ std::vector<bool> zeros_of(const series::power_series<T>& a, const T& noise) {
     return zero;
 }
 
-/// The pattern of a scaled list. The class comes from the last three quarters of the coefficients. O(N).
+/// The pattern of a scaled list. The class is determined from the last three quarters of the coefficients. O(N).
 template <rounding_scalar T>
 coefficient_pattern pattern_of(const series::power_series<T>& a, const T& noise) {
     const std::vector<bool> zero = zeros_of(a, noise);
@@ -90,8 +90,8 @@ coefficient_pattern pattern_of(const series::power_series<T>& a, const T& noise)
     for (const int n : late) {
         stride = std::gcd(stride, n - late.front());
     }
-    // A class is seen only where it holds three coefficients at least, none is missing at the end, and of a few none at
-    // all.
+    // A class is detected only if it has at least three coefficients, none is missing at the end, and none at all if
+    // there are few.
     constexpr std::size_t few = 6;
     const int span = stride * static_cast<int>(late.size() - 1);
     const bool complete = late.size() >= few || late.back() - late.front() == span;

@@ -1,7 +1,8 @@
-// A unit of length for a list of coefficients, in which its radius of convergence is about 1, from the list alone.
+// A unit of length for a list of coefficients, in which its radius of convergence is about 1, determined from the list
+// alone.
 //
-// a_n itself leaves every fixed range: 2.9^-1000 is below that of double. With x = u y the list a_n u^n stays
-// between powers of n where 1/u is the rate at which |a_n| falls. That rate is the slope of log2 |a_n| over the
+// a_n itself leaves the range of every fixed scalar: 2.9^-1000 is below that of double. With x = u y the list a_n u^n
+// stays between powers of n if 1/u is the rate at which |a_n| falls. That rate is the slope of log2 |a_n| over the
 // second half of the list.
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace libration::convergence {
 
-/// x = length y, and a factor 2^-exponent of the whole series, which moves no singularity.
+/// x = length y, and a factor 2^-exponent of the whole series, which does not move any singularity.
 struct coefficient_unit {
     mpfr length = mpfr(1);
     long exponent = 0;
@@ -30,7 +31,7 @@ struct binary_size {
     mpfr log_size;
 };
 
-/// log2 |a_n| of the coefficients that are not 0, n = first .. N.
+/// log2 |a_n| of the nonzero coefficients, n = first .. N.
 template <rounding_scalar T>
 std::vector<binary_size> binary_sizes(const series::power_series<T>& a, int first) {
     std::vector<binary_size> sizes;
@@ -42,7 +43,7 @@ std::vector<binary_size> binary_sizes(const series::power_series<T>& a, int firs
     return sizes;
 }
 
-/// The straight line through points by least squares, at two points at least.
+/// The least-squares line through at least two points.
 struct size_line {
     mpfr at_middle;
     mpfr middle;
@@ -67,8 +68,8 @@ inline size_line line_through(const std::vector<binary_size>& points) {
     return line;
 }
 
-/// The slope of the upper coefficients: those that nearly cancel, and the roundings that stand for 0 in a list of
-/// decimals, lie far below the others and do not count.
+/// The slope of the upper coefficients: those that nearly cancel, and the rounding errors that represent 0 in a list of
+/// decimals, lie far below the others and are ignored.
 inline mpfr slope_of_upper(const std::vector<binary_size>& points) {
     constexpr std::size_t fewest = 4;
     const size_line first = line_through(points);
@@ -83,10 +84,10 @@ inline mpfr slope_of_upper(const std::vector<binary_size>& points) {
 
 }  // namespace fitting
 
-/// The unit of a list: its length has twelve bits, so that it is an exact number in every scalar, and makes
-/// the slope of the second half 0; 1 where fewer than two coefficients are other than 0. The exponent is 0
-/// where the largest coefficient of that half is within 2^100 of 1, since a root test sees the factor; else it
-/// makes that coefficient about 1. No radius has to exist: the unit of an entire function grows with N, that
+/// The unit of a list: its length has twelve bits, so that it is exact in every scalar, and makes
+/// the slope of the second half 0; 1 if fewer than two coefficients are nonzero. The exponent is 0 if the largest
+/// coefficient of that half is within 2^100 of 1, since a root test depends on the factor; otherwise it makes that
+/// coefficient about 1. The radius need not exist: the unit of an entire function grows with N, that
 /// of a divergent series falls. O(N).
 template <rounding_scalar T>
 coefficient_unit unit_of(const series::power_series<T>& a) {
@@ -115,8 +116,8 @@ coefficient_unit unit_of(const series::power_series<T>& a) {
     return unit;
 }
 
-/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 digits more. O(N). Throws error of the kind range
-/// where T cannot hold one of them.
+/// a_n u^n 2^-exponent, each rounded once to T; the powers have 20 more digits. O(N). Throws error of the kind range if
+/// T cannot represent one of them.
 template <rounding_scalar T>
 series::power_series<T> in_unit_of(const series::power_series<mpfr>& a, const coefficient_unit& unit) {
     std::vector<mpfr> scaled;
@@ -132,7 +133,7 @@ series::power_series<T> in_unit_of(const series::power_series<mpfr>& a, const co
     std::vector<T> rounded;
     rounded.reserve(scaled.size());
     for (const mpfr& value : scaled) {
-        // One exponent is left for rounding up.
+        // One exponent is reserved for rounding up.
         const long exponent = value == 0 ? 0 : mpfr_get_exp(handle(value));
         if (!holds_exponent<T>(exponent) || !holds_exponent<T>(exponent + 1)) {
             throw error(error_kind::range,

@@ -1,9 +1,9 @@
 // The Domb-Sykes plot: ratios of coefficients against 1/n, a straight line for a single nearest singularity.
 //
 // With n = first + stride k, c_k/c_{k-1} = x0^-stride (1 - stride (nu + 1)/n + O(1/n^2)) [DombSykes]: the intercept
-// gives the position, its sign included, the slope the exponent. The intercept is extrapolated by Neville's table; the
-// exponent from the slopes between neighbours, as in the three-term test, and then in the same way. Fails, and then
-// says so, where more than one singularity is nearest: the ratios scatter.
+// gives the position including its sign, the slope the exponent. The intercept is extrapolated by Neville's table; the
+// exponent from the slopes between neighbours, as in the three-term test, and then in the same way. Fails, and reports
+// this, if more than one singularity is nearest: the ratios scatter.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace libration::convergence {
 
-/// By the plot's extrapolated intercept. Needs eight coefficients. O(N log N) for each column of the table.
+/// By the plot's extrapolated intercept. Needs eight coefficients. O(N log N) per column of the table.
 template <rounding_scalar T>
 radius_estimate<T> domb_sykes(const strided_series<T>& c) {
     using std::abs;

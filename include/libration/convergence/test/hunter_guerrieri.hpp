@@ -2,10 +2,10 @@
 //
 // Coefficients of (1 - s w + d w^2)^nu, w = x^stride, s = 2 cos(phi)/R, d = 1/R^2, satisfy with m = n/stride
 //     m c_k - s (m - 1 - nu) c_{k-1} + d (m - 2 - 2 nu) c_{k-2} = 0 [HunterGuerrieri1980].
-// Three successive ones have a solution (1, s, d) only where their determinant is 0: a quadratic equation for nu. Two
-// of the recurrences then give s and d; a fourth tells which root is meant. Exact for this function and for a pair of
-// logarithms; with other factors the error falls like 1/n^2, and the sequences of s, d and nu are extrapolated in 1/n.
-// Fails where the nearest singularities are not one pair: d <= 0, or the sequences do not settle.
+// Three successive ones have a solution (1, s, d) only if their determinant is 0: a quadratic equation for nu. Two of
+// the recurrences then give s and d; a fourth selects the root. Exact for this function and for a pair of logarithms;
+// with other factors the error falls like 1/n^2, and the sequences of s, d and nu are extrapolated in 1/n. Fails if the
+// nearest singularities are not a single pair: d <= 0, or the sequences do not settle.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ T determinant(const triple<T>& a, const triple<T>& b, const triple<T>& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// The real parts of the roots of p0 + p1 x + p2 x^2; one of them where p2 = 0, none where p1 = 0, too.
+/// The real parts of the roots of p0 + p1 x + p2 x^2; of the single root if p2 = 0, empty if p1 = 0 too.
 template <rounding_scalar T>
 std::vector<T> real_parts_of_roots(const T& p0, const T& p1, const T& p2) {
     using std::sqrt;
@@ -47,7 +47,7 @@ std::vector<T> real_parts_of_roots(const T& p0, const T& p1, const T& p2) {
     return {T(larger / (p2 * 2)), T(p0 * 2 / larger)};
 }
 
-/// s, d and nu, and by how much the next recurrence misses.
+/// s, d and nu, and the residual of the next recurrence.
 template <rounding_scalar T>
 struct pair_with_exponent {
     pair_quadratic<T> pair;
@@ -113,7 +113,7 @@ struct hunter_guerrieri_sequences {
     std::vector<sequence_entry<T>> exponent;
 };
 
-/// Those from the last k on down to where the recurrences give no pair.
+/// Those from the last k down to the first at which the recurrences yield no pair.
 template <rounding_scalar T>
 hunter_guerrieri_sequences<T> hunter_guerrieri_sequences_of(const strided_series<T>& series) {
     const scaled_coefficients<T> c(series);
@@ -140,7 +140,7 @@ hunter_guerrieri_sequences<T> hunter_guerrieri_sequences_of(const strided_series
 }  // namespace fitting
 
 /// By the extrapolated sequences, with four times their uncertainty: calibrated. Needs twelve coefficients. O(N log N)
-/// for each column of the extrapolation.
+/// per column of the extrapolation.
 template <rounding_scalar T>
 radius_estimate<T> hunter_guerrieri(const strided_series<T>& c) {
     using std::sqrt;

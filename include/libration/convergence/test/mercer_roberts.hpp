@@ -3,8 +3,8 @@
 // For c_k ~ A R^-k k^(-nu-1) cos(k phi + delta), D_k = c_{k+1} c_{k-1} - c_k^2 has no oscillation at leading order, and
 //     B_k^2 = D_k/D_{k-1} = R^-2 (1 - 2 (nu + 1)/m + ...), m = n/stride [MercerRoberts1990, appendix]:
 // B_k against 1/m has the intercept 1/R and the slope -(nu + 1)/R. With s_k = (c_{k+1} c_{k-2} - c_k c_{k-1})/D_{k-1},
-// cos(phi) = s_k/(2 B_k) + O(1/m^2); both solve c_{j+1} = s c_j - d c_{j-1} for j = k and k - 1, where no single
-// coefficient is divided by. Fails, and then says so, where B_k^2 <= 0 or D_k = 0, as for a single singularity.
+// cos(phi) = s_k/(2 B_k) + O(1/m^2); both solve c_{j+1} = s c_j - d c_{j-1} for j = k and k - 1, without dividing by a
+// single coefficient. Fails, and reports this, if B_k^2 <= 0 or D_k = 0, as for a single singularity.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace libration::convergence {
 
 namespace fitting {
 
-/// B_k and s_k/(2 B_k) against n; empty, with the reason, where the last half of the coefficients gives none.
+/// B_k and s_k/(2 B_k) against n; empty, with the reason, if the last half of the coefficients does not yield any.
 template <rounding_scalar T>
 struct mercer_roberts_plot {
     std::vector<sequence_entry<T>> roots;
@@ -58,7 +58,7 @@ mercer_roberts_plot<T> mercer_roberts_plot_of(const strided_series<T>& series) {
     return plot;
 }
 
-/// nu from k (1 - B_k R), with the uncertainty that R brings.
+/// nu from k (1 - B_k R), with the uncertainty due to R.
 template <rounding_scalar T>
 sequence_limit<T> exponent_from_slope(const std::vector<sequence_entry<T>>& roots, const sequence_limit<T>& intercept,
                                       int stride) {
@@ -76,7 +76,7 @@ sequence_limit<T> exponent_from_slope(const std::vector<sequence_entry<T>>& root
 }  // namespace fitting
 
 /// By the extrapolated intercept, with four times its uncertainty: calibrated. Needs twelve coefficients. O(N log N)
-/// for each column of the extrapolation.
+/// per column of the extrapolation.
 template <rounding_scalar T>
 radius_estimate<T> mercer_roberts(const strided_series<T>& c) {
     constexpr int safety = 4;

@@ -1,6 +1,6 @@
 // The ratio test: |a_{n-1}/a_n| -> R for a single nearest singularity.
 //
-// For (1 - w/w0)^nu, c_{k-1}/c_k = w0 (1 + (nu + 1)/k + ...): the error falls like 1/N. Fails, and then says so, where
+// For (1 - w/w0)^nu, c_{k-1}/c_k = w0 (1 + (nu + 1)/k + ...): the error falls like 1/N. Fails, and reports this, if
 // more than one singularity is nearest: the ratios do not converge, or divide by 0.
 #pragma once
 
@@ -15,10 +15,10 @@ namespace libration::convergence {
 
 namespace fitting {
 
-/// Coefficients that ratio tests ask for.
+/// Number of coefficients that ratio tests require.
 inline constexpr int fewest_for_ratios = 8;
 
-/// The last quarter of c_{k-1}/c_k, the last of all at the end. The reason why not, where one of them does not exist.
+/// The last quarter of c_{k-1}/c_k, the very last one at the end; or the reason, if one of them does not exist.
 template <rounding_scalar T>
 std::pair<std::vector<T>, std::string> last_ratios(const strided_series<T>& c) {
     std::pair<std::vector<T>, std::string> found;
@@ -35,7 +35,7 @@ std::pair<std::vector<T>, std::string> last_ratios(const strided_series<T>& c) {
     return found;
 }
 
-/// Why the ratios give no single singularity; empty where they may.
+/// The reason why the ratios do not indicate a single singularity; empty if they may.
 template <rounding_scalar T>
 std::string reason_against_ratios(const strided_series<T>& c) {
     const auto [ratios, reason] = last_ratios(c);
@@ -72,14 +72,14 @@ radius_estimate<T> estimate_by_ratios(const std::string& method, const strided_s
 
 }  // namespace fitting
 
-/// The textbook's test on all coefficients: R = |a_{N-1}/a_N|, refused where symmetry makes coefficients 0. The
+/// The textbook test on all coefficients: R = |a_{N-1}/a_N|, not applied if symmetry makes coefficients 0. The
 /// uncertainty is four times the movement over the last quarter. Needs eight coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> ratio_test(const strided_series<T>& c) {
     return fitting::estimate_by_ratios("ratio", c);
 }
 
-/// The same in w = x^stride on the coefficients that symmetry leaves: |a_{n-stride}/a_n|^(1/stride).
+/// The same in w = x^stride on the coefficients that remain after symmetry: |a_{n-stride}/a_n|^(1/stride).
 template <rounding_scalar T>
 radius_estimate<T> ratio_test_in_power(const strided_series<T>& c) {
     return fitting::estimate_by_ratios("ratio-in-power", c);

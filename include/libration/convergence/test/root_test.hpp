@@ -1,8 +1,8 @@
-// The root test: a radius of convergence from the size of coefficients alone.
+// The root test: a radius of convergence from the size of coefficients only.
 //
 // |a_n|^(-1/n) -> R along the largest coefficients, whatever the singularities are (Cauchy and Hadamard). For a_n ~ A
-// n^(-nu-1) R^-n the logarithm is wrong by ((nu + 1) log n - log A)/n; |n a_n|^(-1/n) by (nu log n - log A)/n, only
-// O(1/n) for a logarithm, nu = 0. Works for lacunary series, too; fails only by being slow.
+// n^(-nu-1) R^-n the error of the logarithm is ((nu + 1) log n - log A)/n; that of |n a_n|^(-1/n) is (nu log n - log
+// A)/n, only O(1/n) for a logarithm, nu = 0. Also works for lacunary series; its only weakness is slow convergence.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@
 
 namespace libration::convergence {
 
-/// The least |a_n|^(-1/n) of the last four n, in the unit of the variable; four, because symmetries leave only every
+/// The smallest |a_n|^(-1/n) of the last four n, in units of the variable; four, because symmetries leave only every
 /// second or fourth coefficient. Its error falls like log(n)/n, the coefficients being R^-n times a power of n. O(1).
-/// Throws error below order 4, or where all four are 0.
+/// Throws error below order 4, or if all four are 0.
 template <rounding_scalar T>
 T radius_by_root_test(const series::power_series<T>& a) {
     using std::abs;
@@ -33,19 +33,20 @@ T radius_by_root_test(const series::power_series<T>& a) {
         largest = root > largest ? root : largest;
     }
     if (largest == 0) {
-        throw error(error_kind::argument, "coefficients", "", "are 0: the root test needs one of the last four");
+        throw error(error_kind::argument, "coefficients", "",
+                    "are 0: the root test needs one of the last four to be nonzero");
     }
     return 1 / largest;
 }
 
-/// The size of a coefficient that is not 0.
+/// The size of a nonzero coefficient.
 template <rounding_scalar T>
 struct coefficient_size {
     int n;
     T log_size;  ///< log |a_n|
 };
 
-/// The sizes of the coefficients other than 0 from n = 1 on. O(N).
+/// The sizes of the nonzero coefficients from n = 1 on. O(N).
 template <rounding_scalar T>
 std::vector<coefficient_size<T>> sizes_of(const strided_series<T>& c) {
     using std::abs;
@@ -62,7 +63,7 @@ std::vector<coefficient_size<T>> sizes_of(const strided_series<T>& c) {
 
 namespace fitting {
 
-/// Coefficients other than 0 that tests of their size ask for.
+/// Number of nonzero coefficients that tests of their size require.
 inline constexpr int fewest_sizes = 6;
 
 /// The largest log|n^p a_n|/n of those with n_end - width < n <= n_end, or of the last one before.
@@ -79,8 +80,8 @@ T largest_root(const std::vector<coefficient_size<T>>& sizes, int end, int width
     return *largest;
 }
 
-/// The root of the largest of the last eight, compared with what the first three quarters, the first half and the first
-/// quarter of the list give.
+/// The root of the largest of the last eight, compared with the results from the first three quarters, the first half
+/// and the first quarter of the list.
 template <rounding_scalar T>
 radius_estimate<T> estimate_by_roots(const std::string& method, const strided_series<T>& c, int p) {
     using std::abs;
@@ -109,7 +110,7 @@ radius_estimate<T> estimate_by_roots(const std::string& method, const strided_se
 }  // namespace fitting
 
 /// |a_n|^(-1/n). The uncertainty is twice the largest difference from the results of three quarters, a half and a
-/// quarter of the list. Needs six coefficients other than 0. O(N).
+/// quarter of the list. Needs six nonzero coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> root_test(const strided_series<T>& c) {
     return fitting::estimate_by_roots("root", c, 0);

@@ -1,12 +1,12 @@
 // The six-term test of Chang and Corliss: a conjugate pair of nearest singularities from six successive coefficients.
 //
-// f = (1 - s w + d w^2)^nu, w = x^stride, obeys (1 - s w + d w^2) x f' = stride nu (-s w + 2 d w^2) f, so that with
+// f = (1 - s w + d w^2)^nu, w = x^stride, satisfies (1 - s w + d w^2) x f' = stride nu (-s w + 2 d w^2) f, so that with
 // m = n/stride, n = first + stride k,
 //     m c_k = s (m - 1 - nu) c_{k-1} - d (m - 2 - 2 nu) c_{k-2}.
 // Four such equations are linear in s, s nu, d and d nu taken as independent [ChangCorliss1980]. Then f is any solution
 // of (1 - s w + d w^2) w f' = (q w + r w^2) f, with an exponent at each of the two roots. Exact for this f and for the
 // logarithms A log(1 - w/w0) and its conjugate; with other factors the error falls like 1/n^2, that of nu like 1/n.
-// Fails where more singularities are nearest (successive results differ) or only one (the equations are singular).
+// Fails if more singularities are nearest (successive results differ) or only one is (the equations are singular).
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ struct six_term_solution {
     T exponent;
 };
 
-/// From the six coefficients that end at c_k; nothing where the equations are singular.
+/// From the six coefficients that end at c_k; std::nullopt if the equations are singular.
 template <rounding_scalar T>
 std::optional<six_term_solution<T>> solve_six_terms(const strided_series<T>& series, const scaled_coefficients<T>& c,
                                                     int last) {
@@ -60,8 +60,8 @@ std::optional<six_term_solution<T>> solve_six_terms(const strided_series<T>& ser
 
 }  // namespace fitting
 
-/// From the last six coefficients. The uncertainty is that of the settling of the last quarter, and what a
-/// rounding of the coefficients does at least. Needs twelve coefficients. O(N).
+/// From the last six coefficients. The uncertainty is that of the settling over the last quarter, plus at least the
+/// effect of rounding the coefficients. Needs twelve coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> six_term_test(const strided_series<T>& c) {
     constexpr int safety = 4;

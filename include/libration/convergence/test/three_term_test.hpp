@@ -1,10 +1,10 @@
 // The three-term test of Chang and Corliss: a single nearest singularity from three successive coefficients.
 //
-// f = (1 - w/w0)^nu, w = x^stride, obeys (1 - w/w0) x f' = -stride nu (w/w0) f, so that with n = first + stride k
+// f = (1 - w/w0)^nu, w = x^stride, satisfies (1 - w/w0) x f' = -stride nu (w/w0) f, so that with n = first + stride k
 //     n c_k/c_{k-1} = (n - stride - stride nu)/w0,
 // and the difference of two such equations has nu eliminated [ChangCorliss1980]:
 //     1/w0 = (n c_k/c_{k-1} - (n - stride) c_{k-1}/c_{k-2})/stride,   nu + 1 = (n/stride) (1 - w0 c_k/c_{k-1}).
-// Exact for this f; with other factors the error falls like 1/n^2, that of nu like 1/n. Fails, and then says so, where
+// Exact for this f; with other factors the error falls like 1/n^2, that of nu like 1/n. Fails, and reports this, if
 // more than one singularity is nearest: successive results differ.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace libration::convergence {
 
 namespace fitting {
 
-/// 1/w0 and nu + 1 from the three coefficients that end at c_k. c_{k-1} and c_{k-2} are not 0.
+/// 1/w0 and nu + 1 from the three coefficients that end at c_k. c_{k-1} and c_{k-2} are nonzero.
 template <rounding_scalar T>
 struct three_term_solution {
     T inverse;
@@ -35,8 +35,8 @@ three_term_solution<T> solve_three_terms(const strided_series<T>& c, int k) {
 
 }  // namespace fitting
 
-/// From the last three coefficients. The uncertainty is that of the settling of the last quarter, and what a
-/// rounding of the coefficients makes of 1/w0, n times as much. Needs eight coefficients. O(N).
+/// From the last three coefficients. The uncertainty is that of the settling over the last quarter, plus the effect of
+/// rounding the coefficients on 1/w0, n times as much. Needs eight coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> three_term_test(const strided_series<T>& c) {
     using std::abs;

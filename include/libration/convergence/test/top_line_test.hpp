@@ -1,9 +1,9 @@
 // The top-line test of Chang and Corliss: the slope of a straight line along the largest coefficients.
 //
-// log |a_n| = -n log R - (nu + 1) log n + log A + what oscillates, never above 0: the upper hull of the points (n, log
-// |a_n|) has the slope -log R - (nu + 1)/n [ChangCorliss1980]. The slope is that of the chord of the hull over the last
-// half of the list between its quarter points, so that a last coefficient in a trough does not count. Works for any
-// number of singularities and for lacunary series; fails only by being slow.
+// log |a_n| = -n log R - (nu + 1) log n + log A + an oscillating term, never above 0: the upper hull of the points (n,
+// log |a_n|) has the slope -log R - (nu + 1)/n [ChangCorliss1980]. The slope is that of the chord of the hull over the
+// last half of the list between its quarter points, so that a last coefficient in a trough has no effect. Works for any
+// number of singularities and for lacunary series; its only weakness is slow convergence.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ bool below_chord(const coefficient_size<T>& a, const coefficient_size<T>& b, con
     return (b.log_size - a.log_size) * (d.n - a.n) <= (d.log_size - a.log_size) * (b.n - a.n);
 }
 
-/// The vertices of the least concave function above the points begin .. end.
+/// The vertices of the smallest concave function above the points begin .. end.
 template <rounding_scalar T>
 std::vector<coefficient_size<T>> upper_hull(const std::vector<coefficient_size<T>>& points, std::size_t begin,
                                             std::size_t end) {
@@ -48,7 +48,7 @@ T height_of(const std::vector<coefficient_size<T>>& hull, const T& x) {
     return a.log_size + (b.log_size - a.log_size) * (x - a.n) / (b.n - a.n);
 }
 
-/// The slope of the top line over the points up to n = end: the last half of them in n, three at least.
+/// The slope of the top line over the points up to n = end: the last half of them in n, at least three.
 template <rounding_scalar T>
 T top_line_slope(const std::vector<coefficient_size<T>>& points, int end) {
     std::size_t last = points.size() - 1;
@@ -69,7 +69,7 @@ T top_line_slope(const std::vector<coefficient_size<T>>& points, int end) {
 }  // namespace fitting
 
 /// The radius by the top line. The uncertainty is twice the largest difference from the results of seven eighths, three
-/// quarters and a half of the list. Needs six coefficients other than 0. O(N).
+/// quarters and a half of the list. Needs six nonzero coefficients. O(N).
 template <rounding_scalar T>
 radius_estimate<T> top_line_test(const strided_series<T>& c) {
     using std::abs;

@@ -1,4 +1,4 @@
-// The same until they are proved.
+// The same with rigorously proved digits.
 #pragma once
 
 #include "libration/digits/digits.hpp"

@@ -1,5 +1,5 @@
-// Numbers as they are printed in an arithmetic that is chosen at run time: the one place that tells fixed scalars, mpfr
-// and balls apart.
+// Numbers as printed in an arithmetic chosen at run time: the only place that distinguishes fixed scalars, mpfr and
+// balls.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@
 
 namespace libration {
 
-/// A number as it is printed; the uncertainty is empty where nothing is proved.
+/// A number as it is printed; the uncertainty is empty if nothing is proved.
 using printed_number = proved_decimal;
 
-/// f<T>(), numbers in the wide arithmetic of T, for a scalar that rounds, by one run with 20 guard digits in mpfr.
+/// f<T>(), numbers in the wide arithmetic of T, for a rounding scalar, by one run with 20 guard digits in mpfr.
 template <class F>
 std::vector<mpfr> one_run(const scalar_spec& scalar, const F& f, long guard = 20) {
     const precision_scope wide(scalar.digits + guard);
     return with_scalar(scalar, guard, f);
 }
 
-/// The same as a fixed scalar computes them; in mpfr right to the digits of the scalar, by two runs that agree.
+/// The same as computed by a fixed scalar; in mpfr correct to the digits of the scalar, by two runs that agree.
 template <class F>
 std::vector<mpfr> rounded_values(const scalar_spec& scalar, const F& f,
                                  const std::function<std::vector<bool>()>& vanishing = {}) {
@@ -33,7 +33,7 @@ std::vector<mpfr> rounded_values(const scalar_spec& scalar, const F& f,
                : one_run(scalar, f);
 }
 
-/// The same of complex numbers.
+/// The same for complex numbers.
 template <class F>
 std::vector<complex_number<mpfr>> rounded_complex_values(const scalar_spec& scalar, const F& f,
                                                          const std::function<std::vector<bool>()>& vanishing = {}) {
@@ -44,7 +44,7 @@ std::vector<complex_number<mpfr>> rounded_complex_values(const scalar_spec& scal
     return scalar.kind == scalar_kind::arbitrary ? agreed_complex_values(scalar.digits, run, vanishing) : run(20);
 }
 
-/// The decimals of values that round, with so many digits.
+/// The decimals of rounded values, with this number of digits.
 inline std::vector<printed_number> printed(const std::vector<mpfr>& values, long digits) {
     std::vector<printed_number> numbers;
     numbers.reserve(values.size());
@@ -54,9 +54,9 @@ inline std::vector<printed_number> printed(const std::vector<mpfr>& values, long
     return numbers;
 }
 
-/// f<T>() with `digits` printed digits, T the type of the scalar: as it stands for a fixed scalar, right to one unit in
-/// the last for mpfr, proved for balls. vanishing() says which of the numbers are exactly 0, where that is known.
-/// Throws error of the kind undecided where no precision within the limits does.
+/// f<T>() with `digits` printed digits, T the type of the scalar: unchanged for a fixed scalar, correct to one unit in
+/// the last for mpfr, proved for balls. vanishing() returns which of the numbers are exactly 0, where that is known.
+/// Throws error of the kind undecided if no precision within the limits suffices.
 template <class F>
 std::vector<printed_number> printed(const scalar_spec& scalar, long digits, const F& f,
                                     const std::function<std::vector<bool>()>& vanishing = {}) {
@@ -67,7 +67,7 @@ std::vector<printed_number> printed(const scalar_spec& scalar, long digits, cons
     return printed(rounded_values(scalar, f, vanishing), digits);
 }
 
-/// The same with digits that are right whatever the scalar of the command is: T is mpfr, or ball where that is proved.
+/// The same with digits that are correct whatever the scalar of the command is: T is mpfr, or ball for a proved scalar.
 template <class F>
 std::vector<printed_number> printed_right(const scalar_spec& scalar, long digits, const F& f) {
     if (scalar.kind == scalar_kind::proved) {

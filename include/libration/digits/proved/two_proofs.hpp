@@ -9,8 +9,8 @@
 
 namespace libration {
 
-/// Where `check` is set, products of long series are checked modulo a prime while the result is kept: for the first of
-/// two proofs, for the second one has none.
+/// If `check` is set, products of long series are checked modulo a prime while the returned object exists: for the
+/// first of two proofs, whereas the second one has no check.
 inline std::unique_ptr<product_check_scope> checked_products(bool check) {
     return check ? std::make_unique<product_check_scope>() : nullptr;
 }
@@ -18,7 +18,7 @@ inline std::unique_ptr<product_check_scope> checked_products(bool check) {
 /// Whether the enclosures [text - uncertainty, text + uncertainty] of two decimals meet.
 bool enclosures_meet(const proved_decimal& first, const proved_decimal& second);
 
-/// Throws std::runtime_error with both enclosures where they do not meet; `what` names the number: "y at time 2".
+/// Throws std::runtime_error with both enclosures if they do not meet; `what` names the number: "y at time 2".
 void require_agreement(const proved_decimal& first, const proved_decimal& second, const std::string& what);
 
 /// Whether the intervals of two pairs of decimals meet; inf is above every number.

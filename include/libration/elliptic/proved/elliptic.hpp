@@ -1,4 +1,4 @@
-// The same, proved.
+// The same with rigorous enclosures.
 #pragma once
 
 #include "libration/elliptic/elliptic.hpp"

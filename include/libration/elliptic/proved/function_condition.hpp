@@ -1,4 +1,4 @@
-// How much an elliptic function moves when the numbers that were typed move: what no program can be blamed for.
+// The sensitivity of an elliptic function to its input numbers: the error that no program can avoid.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace libration::elliptic {
 
-/// sum |x df/dx|/|f| over the inputs x as typed, argument, characteristic and modulus or parameter: when each of them
-/// is off by a relative epsilon, f is off by up to this many relative epsilon, to first order; a number that is 0 is
-/// taken as exact. value(inputs) is f, a ball. Nothing where f is 0 and moves: the condition is infinite there. The
-/// derivatives are difference quotients towards 0, which stays inside every domain, over a relative step 2^-s, s half
-/// the bits of the working precision. Their relative error is of the size 2^-s f''/f', so this is a heuristic: it fails
-/// where the complementary parameter, or at m = 1 the distance of F's amplitude from pi/2, is not far above that step;
-/// then its leading digits change with the precision. Cost a value and one for each input. Throws precision_exhausted
-/// where the working precision does not tell f from 0.
+/// sum |x df/dx|/|f| over the inputs x as given, argument, characteristic and modulus or parameter: if each of them has
+/// a relative error epsilon, f has a relative error of up to this many epsilon, to first order; an input 0 is taken as
+/// exact. value(inputs) is f, a ball. Returns std::nullopt if f is 0 and not constant: the condition is infinite there.
+/// The derivatives are difference quotients towards 0, which stays inside every domain, over a relative step 2^-s, s
+/// half the bits of the working precision. Their relative error is of the size 2^-s f''/f', so this is a heuristic: it
+/// fails if the complementary parameter, or at m = 1 the distance of F's amplitude from pi/2, is not far above that
+/// step; then its leading digits change with the precision. Cost: one evaluation plus one per input. Throws
+/// precision_exhausted if the working precision does not distinguish f from 0.
 template <class Value>
 std::optional<mpfr> function_condition(const Value& value, const std::vector<exact>& inputs) {
     const long step_bits = digits<ball>() / 2;
@@ -38,13 +38,13 @@ std::optional<mpfr> function_condition(const Value& value, const std::vector<exa
         return std::nullopt;
     }
     if (contains_zero(f)) {
-        throw precision_exhausted("the condition of a function next to a zero");
+        throw precision_exhausted("the condition of a function near a zero");
     }
     return midpoint_of(ball(ldexp(sum, step_bits) / abs(f)));
 }
 
-/// The same of a complex function, |f| its modulus: sum |x df/dx|/|f| over the inputs, of which the real and the
-/// imaginary part of the argument are two. value(inputs) is f as complex_parts.
+/// The same for a complex function, |f| its modulus: sum |x df/dx|/|f| over the inputs, with the real and the imaginary
+/// part of the argument as two inputs. value(inputs) is f as complex_parts.
 template <class Value>
 std::optional<mpfr> complex_function_condition(const Value& value, const std::vector<exact>& inputs) {
     const long step_bits = digits<ball>() / 2;
@@ -68,7 +68,7 @@ std::optional<mpfr> complex_function_condition(const Value& value, const std::ve
         if (is_exact(f.real) && is_exact(f.imaginary)) {
             return sum == 0 ? std::optional(mpfr(0)) : std::nullopt;
         }
-        throw precision_exhausted("the condition of a function next to a zero");
+        throw precision_exhausted("the condition of a function near a zero");
     }
     return mpfr(ldexp(sum, static_cast<int>(step_bits)) / modulus(f.real, f.imaginary));
 }

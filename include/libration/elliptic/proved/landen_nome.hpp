@@ -1,19 +1,20 @@
-// The descent to a small nome in balls: the few steps of the arithmetic-geometric mean after which three terms of the
-// theta series are exact to the precision. What depends on the modulus alone is here, proved, for any number of
-// arguments.
+// Reduction to a small nome in balls: the few steps of the arithmetic-geometric mean after which three terms of the
+// theta series are exact to the precision. Quantities that depend on the modulus only are computed here, rigorously,
+// for any number of arguments.
 //
 // With a_0 > b_0 > 0 (only b_0/a_0 = k' matters) and c_{n+1} = (a_n - b_n)/2 the modulus of level n is k_n, with
 // k_{n+1} = c_{n+1}/a_{n+1}, and its nome is q^(2^n) [DLMF 22.7(i), 20.9(i)]. At the last level r the nome P follows
 // from e = k_{r+1}/4 = (a_r - b_r)/(4 (a_r + b_r)), a_r = M theta_3(0)^2 and b_r = M theta_4(0)^2, M = agm(a_0, b_0).
 //
-// (1) P = e sum_j p_j e^(2j) = e (1 + 4 e^2 + 34 e^4 + ...), and after J terms the sum lacks at most
+// (1) P = e sum_j p_j e^(2j) = e (1 + 4 e^2 + 34 e^4 + ...), and after J terms the remainder is at most
 //     4 k^(2J)/(1 - k^2), k = k_{r+1} = 4e. Proof: at nome P^2, k = 4P (sum P^(2n(n+1)))^2/(sum P^(2n^2))^2, the first
 //     sum over n >= 0, the second over all n [DLMF 20.9.1]. The nome exp(-pi K'/K) as a function of k^2 is analytic for
 //     |k| < 1, of modulus below 1, with its only zero at k = 0, simple: so P, its square root, is an odd analytic
 //     function of k there, of modulus below 1, and Cauchy's estimate on |k| = s -> 1 gives |p_j| <= 4^(2j+1).
-// (2) theta_3(z) = 1 + 2 sum P^(n^2) cos 2nz lacks after n = N at most 4 P^((N+1)^2). With x_n = cos((2n+1)z)/cos z, or
-//     the same of sines, |x_n| <= 2n+1, and sum P^(n(n+1)) x_n lacks at most 2 (2N+3) P^((N+1)(N+2)), if P <= 1/8.
-//     Proof: every bound is at most half of the one before: P^(2n+1) <= 1/8, (2n+3)/(2n+1) P^(2n+2) <= 1/2.
+// (2) theta_3(z) = 1 + 2 sum P^(n^2) cos 2nz has a remainder after n = N of at most 4 P^((N+1)^2). With
+//     x_n = cos((2n+1)z)/cos z, or the same of sines, |x_n| <= 2n+1, and sum P^(n(n+1)) x_n has a remainder of at most
+//     2 (2N+3) P^((N+1)(N+2)), if P <= 1/8.
+//     Proof: every bound is at most half of the previous one: P^(2n+1) <= 1/8, (2n+3)/(2n+1) P^(2n+2) <= 1/2.
 #pragma once
 
 #include <algorithm>
@@ -26,25 +27,25 @@
 
 namespace libration::elliptic {
 
-/// Where the descent ends and the series of a nome, at most: the precision ends them before. What they leave out is
-/// enclosed in any case.
+/// Upper limits on the reduction and on the series of a nome: normally the precision ends them earlier. The remainder
+/// is enclosed in any case.
 struct nome_steps {
-    int levels = std::numeric_limits<int>::max();  ///< r, but no fewer than bring P below 2^-4
-    int terms = 4;                                 ///< N of the theta series, 1 .. 4, where r is what ends the descent
+    int levels = std::numeric_limits<int>::max();  ///< r, but at least as many as bring P below 2^-4
+    int terms = 4;                                 ///< N of the theta series, 1 .. 4, if the reduction is ended by r
     int series = 18;                               ///< J of the series of P, 1 .. 18
 };
 
-/// Chain, nome and mean. Cost: one square root, two products and three sums a level, log2 log2(1/k') levels until b/a
-/// is above 1/2, then about log2(bits) - 4; two square roots and 7 levels serve 1000 digits. Absolute errors relative
-/// to a: a few units of the working precision in M; of the sums, few units. The precision is that of the scope.
+/// Chain, nome and mean. Cost: one square root, two products and three sums per level, log2 log2(1/k') levels until b/a
+/// is above 1/2, then about log2(bits) - 4; two square roots and 7 levels suffice for 1000 digits. Absolute errors
+/// relative to a: a few units of the working precision in M and in the sums. The precision is that of the scope.
 class landen_nome {
 public:
     /// quarter_square is c_0^2/4 = (a_0^2 - b_0^2)/4. Throws error unless a_0 and b_0 are positive, and
-    /// precision_exhausted where they are too wide for a nome.
+    /// precision_exhausted if they are too wide for a nome.
     landen_nome(const ball& a, const ball& b, const ball& quarter_square, const nome_steps& most = {})
         : bits_(ball::working_bits()), a_(a), b_(b) {
         if (arb_is_positive(a.handle()) == 0 || arb_is_positive(b.handle()) == 0) {
-            throw error(error_kind::argument, "mean", "", "is that of numbers that are not proved positive");
+            throw error(error_kind::argument, "mean", "", "has arguments that are not proved positive");
         }
         steps_.reserve(16);
         steps_.push_back(quarter_square);
@@ -67,13 +68,13 @@ public:
     int terms() const { return terms_; }
     const ball& square_power(int n) const { return square_powers_[static_cast<std::size_t>(n)]; }
     const ball& between_power(int n) const { return between_powers_[static_cast<std::size_t>(n)]; }
-    /// The bits that P^n times something of size 1 deserves beside 1.
+    /// The number of bits needed in P^n times a number of size 1 when it is added to 1.
     long deserved(long n) const { return std::max(8L, bits_ - n * small_ + 8); }
-    /// Widens a sum by what (2) leaves out: 4 P^((N+1)^2), or 2 (2N+3) P^((N+1)(N+2)) < 32 P^((N+1)(N+2)).
+    /// Widens a sum by the remainder in (2): 4 P^((N+1)^2), or 2 (2N+3) P^((N+1)(N+2)) < 32 P^((N+1)(N+2)).
     void widen_third(ball& x) const { arb_add_error_2exp_si(x.handle(), 2 - power_of_third() * small_); }
     void widen_second(ball& x) const { arb_add_error_2exp_si(x.handle(), 5 - power_of_second() * small_); }
 
-    // x y to so many bits, from operands cut to them where that saves time.
+    // x y to this number of bits, from operands truncated to them if that saves time.
     static ball product(const ball& x, const ball& y, long bits) {
         ball result;
         if (bits > 640) {
@@ -91,7 +92,7 @@ public:
         return result;
     }
 
-    // x/y for adding to a number of the size of y and of so many bits: fewer where x is small beside y^2.
+    // x/y for adding to a number of the size of y with this number of bits: fewer bits if x is small compared with y^2.
     static ball quotient(const ball& x, const ball& y, long bits) {
         const long few = std::min(bits, std::max(8L, bits + exponent(x) - 2 * exponent(y) + 8));
         ball result;
@@ -126,7 +127,7 @@ private:
                                                   3720135370117399924};
 
     static long exponent(const ball& x) { return fmpz_get_si(ARF_EXPREF(arb_midref(x.handle()))); }
-    // The largest s with |x| <= 2^-s proved, at most the precision and a little.
+    // The largest s for which |x| <= 2^-s is proved, at most slightly above the precision.
     long smallness(const ball& x) const {
         mag_t size;
         mag_init(size);
@@ -157,7 +158,7 @@ private:
     std::array<ball, most_terms + 1> between_powers_;  ///< P^(n(n+1))
 };
 
-// Until so few terms do: one to 2000 bits, then two and three; the time hardly depends on it.
+// Until this number of terms suffices: one up to 2000 bits, then two and three; the time hardly depends on it.
 inline void landen_nome::descend(const nome_steps& most) {
     const int affordable = bits_ < 2000 ? 1 : bits_ < 20'000 ? 2 : 3;
     ball sum = a_ + b_;

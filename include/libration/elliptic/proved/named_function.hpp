@@ -1,4 +1,4 @@
-// The elliptic functions and integrals that libraries have, by their names, at any real parameter, in balls.
+// The elliptic functions and integrals available in common libraries, by name, at any real parameter, in balls.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace libration::elliptic {
 
-/// Where a function is asked, exactly.
+/// The exact arguments at which a function is evaluated.
 struct function_arguments {
-    std::optional<exact> argument;  ///< u, phi, x or z; nothing for complete integrals and the nome
-    real_parameter parameter;       ///< m; of the theta functions q
+    std::optional<exact> argument;  ///< u, phi, x or z; std::nullopt for complete integrals and the nome
+    real_parameter parameter;       ///< m; for the theta functions q
     std::optional<exact> characteristic = std::nullopt;  ///< n of Pi
 };
 
@@ -28,34 +28,34 @@ struct function_arguments {
 /// m = k^2, D = (F - E)/m, Pi(n; phi|m) = int_0^phi dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)).
 struct named_function {
     std::string_view name;
-    std::string_view argument;     ///< "u", "phi", "x", "z", or nothing
+    std::string_view argument;     ///< "u", "phi", "x", "z", or empty
     bool may_be_complete = false;  ///< whether the argument may be left out
     bool has_characteristic = false;
     bool of_nome = false;  ///< whether the parameter is the nome q
-    /// The value at the working precision; `exactly` where it is a fraction for exact reasons, `infinite` at poles and
-    /// where an integral diverges (+1 at a pole of either sign). Any real m where the value is real.
-    /// Throws error of the kind argument where it is not real, precision_exhausted where the precision does not decide.
+    /// The value at the working precision; `exactly` if it is a fraction for exact reasons, `infinite` at poles and
+    /// where an integral diverges (+1 at a pole of either sign). Any real m for which the value is real.
+    /// Throws error of the kind argument if it is not real, precision_exhausted if the precision does not decide.
     true_value (*value)(std::string_view name, const function_arguments& at);
 
     true_value operator()(const function_arguments& at) const { return value(name, at); }
 };
 
-/// A complex number in its parts.
+/// A complex number as real and imaginary part.
 struct complex_parts {
     ball real;
     ball imaginary;
 };
 
-/// pq(x + iy|m) of the twelve functions, from those of x at m and of y at 1 - m [DLMF 22.6(iv), 22.8(i)]. A part that
-/// is 0 for exact reasons is the ball 0; nothing at a pole. Throws error of the kind argument for another function,
-/// precision_exhausted where the precision does not decide.
+/// pq(x + iy|m) for the twelve functions, from those of x at m and of y at 1 - m [DLMF 22.6(iv), 22.8(i)]. A part that
+/// is 0 for exact reasons is the ball 0; std::nullopt at a pole. Throws error of the kind argument for another
+/// function, precision_exhausted if the precision does not decide.
 std::optional<complex_parts> complex_quotient(std::string_view name, const exact& x, const exact& y,
                                               const real_parameter& parameter);
 
 /// All of them.
 std::span<const named_function> named_functions();
 
-/// The one of this name; nullptr for none.
+/// The function with this name; nullptr if there is none.
 const named_function* find_function(std::string_view name);
 
 }  // namespace libration::elliptic

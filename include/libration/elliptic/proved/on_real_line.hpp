@@ -1,4 +1,4 @@
-// Complex balls for the functions of Arb that take no real ones: elliptic integrals and theta functions.
+// Complex balls for the functions of Arb without a real version: elliptic integrals and theta functions.
 #pragma once
 
 #include "libration/scalar/ball/value.hpp"
@@ -13,8 +13,8 @@
 
 namespace libration::elliptic {
 
-/// A complex ball of Arb that begins on the real line, for calls whose results are read off their real parts. It owns
-/// its memory, so that nothing is to be cleared by hand.
+/// A complex ball of Arb initialised on the real line, for calls whose results are read from their real parts. It owns
+/// its memory, so nothing has to be cleared explicitly.
 class on_real_line {
 public:
     /// 0.
@@ -25,7 +25,7 @@ public:
     on_real_line& operator=(const on_real_line&) = delete;
     ~on_real_line() { acb_clear(value_); }
 
-    /// The handle of Arb inside, which its functions read and write.
+    /// The underlying Arb handle, which its functions read and write.
     acb_srcptr handle() const { return value_; }
     acb_ptr handle() { return value_; }
 

@@ -7,7 +7,7 @@
 
 namespace libration::elliptic {
 
-/// theta_2/(2 P^(1/4)) and theta_3 at one z; where asked for, theta_1/(2 P^(1/4)) and theta_4 [DLMF 20.2(i)].
+/// theta_2/(2 P^(1/4)) and theta_3 at one z; on request, theta_1/(2 P^(1/4)) and theta_4 [DLMF 20.2(i)].
 struct theta_values {
     ball second;
     ball third;
@@ -15,16 +15,16 @@ struct theta_values {
     ball fourth;
 };
 
-/// The values at z with the given cosine; the first and the fourth where the sine is given too. With e_n = 2 cos 2nz:
+/// The values at z with the given cosine; the first and the fourth only if the sine is given too. With e_n = 2 cos 2nz:
 ///   theta_3 = 1 + sum P^(n^2) e_n,             theta_4 = 1 + sum (-1)^n P^(n^2) e_n,
 ///   theta_2/(2 P^(1/4)) = cos z (1 + sum P^(n(n+1)) x_n),          x_n = e_n - x_{n-1}, x_0 = 1,
 ///   theta_1/(2 P^(1/4)) = sin z (1 + sum (-1)^n P^(n(n+1)) y_n),   y_n = e_n + y_{n-1}, y_0 = 1,
-/// e_{n+1} = e_1 e_n - e_{n-1}. Cost: 3 products a term (4 with all), most of them in few bits. Errors: a few units of
-/// the precision, relative to cos z in the second and to sin z in the first.
+/// e_{n+1} = e_1 e_n - e_{n-1}. Cost: 3 products per term (4 with all), most of them in few bits. Errors: a few units
+/// of the precision, relative to cos z in the second and to sin z in the first.
 inline theta_values thetas_at(const landen_nome& nome, const ball& cosine, const ball* sine) {
     const long bits = nome.bits();
     const auto add = [bits](ball& to, const ball& x) { arb_add(to.handle(), to.handle(), x.handle(), bits); };
-    ball e;  // e_n, to the bits that its smaller power deserves
+    ball e;  // e_n, to the number of bits required by its smaller power
     arb_mul(e.handle(), cosine.handle(), cosine.handle(), bits);
     arb_mul_2exp_si(e.handle(), e.handle(), 2);
     arb_sub_ui(e.handle(), e.handle(), 2, bits);

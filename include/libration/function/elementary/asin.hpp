@@ -39,7 +39,7 @@ struct asin_function {
     static void next_coefficient(const series_arrays<R>& of, int n, Sums& sums) {
         series::arcsine_kernel(of.x, of.slope, of.kept[0], of.kept[1], of.result, n, of.of_x, sums);
     }
-    /// What is kept first starts at sqrt(1 - x^2).
+    /// The stored series starts at sqrt(1 - x^2).
     static constexpr int values_kept = 1;
     template <class E, class Call>
     static E first_kept(int /*which*/, const E& x, const Call& call) {

@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// l = log(x)/log(Base), which is its series too: x l' = x'/log(Base). `Rounded` is MPFR's function.
+/// l = log(x)/log(Base), also for the series: x l' = x'/log(Base). `Rounded` is MPFR's function.
 template <int Base, rounded_function Rounded>
 struct base_logarithm {
     static constexpr std::string_view domain = "x > 0";

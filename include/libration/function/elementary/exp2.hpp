@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// e = 2^x = exp(x log 2), which is its series too: e' = log(2) e x'.
+/// e = 2^x = exp(x log 2), also for the series: e' = log(2) e x'.
 struct exp2_function {
     static constexpr auto kind = function_kind::exp2;
     static constexpr std::string_view name = "exp2";

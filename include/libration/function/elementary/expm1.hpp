@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// e = exp(x) - 1, without cancellation about 0: e' = (1 + e) x'.
+/// e = exp(x) - 1, without cancellation near 0: e' = (1 + e) x'.
 struct expm1_function {
     static constexpr auto kind = function_kind::expm1;
     static constexpr std::string_view name = "expm1";

@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// l = log(1 + x), without cancellation about 0: (1 + x) l' = x'.
+/// l = log(1 + x), without cancellation near 0: (1 + x) l' = x'.
 struct log1p_function {
     static constexpr auto kind = function_kind::log1p;
     static constexpr std::string_view name = "log1p";

@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// s = sin x: s' = cos x x'. Its series and that of cos x come together.
+/// s = sin x: s' = cos x x'. Its series and that of cos x are computed together.
 struct sin_function {
     static constexpr auto kind = function_kind::sin;
     static constexpr std::string_view name = "sin";

@@ -23,7 +23,7 @@ struct sinc_function {
     }
 
     static constexpr bool odd = false;
-    /// Keeps sin x and cos x, and divides; where x_0 = 0 and x_m is the first coefficient that is not,
+    /// Stores sin x and cos x, and divides; if x_0 = 0 and x_m is the first nonzero coefficient,
     /// (n + m) x_m w_n = m x_m c_n + sum_{j=m+1}^{n} x_j (j c_{n+m-j} - (n + m) w_{n+m-j}), by x w' + w x' = c x'.
     static constexpr int kept = 2;
     template <class R, class Sums>

@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// s = sinh x: s' = cosh x x'. Its series and that of cosh x come together.
+/// s = sinh x: s' = cosh x x'. Its series and that of cosh x are computed together.
 struct sinh_function {
     static constexpr auto kind = function_kind::sinh;
     static constexpr std::string_view name = "sinh";

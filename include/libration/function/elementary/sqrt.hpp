@@ -5,7 +5,7 @@
 
 namespace libration::function {
 
-/// r = sqrt x: 2 r r' = x'. In series and in polynomial forms it is the power 1/2.
+/// r = sqrt x: 2 r r' = x'. In series and in polynomial forms it is represented as the power 1/2.
 struct sqrt_function {
     static constexpr auto kind = function_kind::sqrt;
     static constexpr std::string_view name = "sqrt";

@@ -11,7 +11,7 @@ struct bessel_j_function {
     static constexpr std::string_view name = "bessel_j";
     static constexpr bool has_order = true;
     static constexpr std::string_view domain = "all x for a whole order, else x > 0; in series x != 0";
-    static constexpr auto form = analytic_form::entire;  ///< for a whole order, else it has several values
+    static constexpr auto form = analytic_form::entire;  ///< for an integer order, otherwise multivalued
     static constexpr singular_points singular{1, {0}, "takes a Bessel function at 0, a singular point of its equation"};
     static exact_value exact(const rational& order, const plain_number& x) {
         return x.coefficient == 0 && is_whole(order) ? ones(rational(order == 0 ? 1 : 0)) : std::nullopt;
@@ -22,7 +22,7 @@ struct bessel_j_function {
                    : std::nullopt;
     }
 
-    /// In the pair of orders 2k <= n < 2k + 1 and n + 1, so that both know their derivatives.
+    /// In the pair of orders 2k <= n < 2k + 1 and n + 1, so that each derivative is available from the other.
     template <class E>
     static E derivative(const rational& order, const E& x, const E& w) {
         const E n(order);

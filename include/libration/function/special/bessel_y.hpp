@@ -20,7 +20,7 @@ struct bessel_y_function {
                    : std::nullopt;
     }
 
-    /// In the pair of orders 2k <= n < 2k + 1 and n + 1, so that both know their derivatives.
+    /// In the pair of orders 2k <= n < 2k + 1 and n + 1, so that each derivative is available from the other.
     template <class E>
     static E derivative(const rational& order, const E& x, const E& w) {
         const E n(order);

@@ -1,11 +1,11 @@
-// The angle of a quotient of balls by Gaussian primes [Johansson2022], from 1400 bits on; twice as fast as by Arb from
+// The angle of a quotient of balls by Gaussian primes [Johansson2022], from 1400 bits on; twice as fast as Arb from
 // 2000 to 10^4 bits.
 //
-// The point is turned towards the axis (ball_turned_point.hpp), what is left has a short series
-// (ball_arctangent_series.hpp), and both are balls, so the right side of
+// The point is rotated towards the axis (ball_turned_point.hpp), the remaining angle has a short series
+// (ball_arctangent_series.hpp), and both are balls, so the right-hand side of
 //     arctan(y/x) = sum e_j alpha_j + arctan(y'/x')   mod pi
-// is enclosed. Two balls are looked at: the right side is within (-2, 2), and y/x within (-1, 1), the left side then
-// within (-pi/4, pi/4). Less than pi is between them, so they are equal.
+// is enclosed. Two balls are tested: the right-hand side is within (-2, 2), and y/x within (-1, 1), so the left-hand
+// side is within (-pi/4, pi/4). They differ by less than pi, so they are equal.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,14 @@
 
 namespace libration {
 
-/// Where Gaussian primes begin to gain, and those of the finer relations too.
+/// The precisions from which Gaussian primes, and the finer relations, are faster.
 inline constexpr slong bits_for_primes = 1400;
 inline constexpr slong bits_for_fine_relations = 6000;
 
-/// arctan(y/x) by Gaussian primes, for 2^-9 < |y/x| < 1; nothing for other and for very wide balls.
+/// arctan(y/x) by Gaussian primes, for 2^-9 < |y/x| < 1; std::nullopt for others and for very wide balls.
 inline std::optional<ball> angle_by_primes(const ball& y, const ball& x, slong bits) {
-    // For each thread: another one would wait for ever for a thread that a failure of FLINT keeps in here.
+    // Per thread: with a shared one, other threads would wait indefinitely for a thread that a failure of FLINT keeps
+    // in here.
     thread_local const bool known = turned_point::angles_are_known();
     ball ratio;
     arb_div(ratio.handle(), y.handle(), x.handle(), slong{64});
@@ -31,7 +32,7 @@ inline std::optional<ball> angle_by_primes(const ball& y, const ball& x, slong b
     if (!known || size > 0 || size < -8 || arb_rel_accuracy_bits(ratio.handle()) < 16) {
         return std::nullopt;
     }
-    // Fewer guard bits than the cosine of FLINT takes, which then has made the angles.
+    // Fewer guard bits than the cosine of FLINT uses, which then has computed the angles.
     const slong kept = std::min({bits, arb_rel_accuracy_bits(y.handle()), arb_rel_accuracy_bits(x.handle())}) + 24;
     turned_point point(y, x, kept);
     point.turn(coarse_relations, coarse_scale);
@@ -52,9 +53,9 @@ inline std::optional<ball> angle_by_primes(const ball& y, const ball& x, slong b
     return angle;
 }
 
-/// arctan(y/x) of balls, to so many bits; without bounds where x may be 0. By Gaussian primes where they serve and
-/// gain, by Arb elsewhere. Cost: half of Arb's division and arctangent from 2000 to 10^4 bits. Radius: that of the
-/// arguments carried over and a rounding.
+/// arctan(y/x) of balls, to this number of bits; without bounds if x may be 0. By Gaussian primes where they apply and
+/// are faster, otherwise by Arb. Cost: half of Arb's division and arctangent from 2000 to 10^4 bits. Radius: the
+/// propagated radius of the arguments plus one rounding.
 inline ball arctangent_of_quotient(const ball& y, const ball& x, slong bits) {
     if (bits >= bits_for_primes) {
         if (auto angle = angle_by_primes(y, x, bits)) {
@@ -67,8 +68,8 @@ inline ball arctangent_of_quotient(const ball& y, const ball& x, slong bits) {
     return result;
 }
 
-/// The angle of the point (x, y), as atan2, to so many bits: from the nearer axis by Gaussian primes where they serve
-/// and gain, by Arb elsewhere.
+/// The angle of the point (x, y), as atan2, to this number of bits: from the nearer axis by Gaussian primes where they
+/// apply and are faster, otherwise by Arb.
 inline ball angle_of_point(const ball& y, const ball& x, slong bits) {
     const bool steep = arf_cmpabs(arb_midref(y.handle()), arb_midref(x.handle())) > 0;
     const ball& along = steep ? y : x;

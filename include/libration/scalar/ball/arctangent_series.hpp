@@ -1,7 +1,7 @@
 // The arctangent of small balls.
 //
-// arctan r = r sum_{j<N} (-r^2)^j/(2j+1), alternating with terms that decrease: the rest is below r^(2N)/(2N+1). By
-// powers up to m and Horner's rule in their last [BrentZimmermann, 4.4.3], each to the bits that it needs.
+// arctan r = r sum_{j<N} (-r^2)^j/(2j+1), alternating with decreasing terms: the remainder is below r^(2N)/(2N+1). By
+// powers up to m and Horner's rule in the last of them [BrentZimmermann, 4.4.3], each to the bits that it needs.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace libration {
 
-/// arctan r of a ball within (-1/2, 1/2), to so many bits of itself, or by as many terms as are given, at least 1.
+/// arctan r of a ball within (-1/2, 1/2), to this number of relative bits, or by the given number of terms, at least 1.
 /// Cost: about 2 sqrt N products, N = bits/(2 log2 1/|r|).
 class small_arctangent {
 public:
@@ -40,7 +40,7 @@ public:
     const ball& value() const { return value_; }
 
 private:
-    // Bits that the factor of (r^2)^i needs.
+    // Bits needed in the factor of (r^2)^i.
     slong to(slong i) const { return std::max(bits_ - small_ * i, slong{32}); }
     arb_srcptr power(slong i) const { return powers_[static_cast<std::size_t>(i)].handle(); }
 
@@ -61,8 +61,8 @@ private:
         }
     }
 
-    // Adds terms from i on in one dot product, over the product of their denominators while that is below 2^63; the
-    // index behind them.
+    // Adds terms from i on in one dot product, over the product of their denominators while that is below 2^63; returns
+    // the index after the last one.
     slong add_some(ball& sum, slong i, slong first, slong bits_here) const {
         std::array<ulong, 8> weights{};
         const slong end = std::min({first + block_, terms_, i + slong{8}});

@@ -1,11 +1,11 @@
-// The scalar `ball`: proved enclosures of any precision through FLINT/Arb [Arb], FLINT 2.9 with Arb 2.23 or FLINT 3. A
-// program that includes this header links the CMake target libration::ball; no header outside of scalar/ball*.hpp
+// The scalar `ball`: rigorous enclosures of any precision through FLINT/Arb [Arb], FLINT 2.9 with Arb 2.23 or FLINT 3.
+// A program that includes this header links the CMake target libration::ball; no header outside scalar/ball*.hpp
 // includes it.
 //
-// Every result contains the exact one, given GMP, MPFR, FLINT/Arb and the compiler, and given that the loops which stop
-// early end in enclose(value, bound) with a bound proved in their header. Precision only decides how narrow a result
-// is: where it proves too little (a sign, a branch, the digits asked for), precision_exhausted is thrown, and the
-// caller repeats with more digits.
+// Every result contains the exact one, assuming that GMP, MPFR, FLINT/Arb and the compiler are correct, and that
+// truncated loops end in enclose(value, bound) with a bound proved in their header. The precision only determines how
+// narrow a result is: if it does not suffice (for a sign, a branch, the requested digits), precision_exhausted is
+// thrown, and the caller repeats with more digits.
 #pragma once
 
 #include "libration/scalar/ball/traits.hpp"
@@ -15,7 +15,7 @@
 
 namespace libration {
 
-/// An enclosure of the exact number. Throws error for multiples of the period, which only a motion knows.
+/// An enclosure of the exact number. Throws error for multiples of the period, which is defined only for a motion.
 template <proved_scalar T>
 T from_exact(const exact& number) {
     switch (number.measure) {

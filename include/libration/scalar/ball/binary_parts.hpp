@@ -1,4 +1,4 @@
-// A ball as whole numbers and powers of 2, exactly: for programs that have balls of their own.
+// A ball as integers and powers of 2, exactly: for programs with their own ball type.
 #pragma once
 
 #include "libration/scalar/ball/ball.hpp"
@@ -13,7 +13,7 @@ struct binary_parts {
     long radius_exponent;
 };
 
-/// The parts of a ball. Throws error of the kind range where it is infinite or an exponent is beyond a long.
+/// The parts of a ball. Throws error of the kind range if it is infinite or an exponent is out of range of a long.
 binary_parts parts_of(const ball& x);
 
 }  // namespace libration

@@ -1,4 +1,4 @@
-// A written number compared with a proved one.
+// Comparison of a written number with a proved one.
 #pragma once
 
 #include <algorithm>
@@ -13,21 +13,21 @@ namespace libration {
 /// A number that values are compared with.
 struct true_value {
     ball enclosure;
-    /// Where it is known to be this fraction; then the enclosure is not asked.
+    /// The fraction, if the number is known to be one; then the enclosure is not used.
     std::optional<rational> exactly = std::nullopt;
-    /// The size by which errors are measured where the number is exactly 0: the largest value of its function, say.
+    /// The scale of errors if the number is exactly 0, for example the largest value of its function.
     ball scale = ball(1);
-    /// +1 or -1 where it is infinite.
+    /// +1 or -1 if it is infinite.
     int infinite = 0;
 
     bool is_zero() const { return exactly ? *exactly == 0 : is_exact(enclosure) && contains_zero(enclosure); }
     /// As a ball, at the working precision.
     ball value() const { return exactly ? from_rational<ball>(*exactly) : enclosure; }
-    /// What errors are relative to: |value|, or the scale where that is 0.
+    /// The size that errors are relative to: |value|, or the scale if that is 0.
     ball size() const { return is_zero() ? scale : abs(value()); }
 };
 
-/// What an error may be at most, and where it is a fraction, that fraction.
+/// The largest admissible error and, if it is a fraction, that fraction.
 struct error_bound {
     ball value;
     std::optional<rational> exactly = std::nullopt;
@@ -36,21 +36,21 @@ struct error_bound {
     explicit error_bound(const rational& of) : value(from_rational<ball>(of)), exactly(of) {}
 };
 
-/// What is proved of |value - truth|.
+/// What is proved about |value - truth|.
 struct comparison {
     bool within;            ///< at most the tolerance
-    std::string reference;  ///< the truth: each digit right to one unit in the last; empty where none is proved
-    std::string error;      ///< three digits; an upper bound where the value agrees with all that was computed
-    /// -log10 |error/truth| rounded down to tenths, at least 0, in tenths, of the scale where the truth is 0; nothing
-    /// where the error is 0.
+    std::string reference;  ///< the truth: each digit correct to one unit in the last; empty if none is proved
+    std::string error;      ///< three digits; an upper bound if the value agrees with all computed digits
+    /// -log10 |error/truth| rounded down to tenths, at least 0, in tenths, with the scale instead if the truth is 0;
+    /// std::nullopt if the error is 0.
     std::optional<long> tenths_of_digits;
     mpfr of_tolerance;  ///< error/tolerance, roughly
 };
 
-/// Below 2^-1000000 a number is printed as 0.
+/// A number below 2^-1000000 is printed as 0.
 inline constexpr long smallest_exponent = -1'000'000;
 
-/// The truth with its last digit at 10^-places or, next to 0, with three digits; nothing where that is not proved.
+/// The truth with its last digit at 10^-places or, close to 0, with three digits; std::nullopt if that is not proved.
 inline std::optional<std::string> reference_text(const ball& truth, long places) {
     const long exponent = binary_exponent(truth);
     if (exponent < smallest_exponent) {
@@ -75,15 +75,16 @@ inline std::optional<long> tenths_of_digits(const ball& error, const ball& size)
     return digits > 0 ? static_cast<long>(mpfr_get_si(handle(digits), MPFR_RNDD)) : 0L;
 }
 
-/// What an answer is that is infinitely wrong: no number, or a finite one where the truth is infinite.
+/// The comparison for an infinite error: not a number, or a finite value if the truth is infinite.
 inline comparison infinite_error(std::string reference) {
     comparison result{false, std::move(reference), "inf", 0, mpfr(0)};
     mpfr_set_inf(handle(result.of_tolerance), 1);
     return result;
 }
 
-/// Compares a value; nothing where the working precision decides too little. In a last attempt an error that may be 0
-/// is given by its upper bound, and a truth that may be 0 is left out. The reference is printed down to 10^-places.
+/// Compares a value; returns std::nullopt if the working precision is not sufficient. In a last attempt an error that
+/// may be 0 is given by its upper bound, and a truth that may be 0 is left out. The reference is printed down to
+/// 10^-places.
 inline std::optional<comparison> compare(const rational& value, const true_value& truth, const error_bound& tolerance,
                                          long places, bool last_attempt) {
     const ball here = truth.value();

@@ -38,7 +38,7 @@ private:
     acb_t value_;
 };
 
-/// F(arguments) for a function of function/NAME.hpp that FLINT has.
+/// F(arguments) for a function of function/NAME.hpp that FLINT provides.
 template <class F, class... Balls>
 requires(std::same_as<Balls, complex_number<ball>>&&...) complex_number<ball> function_at(F /*of*/,
                                                                                           const Balls&... arguments) {
@@ -47,7 +47,7 @@ requires(std::same_as<Balls, complex_number<ball>>&&...) complex_number<ball> fu
     return result.number();
 }
 
-/// How many bits of the size of a complex ball are known.
+/// The number of accurate bits relative to the size of a complex ball.
 inline long relative_bits(const complex_number<ball>& z) { return acb_rel_accuracy_bits(flint_complex(z).handle()); }
 
 }  // namespace libration

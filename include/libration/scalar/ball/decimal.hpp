@@ -1,4 +1,4 @@
-// Decimal output of balls: no digit is printed that is not proved.
+// Decimal output of balls: only proved digits are printed.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct decimal_parts {
     std::string text() const { return place_point(negative, digits, exponent); }
     /// 10^exponent in units of the last digit.
     long last_place() const { return exponent - static_cast<long>(digits.size()); }
-    /// The number, exactly where the working precision holds it.
+    /// The number, exact if the working precision suffices.
     ball value() const {
         const ball significand = from_rational<ball>(rational(integer(digits))) * (negative ? -1 : 1);
         return last_place() < 0 ? significand / pow(ball(10), -last_place())
@@ -30,7 +30,7 @@ struct decimal_parts {
     ball unit() const { return pow(ball(10), last_place()); }
 };
 
-/// x, which is not 0, rounded to `count` digits.
+/// x, which is nonzero, rounded to `count` digits.
 inline decimal_parts parts_of(const mpfr& x, long count, mpfr_rnd_t rounding) {
     mpfr_exp_t exponent = 0;
     char* raw = mpfr_get_str(nullptr, &exponent, 10, static_cast<std::size_t>(count), handle(x), rounding);
@@ -48,7 +48,7 @@ inline std::string upper_bound_text(const ball& x) {
     return bound == 0 ? "0" : parts_of(bound, 3, MPFR_RNDU).text();
 }
 
-/// Three significant digits of a number above every |number| of a ball that is not 0.
+/// An upper bound with three significant digits on every |number| of a ball that is not the exact 0.
 inline std::string bound_text(const ball& x) {
     ball largest;
     arb_get_abs_ubound_arf(arb_midref(largest.handle()), x.handle(), 60);
@@ -56,9 +56,9 @@ inline std::string bound_text(const ball& x) {
     return parts_of(midpoint_of(largest * (ball(1) + pow(ball(2), -40L))), 3, MPFR_RNDU).text();
 }
 
-/// The midpoint with `count` significant digits, where every number of the ball is less than one unit of the last of
-/// them away from what is printed; nothing where that is not so. The ball 0 alone is printed as 0.
-/// Throws error when count < 1.
+/// The midpoint with `count` significant digits, if every number of the ball is less than one unit of the last of them
+/// away from the printed value; otherwise std::nullopt. Only the ball 0 is printed as 0.
+/// Throws error if count < 1.
 inline std::optional<proved_decimal> to_proved_decimal(const ball& x, long count) {
     if (count < 1) {
         throw error(error_kind::argument, "number of digits", std::to_string(count), "is less than one");
@@ -70,7 +70,7 @@ inline std::optional<proved_decimal> to_proved_decimal(const ball& x, long count
     if (centre == 0) {
         return is_exact(x) ? std::optional<proved_decimal>({"0", "0"}) : std::nullopt;
     }
-    // The decimal as a number against the ball; the 20 digits more are for its power of 10.
+    // The decimal as a number compared with the ball; the 20 additional digits are for its power of 10.
     const decimal_parts printed = parts_of(centre, count, MPFR_RNDN);
     const precision_scope scope(count + 20);
     const ball error = x - printed.value();
@@ -80,8 +80,8 @@ inline std::optional<proved_decimal> to_proved_decimal(const ball& x, long count
     return proved_decimal{printed.text(), upper_bound_text(error)};
 }
 
-/// How many significant digits of the midpoint are proved in this sense, up to `most`; 0 where none is. O(log most)
-/// conversions.
+/// The number of significant digits of the midpoint proved in this sense, up to `most`; 0 if there are none. O(log
+/// most) conversions.
 inline long proved_digits(const ball& x, long most) {
     if (to_proved_decimal(x, most)) {
         return most;

@@ -1,4 +1,4 @@
-// Sums, products, quotients and roots of balls of fixed point; their radii are proved in ball_fixed.hpp.
+// Sums, products, quotients and roots of fixed-point balls; their radii are proved in ball_fixed.hpp.
 #pragma once
 
 #include "libration/scalar/ball/fixed_point.hpp"
@@ -55,7 +55,7 @@ inline fixed_ball operator/(const fixed_ball& x, const fixed_ball& y) {
     return z;
 }
 
-/// sqrt(x y), of the whole product.
+/// sqrt(x y), from the full product.
 inline fixed_ball geometric_mean(const fixed_ball& x, const fixed_ball& y) {
     fixed_ball z(x.n_);
     fixed_ball::words w;

@@ -1,18 +1,18 @@
-// Balls of fixed point: midpoints >= 0 with n limbs behind the point and one before it, which up to 1200 bits or so
-// cost several times less than the floating balls of Arb; between them and Arb's functions they are converted.
+// Fixed-point balls: midpoints >= 0 with n limbs after the point and one before it, which up to 1200 bits or so are
+// several times cheaper than the floating-point balls of Arb; they are converted to and from those for Arb's functions.
 //
-// A fixed_ball stands for a real X with |X - x| <= r u, x = m u, u = 2^(-64 n), m an integer of up to n+1 limbs. Every
-// operation takes its exact result on the midpoints down to a multiple of u, which costs less than 1 unit, and adds
-// what the radii r of x and s of y do:
-//   x +- y      r + s, and nothing is rounded;
+// A fixed_ball represents a real X with |X - x| <= r u, x = m u, u = 2^(-64 n), m an integer of up to n+1 limbs. Every
+// operation rounds its exact result on the midpoints down to a multiple of u, an error of less than 1 unit, and adds
+// the effect of the radii r of x and s of y:
+//   x +- y      r + s, without rounding;
 //   x y         |XY - xy| <= x s u + y r u + r s u^2: x s + y r + r s u units;
 //   x/y         |X/Y - x/y| = |(X-x) - (x/y)(Y-y)|/Y <= (r + (x/y) s) u/(y - s u);
-//   sqrt(w)     for |W - w| <= d: D = |sqrt W - sqrt w| = |W-w|/(sqrt W + sqrt w) <= d/sqrt w. Where that is at most
+//   sqrt(w)     for |W - w| <= d: D = |sqrt W - sqrt w| = |W-w|/(sqrt W + sqrt w) <= d/sqrt w. If that is at most
 //               2^-10 sqrt w, sqrt W >= (1 - 2^-10) sqrt w, so D <= d/((2 - 2^-10) sqrt w) < d (513/1024)/sqrt w.
-// Radii are doubles, all >= 0. Each is computed in fewer than 16 operations that round by a relative 2^-53, from bounds
-// of the midpoints; the factor `slack` = 1 + 2^-20 makes them upper bounds again. Divisors and roots are at least 2^-30
-// and known to a relative 2^-24, so y - s u >= y (1 - 2^-24), and what is known of y itself, its first limb, is below
-// it by a relative 2^-33 at most: slack covers both. What does not fit throws precision_exhausted; nothing wraps.
+// Radii are doubles, all >= 0. Each is computed in fewer than 16 operations with a relative rounding error of 2^-53,
+// from bounds on the midpoints; the factor `slack` = 1 + 2^-20 makes them upper bounds again. Divisors and roots are at
+// least 2^-30 and known to a relative 2^-24, so y - s u >= y (1 - 2^-24), and the first limb, used for y itself, is
+// below it by a relative 2^-33 at most: slack covers both. Overflow throws precision_exhausted; nothing wraps.
 #pragma once
 
 #include <gmp.h>
@@ -26,9 +26,9 @@
 
 namespace libration {
 
-/// The arithmetic above. Operands have the same n. Cost: one call of GMP's mpn layer and a few flops an
-/// operation. Throws precision_exhausted for results below 0 or beyond 2^64, and for divisors and roots that are
-/// too small or too wide.
+/// The arithmetic above. Operands have the same n. Cost: one call of GMP's mpn layer and a few flops per operation.
+/// Throws precision_exhausted for results below 0 or beyond 2^64, and for divisors and roots that are too small or too
+/// wide.
 class fixed_ball {
 public:
     static constexpr int most_limbs = 20;
@@ -36,7 +36,7 @@ public:
     /// To be assigned to.
     fixed_ball() = default;
     fixed_ball(const fixed_ball& other) { *this = other; }
-    // The limbs in use alone.
+    // Only the limbs in use.
     fixed_ball& operator=(const fixed_ball& other) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(other.size_); ++i) {
             limbs_[i] = other.limbs_[i];
@@ -47,7 +47,7 @@ public:
         return *this;
     }
     ~fixed_ball() = default;
-    /// 0, with n limbs behind the point, 1 <= n <= most_limbs.
+    /// 0, with n limbs after the point, 1 <= n <= most_limbs.
     explicit fixed_ball(int n) : n_(n) {}
     /// An integer.
     fixed_ball(int n, mp_limb_t value) : n_(n), size_(value == 0 ? 0 : n + 1) {
@@ -74,13 +74,13 @@ public:
         require(!wide);
         take(n_ + 1);
     }
-    /// sqrt(q/2), q > 0: of q/2 in twice the limbs, both taken down, so less than 1 unit off.
+    /// sqrt(q/2), q > 0: of q/2 in twice the limbs, both rounded down, so less than 1 unit off.
     static fixed_ball root_of_half(int n, const rational& q);
 
     int limbs() const { return n_; }
     long bits() const { return long{64} * n_; }
     bool is_zero() const { return size_ == 0; }
-    /// Bounds of the midpoint by its first limbs, and the radius in units.
+    /// Bounds on the midpoint from its first limbs, and the radius in units.
     double above() const { return (below() + 1 / limb()) * slack(); }
     double below() const { return static_cast<double>(at(n_)) + static_cast<double>(at(n_ - 1)) / limb(); }
     double radius() const { return radius_; }
@@ -91,7 +91,7 @@ public:
         const long wide = std::ilogb(radius_ + 1) + 1;
         return bits() - std::max(used, wide) - 1;
     }
-    /// The same midpoint, so many units less certain.
+    /// The same midpoint with the radius enlarged by this number of units.
     fixed_ball& widen_by(double units) {
         radius_ = (radius_ + units) * slack();
         return *this;
@@ -119,9 +119,9 @@ private:
 
     static constexpr double limb() { return static_cast<double>(1UL << 32U) * static_cast<double>(1UL << 32U); }
     static constexpr double slack() { return 1 + 1 / static_cast<double>(1UL << 20U); }
-    // A radius with the unit that taking down costs.
+    // A radius plus the unit for rounding down.
     static double and_cut(double radius) { return (radius * slack() + 1) * slack(); }
-    // Apart, so that the compiler writes the question out wherever it is asked.
+    // Separate, so that the compiler inlines the test wherever it is used.
     [[noreturn]] static void refuse() { throw precision_exhausted("a number in fixed point"); }
     static void require(bool holds) {
         if (!holds) {
@@ -129,14 +129,14 @@ private:
         }
     }
     mp_limb_t at(int i) const { return i < size_ ? limbs_[static_cast<std::size_t>(i)] : 0; }
-    // Keeps `size` limbs, less the zeros in front.
+    // Keeps `size` limbs, without leading zeros.
     void take(int size) {
         while (size > 0 && limbs_[static_cast<std::size_t>(size - 1)] == 0) {
             --size;
         }
         size_ = size;
     }
-    // Copies a result of so many limbs.
+    // Copies a result of this number of limbs.
     void take(const mp_limb_t* from, int size) {
         while (size > 0 && from[size - 1] == 0) {
             --size;
@@ -147,7 +147,7 @@ private:
             limbs_[i] = from[i];
         }
     }
-    // x y into w; the number of its limbs.
+    // x y into w; returns the number of its limbs.
     static int product(words& w, const fixed_ball& x, const fixed_ball& y) {
         if (x.size_ == 0 || y.size_ == 0) {
             return 0;
@@ -162,7 +162,7 @@ private:
         }
         return x.size_ + y.size_;
     }
-    // Without the zeros in front.
+    // Without leading zeros.
     static int significant(const words& w, int size) {
         while (size > 0 && w[static_cast<std::size_t>(size - 1)] == 0) {
             --size;
@@ -173,7 +173,7 @@ private:
     static double product_radius(const fixed_ball& x, const fixed_ball& y) {
         return (x.above() * y.radius_ + y.above() * x.radius_ + x.radius_ * y.radius_ / limb()) * slack();
     }
-    // Whether it is large and narrow enough to divide by: at least 2^-30, and known to 2^-24 of itself.
+    // Whether it is large and narrow enough as a divisor: at least 2^-30, and known to a relative 2^-24.
     bool divides() const {
         const double size = below();
         return size * static_cast<double>(1UL << 30U) >= 1 &&

@@ -5,7 +5,7 @@
 
 namespace libration {
 
-/// A fraction as two integers of FLINT.
+/// A fraction as two FLINT integers.
 class fraction_parts {
 public:
     explicit fraction_parts(const rational& q) {
@@ -28,7 +28,7 @@ private:
     fmpz_t below_;
 };
 
-/// x q, by the numerator and then the denominator, so within two roundings to so many bits.
+/// x q, by the numerator and then the denominator, so within two roundings to this number of bits.
 inline ball times(const ball& x, const rational& q, slong bits) {
     ball result;
     const fraction_parts parts(q);

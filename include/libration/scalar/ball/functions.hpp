@@ -1,5 +1,5 @@
-// The elementary functions of balls, found by unqualified calls as those of every scalar: each result contains all
-// values on its arguments, and everything where an argument may be outside the domain.
+// The elementary functions of balls, found by unqualified calls as for every scalar: each result contains all values on
+// its arguments, or is unbounded if an argument may be outside the domain.
 #pragma once
 
 #include "libration/scalar/ball/value.hpp"
@@ -12,7 +12,7 @@
 
 namespace libration {
 
-/// F(arguments) for a function of function/NAME.hpp that FLINT has.
+/// F(arguments) for a function of function/NAME.hpp that FLINT provides.
 template <class F, class... Balls>
 requires(std::same_as<Balls, ball>&&...) ball function_at(F /*of*/, const Balls&... arguments) {
     ball result;
@@ -53,8 +53,7 @@ inline ball abs(const ball& x) {
     return result;
 }
 
-/// The angle of the point (x, y) in (-pi, pi]; all of [-pi, pi] where the arguments meet the negative x axis from
-/// below.
+/// The angle of the point (x, y) in (-pi, pi]; all of [-pi, pi] if the arguments meet the negative x axis from below.
 inline ball atan2(const ball& y, const ball& x) {
     ball result;
     arb_atan2(result.handle(), y.handle(), x.handle(), ball::working_bits());

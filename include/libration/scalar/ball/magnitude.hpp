@@ -1,4 +1,4 @@
-// Upper bounds of sizes: numbers of 30 bits whose every operation rounds up.
+// Upper bounds on sizes: numbers of 30 bits with every operation rounded up.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace libration {
 
 /// A number >= 0, or infinity, with unbounded exponents [Arb, mag_t]: sums, products and quotients are at least the
-/// exact ones of the operands, and larger by a factor of at most 1 + 2^-28. As an operand it is exact.
+/// exact ones of the operands, and larger by a factor of at most 1 + 2^-28. Exact as an operand.
 class magnitude {
 public:
     magnitude() { mag_init(value_); }
@@ -18,7 +18,7 @@ public:
     explicit magnitude(I n) : magnitude() {
         mag_set_ui(value_, n);
     }
-    /// A bound of |x| for every number x of the ball.
+    /// A bound on |x| for every number x of the ball.
     explicit magnitude(const ball& x) : magnitude() { arb_get_mag(value_, x.handle()); }
     magnitude(const magnitude& other) : magnitude() { mag_set(value_, other.value_); }
     magnitude(magnitude&& other) noexcept : magnitude() { mag_swap(value_, other.value_); }
@@ -38,13 +38,13 @@ public:
         mag_set(result.value_, arb_radref(x.handle()));
         return result;
     }
-    /// A lower bound of |x| for every number x of the ball; 0 where one of them is 0.
+    /// A lower bound on |x| for every number x of the ball; 0 if one of them is 0.
     static magnitude below(const ball& x) {
         magnitude result;
         arb_get_mag_lower(result.value_, x.handle());
         return result;
     }
-    /// m 2^e, exactly where m has at most 30 bits.
+    /// m 2^e, exactly if m has at most 30 bits.
     static magnitude of(unsigned long m, long e) {
         magnitude result;
         mag_set_ui_2exp_si(result.value_, m, e);
@@ -58,7 +58,7 @@ public:
         mag_mul_2exp_si(result.value_, result.value_, e);
         return result;
     }
-    /// A bound of |midpoint of x|.
+    /// A bound on |midpoint of x|.
     static magnitude midpoint_of(const ball& x) {
         magnitude result;
         arf_get_mag(result.value_, arb_midref(x.handle()));
@@ -79,7 +79,7 @@ public:
     void add_product(const magnitude& a, const magnitude& b) { mag_addmul(value_, a.value_, b.value_); }
     friend magnitude operator+(magnitude a, const magnitude& b) { return a += b; }
     friend magnitude operator*(magnitude a, const magnitude& b) { return a *= b; }
-    /// Infinity where b is 0.
+    /// Infinity if b is 0.
     friend magnitude operator/(const magnitude& a, const magnitude& b) {
         magnitude result;
         mag_div(result.value_, a.value_, b.value_);
@@ -106,7 +106,7 @@ public:
 
     bool is_zero() const { return mag_is_zero(value_) != 0; }
     bool is_finite() const { return mag_is_finite(value_) != 0; }
-    /// e with 2^(e-1) <= this < 2^e; for what is neither 0 nor infinite, within the range of long.
+    /// e with 2^(e-1) <= this < 2^e; for finite nonzero values, within the range of long.
     long exponent() const { return fmpz_get_si(MAG_EXPREF(value_)); }
     /// This times 2^e, exactly.
     magnitude shifted(long e) const {
@@ -114,7 +114,7 @@ public:
         mag_mul_2exp_si(result.value_, value_, e);
         return result;
     }
-    /// At least this, where it is in the range of double.
+    /// At least this, if it is in the range of double.
     double above() const { return mag_get_d(value_); }
     /// The exact number.
     ball exact() const {
@@ -127,7 +127,7 @@ private:
     mag_t value_;
 };
 
-/// log2 x to a few units of the last place of a double, for choices that no proof depends on; minus infinity for 0.
+/// log2 x to a few units in the last place of a double, for choices on which no proof depends; minus infinity for 0.
 inline double log_of(const magnitude& x) {
     if (x.is_zero()) {
         return -std::numeric_limits<double>::infinity();
@@ -136,13 +136,13 @@ inline double log_of(const magnitude& x) {
     return std::log2(mag_get_d((x * magnitude::of(1, -exponent)).handle())) + static_cast<double>(exponent);
 }
 
-/// 2^x rounded to 16 bits, for the same.
+/// 2^x rounded to 16 bits, for the same purpose.
 inline magnitude power_of_two(double x) {
     const double whole = std::floor(x);
     return magnitude::of(static_cast<unsigned long>(std::exp2(x - whole + 15)), static_cast<long>(whole) - 15);
 }
 
-/// x with its radius enlarged by a bound: all numbers so near to one of x.
+/// x with its radius enlarged by a bound: all numbers at most that far from one of x.
 inline ball widened(ball x, const magnitude& by) {
     arb_add_error_mag(x.handle(), by.handle());
     return x;

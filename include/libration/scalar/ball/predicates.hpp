@@ -1,4 +1,4 @@
-// What can be asked of a ball, and what is decided by it: a proved answer, or none.
+// Predicates of balls and decisions based on them: a proved result, or none.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace libration {
 
 inline bool is_finite(const ball& x) { return arb_is_finite(x.handle()) != 0; }
 inline bool contains_zero(const ball& x) { return arb_contains_zero(x.handle()) != 0; }
-/// Whether it is one number, with radius 0.
+/// Whether it is a single number, with radius 0.
 inline bool is_exact(const ball& x) { return arb_is_exact(x.handle()) != 0; }
 /// Whether every number of `inside` is one of `outside`.
 inline bool contains(const ball& outside, const ball& inside) {
@@ -29,21 +29,21 @@ inline mpfr midpoint_of(const ball& x) {
     return result;
 }
 
-/// An upper bound of the radius, as an exact ball.
+/// An upper bound on the radius, as an exact ball.
 inline ball radius_of(const ball& x) {
     ball result;
     arf_set_mag(arb_midref(result.handle()), arb_radref(x.handle()));
     return result;
 }
 
-/// The end of the ball below, rounded down, as an exact ball; minus infinity where it has none.
+/// The lower end of the ball, rounded down, as an exact ball; minus infinity if there is none.
 inline ball lower_bound(const ball& x) {
     ball result;
     arb_get_lbound_arf(arb_midref(result.handle()), x.handle(), ball::working_bits());
     return result;
 }
 
-/// The end of the ball above, rounded up, as an exact ball.
+/// The upper end of the ball, rounded up, as an exact ball.
 inline ball upper_bound(const ball& x) {
     ball result;
     arb_get_ubound_arf(arb_midref(result.handle()), x.handle(), ball::working_bits());
@@ -57,7 +57,7 @@ inline ball hull(const ball& a, const ball& b) {
     return result;
 }
 
-/// The sign that all numbers of a ball have; 0 for the number 0 alone. Throws precision_exhausted where they differ.
+/// The sign common to all numbers of a ball; 0 only for the number 0. Throws precision_exhausted if they differ.
 inline int decided_sign(const ball& x) {
     if (arb_is_zero(x.handle()) != 0) {
         return 0;
@@ -68,8 +68,8 @@ inline int decided_sign(const ball& x) {
     return arb_is_positive(x.handle()) != 0 ? 1 : -1;
 }
 
-/// The integer nearest to the midpoint, ties to even: a choice among the neighbours, which decides nothing. Throws
-/// precision_exhausted for a ball without bounds.
+/// The integer nearest to the midpoint, ties to even: a choice between neighbours on which no proof depends. Throws
+/// precision_exhausted for an unbounded ball.
 inline integer nearest_integer(const ball& x) {
     if (!is_finite(x)) {
         throw precision_exhausted("a nearest integer");

@@ -1,4 +1,4 @@
-// Whether the FLINT that this process has loaded multiplies integer polynomials rightly at the bound of its transform.
+// Whether the loaded FLINT multiplies integer polynomials correctly at the bound of its transform.
 #pragma once
 
 #include <string>
@@ -13,23 +13,23 @@ bool multiplies_ones(integer_product by, slong terms, slong s, slong t);
 
 /// The results of the self-test.
 struct product_state {
-    /// _fmpz_poly_mullow_SS multiplies 32 coefficients of 285 bits rightly (285 + 285 + 5 + 1 = 9 * 64).
+    /// _fmpz_poly_mullow_SS multiplies 32 coefficients of 285 bits correctly (285 + 285 + 5 + 1 = 9 * 64).
     bool transform_is_right;
-    /// guarded_product() multiplies them rightly, and some products like them.
+    /// guarded_product() multiplies them correctly, and some similar products.
     bool guarded_is_right;
 };
 
-/// Of the FLINT in this process, tested at the first call of each thread: 0.1 ms.
+/// For the FLINT in this process, tested at the first call of each thread: 0.1 ms.
 const product_state& flint_products();
 
-/// Throws product_mismatch if guarded_is_right is false. Products and quotients of sequences of balls begin with it.
+/// Throws product_mismatch if guarded_is_right is false. Called first by products and quotients of sequences of balls.
 void require_flint_products();
 
 /// "FLINT 2.9.0, Arb 2.23.0", the libraries at run time; before FLINT 3 with that of Arb.
 std::string flint_versions();
 
-/// One line on flint_products(): what the self-test of the transform found, and that long products do without it where
-/// it may be wrong.
+/// One line on flint_products(): the result of the self-test of the transform, and that long products avoid it where it
+/// may be wrong.
 std::string describe_flint_products();
 
 }  // namespace libration

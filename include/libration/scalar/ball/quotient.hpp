@@ -1,5 +1,5 @@
-// Quotients of whole sequences of mpfr numbers as the midpoints of those of balls: what FLINT offers mpfr. The radii
-// tell whether they are good enough. A program chooses it with whole_quotient_scope(quotient_by_flint).
+// Quotients of whole sequences of mpfr numbers as the midpoints of quotients of balls, using FLINT. The radii determine
+// whether they are accurate enough. A program selects it with whole_quotient_scope(quotient_by_flint).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace libration {
 
-/// As mpfr_quotient says, in the working precision.
+/// As specified for mpfr_quotient, in the working precision.
 inline std::optional<std::vector<mpfr>> quotient_by_flint(const std::vector<mpfr>& a, const std::vector<mpfr>& b) {
     const auto exactly = [](const std::vector<mpfr>& numbers) {
         return std::vector<ball>(numbers.begin(), numbers.end());
@@ -31,7 +31,7 @@ inline std::optional<std::vector<mpfr>> quotient_by_flint(const std::vector<mpfr
         error = std::max<long>(error, arf_abs_bound_lt_2exp_si(arb_midref(radius.handle())));
     }
     constexpr long lost = 48;
-    constexpr long far = 1L << 40;  // the exponents of 0 and of what mpfr does not hold are beyond
+    constexpr long far = 1L << 40;  // the exponents of 0 and of numbers that mpfr cannot represent are beyond
     if (std::clamp(error, -far, far) > std::clamp(size, -far, far) - 1 + lost - ball::working_bits()) {
         return std::nullopt;
     }

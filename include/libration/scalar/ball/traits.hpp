@@ -10,7 +10,7 @@
 
 namespace libration {
 
-/// The precision is that of the precision_scope in force, so that balls are their own wide arithmetic.
+/// The precision is that of the current precision_scope, so that balls are their own wide arithmetic.
 template <>
 struct scalar_traits<ball> : default_scalar_traits<ball> {
     static constexpr bool proved = true;
@@ -30,8 +30,8 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
         return result;
     }
 
-    /// The e with |x| < 2^e for the whole ball, within a factor of 2 where the ball is narrow; exponent_of_zero for 0
-    /// alone. Throws precision_exhausted for a ball without bounds.
+    /// The e with |x| < 2^e for the whole ball, within a factor of 2 if the ball is narrow; exponent_of_zero only for
+    /// 0. Throws precision_exhausted for an unbounded ball.
     static long binary_exponent(const ball& x) {
         if (!is_finite(x)) {
             throw precision_exhausted("a size");
@@ -42,7 +42,7 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
                                             : static_cast<long>(arf_abs_bound_lt_2exp_si(arb_midref(largest.handle())));
     }
 
-    /// The value with a radius wider by the largest |bound|.
+    /// The value with its radius enlarged by the largest |bound|.
     static ball enclose(const ball& value, const ball& bound) {
         ball result = value;
         arb_add_error(result.handle(), bound.handle());
@@ -58,14 +58,14 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
     /// Whether every number of a is below every number of b.
     static bool certainly_less(const ball& a, const ball& b) { return arb_lt(a.handle(), b.handle()) != 0; }
 
-    /// The midpoint rounded to the working precision, the radius wider by what that moves it.
+    /// The midpoint rounded to the working precision, with the radius enlarged by the rounding error.
     static ball narrow(const ball& x) {
         ball result;
         arb_set_round(result.handle(), x.handle(), ball::working_bits());
         return result;
     }
 
-    /// In place, with the roundings of the operators.
+    /// In place, with the same roundings as the operators.
     static void horner_step(ball& sum, const ball& x, const ball& next) {
         arb_mul(sum.handle(), sum.handle(), x.handle(), ball::working_bits());
         arb_add(sum.handle(), sum.handle(), next.handle(), ball::working_bits());
@@ -73,7 +73,7 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
 
     /// With one rounding at the end.
     static ball sum_of_products(const ball* x, int x_step, const ball* y, int y_step, int count) {
-        static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
+        static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT iterates over an array of balls");
         ball sum;
         arb_dot(sum.handle(), nullptr, 0, x->handle(), x_step, y->handle(), y_step, count, ball::working_bits());
         return sum;

@@ -1,11 +1,11 @@
-// A point turned towards the axis by Gaussian primes [Johansson2022].
+// A point rotated towards the axis by Gaussian primes [Johansson2022].
 //
 // For integers e_j and the primes p_j of ball_arctangent_table.hpp, with alpha_j = arg p_j and x != 0,
 //     x' + i y' = (x + i y) prod conj(p_j)^e_j,   p for conj(p)^-1,
 //     arctan(y/x) = sum e_j alpha_j + arctan(y'/x')   mod pi,                                                 (1)
-// since a real factor, as a norm, turns nothing mod pi; (1+i)^4 = -4 is real too, so the product takes e_0 mod 4. The
-// e_j are multiples of relations, taken off an arctangent in double one after the other. Nothing has to be proved about
-// them: (1) holds for all, they only make y'/x' small.
+// since a real factor, such as a norm, does not change the angle mod pi; (1+i)^4 = -4 is real too, so the product takes
+// e_0 mod 4. The e_j are multiples of relations, subtracted from an arctangent in double one after the other. Nothing
+// has to be proved about them: (1) holds for all, they only make y'/x' small.
 #pragma once
 
 #include <algorithm>
@@ -20,14 +20,14 @@
 
 namespace libration {
 
-/// A point x + i y turned towards the axis by products of Gaussian primes, and the angle that this took off it, at so
-/// many bits.
+/// A point x + i y rotated towards the axis by products of Gaussian primes, and the angle of that rotation, at this
+/// number of bits.
 class turned_point {
 public:
     turned_point(ball y, ball x, slong bits) : y_(std::move(y)), x_(std::move(x)), bits_(bits) {}
 
-    /// By the nearest multiple of each relation in turn, their sizes in units of 2^-scale. Cost: four products by an
-    /// integer of about 200 bits with the coarse relations, 700 with the fine ones.
+    /// By the nearest multiple of each relation in turn, with the sizes of the relations in units of 2^-scale. Cost:
+    /// four products by an integer of about 200 bits with the coarse relations, 700 with the fine ones.
     template <std::size_t N>
     void turn(const std::array<angle_relation, N>& relations, int scale) {
         std::int64_t left = angle(scale);
@@ -44,14 +44,14 @@ public:
         std::transform(e.begin(), e.end(), taken_.begin(), taken_.begin(), std::plus<>());
     }
 
-    /// tan of the angle that is left.
+    /// tan of the remaining angle.
     ball tangent(slong bits) const {
         ball result;
         arb_div(result.handle(), y_.handle(), x_.handle(), bits);
         return result;
     }
 
-    /// sum e_j alpha_j. FLINT keeps 2 alpha_j for its cosine, up to 4608 bits in a table, beyond for each thread.
+    /// sum e_j alpha_j. FLINT stores 2 alpha_j for its cosine, up to 4608 bits in a table, beyond that per thread.
     ball taken() const {
         _arb_atan_gauss_p_ensure_cached(bits_);
         constexpr auto count = static_cast<slong>(gaussian_count);
@@ -60,8 +60,8 @@ public:
         return ldexp(sum, -1);
     }
 
-    /// Whether the angles that FLINT keeps are those of the table, as seen on the first 64 bits: a later release might
-    /// keep others.
+    /// Whether the angles stored by FLINT are those of the table, compared on the first 64 bits: a later release might
+    /// store others.
     static bool angles_are_known() {
         static_assert(ARB_ATAN_GAUSS_PRIME_CACHE_NUM >= gaussian_count);
         _arb_atan_gauss_p_ensure_cached(slong{64});
@@ -79,14 +79,14 @@ public:
 private:
     using exponents = std::array<slong, gaussian_count>;
 
-    // Of the point as it stands, about, in units 2^-scale; 0 where that is too large for the relations.
+    // The approximate angle of the current point, in units 2^-scale; 0 if that is too large for the relations.
     std::int64_t angle(int scale) const {
         const double ratio = arf_get_d(arb_midref(tangent(slong{64}).handle()), ARF_RND_NEAR);
         const double units = std::ldexp(std::atan(ratio), scale);
         return std::fabs(units) < std::ldexp(1, 62) ? static_cast<std::int64_t>(units) : 0;
     }
 
-    // By prod conj(p_j)^e_j. Partial products are flushed where a part reaches 2^57: a prime more keeps it below 2^61.
+    // By prod conj(p_j)^e_j. Partial products are flushed when a part reaches 2^57: one more prime keeps it below 2^61.
     void multiply(const exponents& e) {
         ball re(1);
         ball im(0);

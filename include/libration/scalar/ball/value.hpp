@@ -3,7 +3,7 @@
 #pragma once
 
 #include <gmp.h>
-#include <mpfr.h>  // before FLINT 3, which declares conversions to mpfr only behind it
+#include <mpfr.h>  // before FLINT 3, which declares conversions to mpfr only if this is included first
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
@@ -19,8 +19,8 @@ namespace libration {
 
 /// All numbers from midpoint - radius to midpoint + radius. An operation on balls contains every result of that
 /// operation on numbers of them, its midpoint rounded to the working precision of the thread (precision_scope, as for
-/// mpfr). An undefined one (1/0, the root of what may be negative) contains everything. Balls have no order and no
-/// equality: ask certainly_less(), contains_zero(), decided_sign(). A ball may be read by several threads and moved
+/// mpfr). An undefined one (1/0, the root of a possibly negative number) is unbounded. Balls have no order and no
+/// equality: use certainly_less(), contains_zero(), decided_sign(). A ball may be read by several threads and moved
 /// between them.
 class ball {
 public:
@@ -30,9 +30,9 @@ public:
     explicit ball(I n) : ball() {
         arb_set_si(value_, n);
     }
-    /// A floating number taken as exact.
+    /// A floating-point number taken as exact.
     explicit ball(const mpfr& x) : ball() { arf_set_mpfr(arb_midref(value_), libration::handle(x)); }
-    /// Nothing converts a double, which stands for what was typed only to 53 bits.
+    /// There is no conversion from double, which represents a typed number only to 53 bits.
     explicit ball(double) = delete;
     ball(const ball& other) : ball() { arb_set(value_, other.value_); }
     ball(ball&& other) noexcept : ball() { arb_swap(value_, other.value_); }
@@ -46,13 +46,13 @@ public:
     }
     ~ball() { arb_clear(value_); }
 
-    /// The handle of FLINT inside, for calls that are not wrapped here.
+    /// The underlying FLINT handle, for calls that are not wrapped here.
     arb_srcptr handle() const { return value_; }
     arb_ptr handle() { return value_; }
 
-    /// Bits that an operation rounds its midpoint to: as an mpfr of the working precision has.
+    /// Bits that an operation rounds its midpoint to: those of an mpfr of the working precision.
     static slong working_bits() {
-        // FLINT keeps memory and constants for each thread: they go with the thread that made them.
+        // FLINT stores memory and constants per thread: they are freed with the thread.
         thread_local const thread_cleanup at_end;
         static_cast<void>(at_end);
         return static_cast<slong>(boost::multiprecision::detail::digits10_2_2(mpfr::thread_default_precision()));
@@ -100,7 +100,7 @@ public:
     friend ball operator*(const ball& a, const ball& b) { return from(arb_mul, a, b); }
     friend ball operator/(const ball& a, const ball& b) { return from(arb_div, a, b); }
 
-    // With an integer, exact as an operand.
+    // With an integer, which is an exact operand.
     template <std::signed_integral I>
     friend ball operator+(const ball& a, I n) {
         return with_integer(arb_add_si, a, n);

@@ -31,7 +31,7 @@ inline std::string place_point(bool negative, std::string digits, long exponent)
 }
 
 /// x with `count` significant digits, rounded to nearest; 0, inf, -inf and nan as words.
-/// Throws error when count < 1.
+/// Throws error if count < 1.
 template <rounding_scalar T>
 std::string to_decimal(const T& x, long count) {
     if (count < 1) {
@@ -55,7 +55,7 @@ std::string to_decimal(const T& x, long count) {
     return place_point(negative, digits.substr(negative ? 1 : 0), static_cast<long>(exponent));
 }
 
-/// log10 |x| with 12 significant digits, -inf for 0: what a drawing can still hold where x leaves the range of double.
+/// log10 |x| with 12 significant digits, -inf for 0: for plots where x is out of range of double.
 template <rounding_scalar T>
 std::string log10_text(const T& x) {
     constexpr long count = 12;
@@ -64,7 +64,7 @@ std::string log10_text(const T& x) {
     return value == 0 ? "-inf" : to_decimal(mpfr(log10(value)), count);
 }
 
-/// x with as many digits as reading it back needs to give x again: 1 + ceil(digits log10 2).
+/// x with as many digits as are needed to recover x exactly when reading it: 1 + ceil(digits log10 2).
 template <rounding_scalar T>
 std::string to_round_trip(const T& x) {
     if constexpr (std::same_as<T, mpfr>) {
@@ -74,7 +74,7 @@ std::string to_round_trip(const T& x) {
     }
 }
 
-/// The decimal expansion of a fraction where it ends within `longest` significant digits.
+/// The decimal expansion of a fraction if it ends within `longest` significant digits.
 inline std::optional<std::string> to_finite_decimal(const rational& value, std::size_t longest = 1000) {
     integer denominator = boost::multiprecision::denominator(value);
     long twos = 0;

@@ -1,5 +1,4 @@
-// Numbers as they are printed: decimals with the digits that were asked for. No header of a scalar is needed to hold
-// one.
+// Numbers as they are printed: decimals with the requested digits. Independent of the scalar headers.
 #pragma once
 
 #include <ostream>
@@ -7,18 +6,18 @@
 
 namespace libration {
 
-/// A decimal, each of its digits right to one unit in the last, by arithmetic that rounds.
+/// A decimal, each of its digits correct to one unit in the last, by rounding arithmetic.
 struct rounded_decimal {
     std::string text;
 };
 
-/// A decimal and an upper bound of its distance to the exact number, below one unit of its last digit.
+/// A decimal and an upper bound on its distance from the exact number, below one unit of its last digit.
 struct proved_decimal {
     std::string text;
-    std::string uncertainty;  ///< three digits, rounded up; 0 where the decimal is exact
+    std::string uncertainty;  ///< three digits, rounded up; 0 if the decimal is exact
 };
 
-/// The decimals alone.
+/// Only the decimals.
 inline std::ostream& operator<<(std::ostream& out, const rounded_decimal& number) { return out << number.text; }
 inline std::ostream& operator<<(std::ostream& out, const proved_decimal& number) { return out << number.text; }
 

@@ -5,8 +5,9 @@
 
 namespace libration {
 
-/// Whether the bound leaves the first digit of the decimal, that is, is at most one unit of it. So do 0, whose bound is
-/// all that is known of it, inf, and what is exact. For decimals as they are printed; of other texts unspecified.
+/// Whether the bound confirms the first digit of the decimal, that is, is at most one unit of it. Also true for 0,
+/// about which nothing but the bound is known, for inf, and for exact numbers. For decimals as they are printed; for
+/// other texts unspecified.
 bool has_a_digit(const proved_decimal& number);
 
 }  // namespace libration

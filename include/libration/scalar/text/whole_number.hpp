@@ -1,4 +1,4 @@
-// Whole numbers as people type them.
+// Whole numbers in the notation of the command line.
 #pragma once
 
 #include <string>

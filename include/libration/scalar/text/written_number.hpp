@@ -1,5 +1,5 @@
-// Numbers as other programs write them: decimals and hexadecimal floats, what their last digit is worth, and the double
-// that a program makes of what was typed.
+// Numbers as written by other programs: decimals and hexadecimal floats, the value of their last digit, and the double
+// that a program reads from typed input.
 #pragma once
 
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace libration {
 
-/// Whether the text is [sign]0x..., as printf("%a") and float.hex() write.
+/// Whether the text is [sign]0x..., as written by printf("%a") and float.hex().
 bool is_hexadecimal(std::string_view text);
 
-/// digits * base^exponent, and what one unit of the last digit is worth.
+/// digits * base^exponent, and the value of one unit of the last digit.
 struct written_number {
     rational value;
     rational last_place;
@@ -21,18 +21,18 @@ struct written_number {
 /// base^exponent.
 rational power_of(int base, long exponent);
 
-/// Reads [sign]digits[.digits][e[sign]digits] or [sign]0xhex[.hex][p[sign]digits], exactly: nothing is rounded. Throws
-/// libration::error saying what is wrong with the text; fractions and units have no last digit and are refused.
+/// Reads [sign]digits[.digits][e[sign]digits] or [sign]0xhex[.hex][p[sign]digits], exactly and without rounding. Throws
+/// libration::error with the reason if the text is invalid; fractions and units have no last digit and are rejected.
 written_number read_written(std::string_view text);
 
-/// What read_exact() reads, and hexadecimal floats. Throws libration::error.
+/// Reads the notation of read_exact() and hexadecimal floats. Throws libration::error.
 exact read_typed(std::string_view text);
 
-/// The double nearest to a fraction, ties to even, as an exact number: what a program in double receives.
+/// The double nearest to a fraction, ties to even, as an exact number: the input that a program in double receives.
 /// Throws error beyond the largest double.
 rational nearest_double(const rational& q);
 
-/// The same of a typed number; an angle in degrees or multiples of pi, or an expression, becomes the double nearest to
+/// The same for a typed number; an angle in degrees or multiples of pi, or an expression, becomes the double nearest to
 /// its value. Throws error for a multiple of the period, too.
 exact nearest_double(const exact& number);
 

@@ -1,4 +1,4 @@
-// The vector instructions of the processor, among which a program chooses where it runs [Highway].
+// The vector instructions of the processor, selected at run time [Highway].
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace libration {
 
-/// The sets of instructions that this processor has and the library is compiled for, the best first, in the words of
-/// Highway: AVX3 is AVX-512, SCALAR no vectors. Compiled: in the target libration::libration alone.
+/// The instruction sets that this processor has and the library is compiled for, best first, by their Highway names:
+/// AVX3 is AVX-512, SCALAR is without vectors. Compiled only in the target libration::libration.
 std::vector<std::string> vector_instructions();
 
-/// While it lives, these instructions are taken, in all threads; one scope at a time. To compare them. Throws error of
-/// the kind argument for what is not among vector_instructions().
+/// While it exists, these instructions are used, in all threads; one scope at a time. For comparing them. Throws error
+/// of the kind argument for a name that is not among vector_instructions().
 class vector_instructions_scope {
 public:
     explicit vector_instructions_scope(const std::string& name);

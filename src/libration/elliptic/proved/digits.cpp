@@ -11,7 +11,7 @@ using namespace elliptic;
 
 namespace {
 
-// The digits of a function, and those that its argument loses besides.
+// The digits of a function, plus those that its argument loses.
 template <class Function>
 proved_decimal digits_of(long digits, long before, const Function& function) {
     return proved_value(given_digits(digits), [&] {

@@ -11,7 +11,7 @@ namespace {
 
 using range = real_parameter::range;
 
-// An amplitude: phi, or phi/pi where that is exact.
+// An amplitude: phi, or phi/pi if that is exact.
 struct amplitude_input {
     on_real_line value;
     int times_pi;
@@ -29,7 +29,7 @@ bool reaches_quarter(const exact& phi) {
     return decided_sign(ball(abs(from_exact<ball>(phi)) - pi<ball>() / 2)) >= 0;
 }
 
-// The sign of 1 - c sin^2 at its least on [0, phi], c being m or n.
+// The sign of the minimum of 1 - c sin^2 on [0, phi], c being m or n.
 int sign_of_least(const exact& c, const exact& phi) {
     const int of_whole = sign_of_exact(exactly(1) - c);
     if (of_whole > 0 || reaches_quarter(phi)) {
@@ -70,7 +70,7 @@ ball carlson_d(const ball& x, const ball& y) {
     return first.real();
 }
 
-// D of a parameter below 1: R_D(0, 1-m, 1)/3 [DLMF 19.25.1].
+// D for a parameter below 1: R_D(0, 1-m, 1)/3 [DLMF 19.25.1].
 ball complete_d(const real_parameter& p) { return carlson_d(ball(0), from_exact<ball>(p.complement())) / 3; }
 
 // phi = turns pi + rest, |rest| < pi/2 or rest = +-pi/2 exactly.
@@ -93,7 +93,7 @@ reduced_amplitude reduce_amplitude(const exact& phi) {
     const ball x = from_exact<ball>(phi);
     const integer halves = nearest_integer(ball(x / pi<ball>()));
     const ball rest = x - from_rational<ball>(rational(halves)) * pi<ball>();
-    require_below(rest, ball(pi<ball>() / 2), "an amplitude next to a quarter turn");
+    require_below(rest, ball(pi<ball>() / 2), "an amplitude near a quarter turn");
     return {halves, rest};
 }
 
@@ -195,7 +195,7 @@ true_value zeta_value(std::string_view name, const function_arguments& at) {
     }
     if (p.where() == range::one) {
         if (reaches_quarter(phi)) {
-            throw error(error_kind::argument, "phi", phi.text, "is no amplitude below pi/2, as m = 1 needs");
+            throw error(error_kind::argument, "phi", phi.text, "is not below pi/2, as m = 1 requires");
         }
         return phi.is_zero() ? exact_value(0) : true_value{sin(from_exact<ball>(phi))};
     }

@@ -20,7 +20,7 @@ ball of_letter(char letter, const jacobi_values<ball>& at) {
     }
 }
 
-// sqrt of a number that is not negative, R_F of three such numbers. What follows of x and m is exact until here.
+// sqrt of a nonnegative number, R_F of three such numbers. Everything derived from x and m is exact up to here.
 struct symmetric_form {
     exact factor_squared;
     exact a, b, c;
@@ -56,14 +56,14 @@ symmetric_form form_of(std::string_view function, const exact& x, const real_par
     if (function == "dn") {
         return {(one - square) / m, (square - m1) / m, square, one};
     }
-    if (function == "cd") {  // for m > 1 the value is above 1, and all of these change their sign
+    if (function == "cd") {  // for m > 1 the value is above 1, and all of these change sign
         const exact sign = exactly(p.where() == range::above ? -1 : 1);
         return {sign * (one - square), sign * m1 * square, sign * m1, sign * (one - m * square)};
     }
     throw std::logic_error("no form of an inverse function");
 }
 
-// The value for x >= 0; infinite where R_F has two zeros.
+// The value for x >= 0; infinite if R_F has two zeros.
 true_value inverse_of_positive(std::string_view function, const exact& x, const real_parameter& p) {
     if ((function == "dn" && p.where() == range::zero) || (function == "cd" && p.where() == range::one)) {
         throw error(error_kind::argument, "m", p.m().text, "makes " + std::string(function) + " constant");
@@ -74,7 +74,7 @@ true_value inverse_of_positive(std::string_view function, const exact& x, const 
         const int sign = sign_of_exact(*each);
         if (sign < 0) {
             throw error(error_kind::argument, "x", x.text,
-                        "is no value of " + std::string(function) + " between 0 and K");
+                        "is not a value of " + std::string(function) + " between 0 and K");
         }
         zeros += sign == 0 && each != &form.factor_squared ? 1 : 0;
     }
@@ -153,7 +153,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
     const bool reciprocal = function[0] == 'n' || function == "dc" || function == "ds" || function == "cs";
     if (reciprocal) {
         if (sign == 0) {
-            throw error(error_kind::argument, "x", x.text, "is no value of " + function);
+            throw error(error_kind::argument, "x", x.text, "is not a value of " + function);
         }
         x = exactly(1) / x;
         std::swap(function[0], function[1]);
@@ -163,7 +163,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
         return inverse_of_positive(function, x, at.parameter);
     }
     if (function == "dn") {
-        throw error(error_kind::argument, "x", at.argument->text, "is no value of " + function);
+        throw error(error_kind::argument, "x", at.argument->text, "is not a value of " + function);
     }
     const true_value mirrored = inverse_of_positive(function, exactly(0) - x, at.parameter);
     if (mirrored.infinite != 0) {
@@ -173,7 +173,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
         return {-mirrored.value()};
     }
     if (at.parameter.where() == range::one || at.parameter.where() == range::above) {
-        throw error(error_kind::argument, "x", at.argument->text, "is no value of " + function);
+        throw error(error_kind::argument, "x", at.argument->text, "is not a value of " + function);
     }
     return {complete_value(at.parameter) * 2 - mirrored.value()};
 }

@@ -34,7 +34,7 @@ private:
     std::array<on_real_line, 4> values_;
 };
 
-// Whether theta_1 or theta_2 vanishes there: at whole multiples of pi, and those and a half.
+// Whether theta_1 or theta_2 vanishes there: at integer multiples of pi, and at half-integer multiples.
 bool vanishes(int j, const exact& z) {
     if (j > 2 || !(z.is_zero() || z.is_angle())) {
         return false;

@@ -1,4 +1,4 @@
-// The values behind the names of named_function.hpp.
+// The implementations of the names in named_function.hpp.
 #pragma once
 
 #include "libration/elliptic/proved/named_function.hpp"
@@ -22,7 +22,7 @@ char letter_at(char letter, real_parameter::range where);
 
 inline bool is_exact_zero(const ball& x) { return is_exact(x) && contains_zero(x); }
 
-/// K of a parameter below 1, pi/(2 agm(1, k')) [DLMF 19.8.5].
+/// K for a parameter below 1, pi/(2 agm(1, k')) [DLMF 19.8.5].
 ball complete_value(const real_parameter& p);
 
 inline true_value exact_value(const rational& value) { return {from_rational<ball>(value), value}; }

@@ -25,7 +25,7 @@ R ball_value(function_kind f, const rational* order, const R& x) {
         } else if constexpr (has_balls<each>) {
             return function_at(of, x);
         } else {
-            throw std::logic_error("a function that FLINT is not asked for");
+            throw std::logic_error("a function that is not computed by FLINT");
         }
     });
 }
@@ -51,7 +51,7 @@ std::array<mpfr, 2> flint_value(function_kind f, const rational* order, const st
             return {midpoint_of(value.re), midpoint_of(value.im)};
         }
     }
-    refuse_number("takes " + std::string(name_of(f)) + " where it has no value that FLINT finds");
+    refuse_number("takes " + std::string(name_of(f)) + " at a point where FLINT computes no value");
 }
 
 }  // namespace

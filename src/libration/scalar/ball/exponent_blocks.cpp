@@ -16,7 +16,7 @@ bool is_zero(const ball& x) { return arf_is_zero(arb_midref(x.handle())) != 0; }
 // |midpoint| < 2^e.
 long exponent_of(const ball& x) { return *ARF_EXPREF(arb_midref(x.handle())); }
 
-// From the first to the last midpoint that is not 0: how many terms, and how far the exponents rise.
+// From the first to the last nonzero midpoint: the number of terms, and the increase of the exponents.
 struct rise {
     long terms, height;
 };

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-// GMP exports it and declares it in no header for users.
+// Exported by GMP but not declared in any public header.
 extern "C" void* __gmp_default_allocate(std::size_t size);  // NOLINT(bugprone-reserved-identifier)
 
 namespace libration {
@@ -22,13 +22,13 @@ void call_handler(failure_kind kind) {
     }
 }
 
-// In the words of FLINT, of whose handlers clang makes a type of their own.
+// Declared as in FLINT, for whose handlers clang has a separate type.
 FLINT_NORETURN void abort_of_flint() {
     call_handler(failure_kind::flint);
     std::abort();
 }
 
-// GMP would end the process where it gets no memory; FLINT gets the nullptr, says so and aborts.
+// GMP would end the process if it gets no memory; FLINT gets the nullptr, reports it and aborts.
 void* checked_for_gmp(void* memory) {
     if (memory == nullptr) {
         call_handler(failure_kind::no_memory);
@@ -42,7 +42,7 @@ void* gmp_reallocate(void* memory, std::size_t /*before*/, std::size_t size) {
     return checked_for_gmp(std::realloc(memory, size));
 }
 
-// The functions of FLINT that ours call.
+// The FLINT functions called by ours.
 struct flint_functions {
     void* (*allocate)(std::size_t) = nullptr;
     void* (*callocate)(std::size_t, std::size_t) = nullptr;

@@ -11,7 +11,7 @@
 namespace libration {
 
 bool near_transform_bound(const fmpz* a, slong a_terms, const fmpz* b, slong b_terms) {
-    const slong s = _fmpz_vec_max_bits(a, a_terms);  // below 0 where a coefficient is
+    const slong s = _fmpz_vec_max_bits(a, a_terms);  // below 0 if a coefficient is
     const slong t = _fmpz_vec_max_bits(b, b_terms);
     const auto shorter = static_cast<ulong>(std::min(a_terms, b_terms));
     return (s < 0 || t < 0) &&
@@ -26,8 +26,8 @@ void checked_product(integer_product by, fmpz* c, const fmpz* a, slong a_terms, 
         std::swap(a, b);
         std::swap(a_terms, b_terms);
     }
-    // FLINT takes operands at one address for the same even if their lengths differ: then the shorter one is seen
-    // through a copy of its words, which owns nothing.
+    // FLINT takes operands at one address to be equal even if their lengths differ: in that case the shorter one is
+    // passed through a copy of its words, which owns nothing.
     std::vector<fmpz> shorter;
     if (a == b && a_terms != b_terms) {
         shorter.assign(b, b + b_terms);

@@ -13,7 +13,7 @@ namespace libration {
 
 namespace {
 
-// Where products in blocks and sums as they are written take the same time.
+// The length at which products in blocks and explicit sums take the same time.
 int least_in_blocks(slong bits) { return bits < 128 ? 96 : bits < 512 ? 48 : bits < 1000 ? 32 : 20; }
 
 bool fits_in_blocks(const ball* a, int terms) { return std::all_of(a, a + terms, has_moderate_exponents); }
@@ -59,8 +59,8 @@ void add_scaled(std::vector<ball>& c, int first, int count, const integer_vector
     fmpz_clear(power);
 }
 
-// The products of the midpoints, exact but for a rounding for each pair of blocks. In a square, every pair of two
-// different blocks occurs twice.
+// The products of the midpoints, exact up to one rounding per pair of blocks. In a square, every pair of two different
+// blocks occurs twice.
 void add_midpoints(std::vector<ball>& c, const integer_blocks& a, const integer_blocks& b, long scale, slong bits) {
     integer_vector sums(c.size());
     const bool square = &a == &b;
@@ -129,7 +129,7 @@ std::vector<ball> reciprocal(const ball* b, const ball& inverse, int count, slon
     return v;
 }
 
-// The difference of terms m .. n-1 of a and of b q, as they are found from m terms of q.
+// The difference of terms m .. n-1 of a and of b q, as computed from m terms of q.
 std::vector<ball> remainder(const ball* a, const ball* b, const std::vector<ball>& q, int count, slong bits) {
     const int known = static_cast<int>(q.size());
     std::vector<ball> d = leading_product(b, count, q.data(), known, count, bits);
@@ -144,7 +144,7 @@ std::vector<ball> remainder(const ball* a, const ball* b, const std::vector<ball
 }  // namespace
 
 std::vector<ball> leading_product(const ball* a, int a_terms, const ball* b, int b_terms, int count, slong bits) {
-    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT walks through an array of balls");
+    static_assert(sizeof(ball) == sizeof(arb_struct), "FLINT iterates over an array of balls");
     a_terms = std::min(a_terms, count);
     b_terms = std::min(b_terms, count);
     const bool blocks =

@@ -22,7 +22,7 @@ std::atomic<int>& open_scopes() {
     return count;
 }
 
-// The finalizer of splitmix64 on a counter: other points in each product, the same in each run.
+// The finalizer of splitmix64 on a counter: different points in each product, the same in each run.
 ulong next_point() {
     static std::atomic<std::uint64_t> counter = 0;
     std::uint64_t x = (counter.fetch_add(1, std::memory_order_relaxed) + 1) * 0x9E3779B97F4A7C15U;

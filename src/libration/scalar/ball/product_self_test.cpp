@@ -61,7 +61,8 @@ bool multiplies_ones(integer_product by, slong terms, slong s, slong t) {
 }
 
 const product_state& flint_products() {
-    // For each thread: another one would wait for ever for a thread that a failure of FLINT keeps in here.
+    // Per thread: with a shared one, other threads would wait indefinitely for a thread that a failure of FLINT keeps
+    // in here.
     thread_local const product_state state = self_tested();
     return state;
 }

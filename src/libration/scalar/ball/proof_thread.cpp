@@ -16,13 +16,13 @@ namespace libration {
 
 namespace {
 
-// Whose turn it is. What is shared is touched by the thread alone whose turn it is.
+// Whose turn it is. Shared data is accessed only by the thread whose turn it is.
 enum class turn : int { idle, computing, asking, failed, ending };
 
 class proof_thread {
 public:
     proof_thread() {
-        // Signals of the process are for threads of its own; those of a fault reach the thread that makes it.
+        // Signals to the process are handled by its own threads; those of a fault reach the thread that causes it.
         sigset_t all;
         sigset_t before;
         sigfillset(&all);
@@ -40,7 +40,7 @@ public:
     }
     proof_thread(const proof_thread&) = delete;
     proof_thread& operator=(const proof_thread&) = delete;
-    /// Only of one that computes nothing and lives in this process.
+    /// Only for one that is idle and was created in this process.
     ~proof_thread() {
         pass(turn::ending);
         thread_.join();
@@ -48,7 +48,7 @@ public:
 
     bool lives_here() const { return process_ == ::getpid(); }
 
-    /// From the caller. Whether the thread may compute again is in `usable`.
+    /// From the caller. `usable` is set to whether the thread may be used again.
     call_ending compute(const call_view<bool>& work, bool& usable) {
         work_ = &work;
         for (pass(turn::computing);; pass(turn::computing)) {
@@ -56,7 +56,7 @@ public:
             switch (turn_.load()) {
                 case turn::asking:
                     (*question_)();
-                    if (!lives_here()) {  // the question was answered in a child process
+                    if (!lives_here()) {  // the callback returned in a child process
                         usable = false;
                         return call_ending::no_thread;
                     }
@@ -102,7 +102,7 @@ private:
     std::thread thread_;
 };
 
-// In a proof thread that thread.
+// In a proof thread, that thread.
 thread_local proof_thread* this_proof_thread = nullptr;
 
 void keep_proof_thread(failure_kind kind) {
@@ -111,7 +111,7 @@ void keep_proof_thread(failure_kind kind) {
     }
 }
 
-// What the end of a thread cleans, before memory is short: glibc ends the process where it cannot register that.
+// Registers the cleanup at the end of a thread before memory is short: glibc ends the process if it cannot register it.
 void register_ends() {
     ball::working_bits();
     mpfr(0);
@@ -128,7 +128,7 @@ void proof_thread::serve() {
     this_proof_thread = nullptr;
 }
 
-// The proof thread of a thread that computes nothing.
+// The proof thread of a thread while it is idle.
 class idle_thread {
 public:
     idle_thread() = default;
@@ -136,7 +136,7 @@ public:
     idle_thread& operator=(const idle_thread&) = delete;
     ~idle_thread() { forget_foreign(); }
 
-    /// Throws where none can be started.
+    /// Throws if none can be started.
     std::unique_ptr<proof_thread> take() {
         forget_foreign();
         return thread_ ? std::move(thread_) : std::make_unique<proof_thread>();
@@ -144,7 +144,7 @@ public:
     void put(std::unique_ptr<proof_thread> thread) { thread_ = std::move(thread); }
 
 private:
-    // Of a parent process only the object is here.
+    // Of a thread of the parent process only the object exists here.
     void forget_foreign() {
         if (thread_ && !thread_->lives_here()) {
             static_cast<void>(thread_.release());
@@ -171,7 +171,7 @@ call_ending in_proof_thread(const call_view<bool>& work) noexcept {
     if (usable) {
         idle.put(std::move(thread));
     } else {
-        static_cast<void>(thread.release());  // it sleeps for ever
+        static_cast<void>(thread.release());  // it sleeps forever
     }
     return how;
 }

@@ -1,10 +1,10 @@
 // Sums of products of magnitudes in doubles.
 //
 // Each magnitude of a block is a double from 2^-300 to 2^300 times one power of 2, rounded up. Products of two of them
-// and sums of up to 2^30 such products are then within 2^-600 and 2^630, so that they neither overflow nor underflow, and
-// each product and each sum is computed as at least 1 - 2^-52 times the exact one, in any rounding mode. So a sum of m <=
-// 2^30 products is computed as at least (1 - 2^-52)^(m+1) > 1 - 2^-21 times the exact sum; the factor 1 + 2^-20, with
-// one more rounding, makes it an upper bound.
+// and sums of up to 2^30 such products are then within 2^-600 and 2^630, so that they neither overflow nor underflow,
+// and each product and each sum is computed as at least 1 - 2^-52 times the exact one, in any rounding mode. A sum of m
+// <= 2^30 products is therefore computed as at least (1 - 2^-52)^(m+1) > 1 - 2^-21 times the exact sum; the factor 1 +
+// 2^-20, with one more rounding, makes it an upper bound.
 #include "radius_product.hpp"
 
 #include "exponent_blocks.hpp"
@@ -72,7 +72,7 @@ void add_product(std::vector<magnitude>& sums, const double_blocks& a, const dou
     }
 }
 
-// |x|, r and |x| + r of a sequence, divided by 2^(scale k): the largest ones of runs of `run` neighbours.
+// |x|, r and |x| + r of a sequence, divided by 2^(scale k): the maxima over runs of `run` neighbours.
 struct sizes_in_runs {
     sizes_in_runs(const ball* a, int terms, long scale, int run) {
         const auto runs = static_cast<std::size_t>((terms + run - 1) / run);

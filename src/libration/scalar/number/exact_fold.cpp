@@ -33,7 +33,7 @@ std::optional<rational> folded_power(const rational& base, const rational& expon
     rational root = base;
     if (order != 1) {
         if (base < 0) {
-            refuse_number("raises a negative number to a power that is not whole");
+            refuse_number("raises a negative number to a non-integer power");
         }
         const auto found =
             order > largest_root ? std::nullopt : function::exact_root(base, order.convert_to<unsigned long>());

@@ -48,7 +48,7 @@ std::optional<unit> unit_of(atom_kind kind) {
 
 void require_no_period(const expression& x) {
     if (x.periods() != 0) {
-        refuse_number("has T in a product, a power or a function: only multiples of T are times");
+        refuse_number("has T in a product, a power or a function: only multiples of T are supported");
     }
 }
 
@@ -150,7 +150,7 @@ long expression::functions() const {
     return all;
 }
 
-// Pairs of atoms that were found to be the same are not compared again: shared parts would take exponential time.
+// Pairs of atoms already found equal are not compared again: shared parts would take exponential time.
 class expression::comparison {
 public:
     bool same(const expression& a, const expression& b) {
@@ -185,7 +185,7 @@ bool same_form(const expression& a, const expression& b) { return expression::co
 
 bool expression::same_atom(const atom& a, const atom& b) { return comparison().same(a, b); }
 
-// The terms in any order.
+// Independent of the order of the terms.
 std::size_t expression::hash() const {
     std::size_t of_terms = 0;
     for (const term& each : terms_) {
@@ -209,7 +209,7 @@ void expression::add(const rational& coefficient, const std::shared_ptr<const at
     }
 }
 
-// Degrees stay degrees only by themselves.
+// Degrees remain degrees only if no other unit occurs.
 void expression::degrees_to_pi() {
     const auto found =
         std::ranges::find_if(terms_, [](const term& each) { return each.of->kind == atom_kind::degree; });
@@ -238,7 +238,7 @@ expression operator+(const expression& a, const expression& b) {
     return sum;
 }
 
-// A node of its own, which has a value at the limits of the cost, or is refused.
+// A separate node, which can be evaluated within the limits of the cost, or is rejected.
 expression expression::of_atom(atom a) {
     require_no_period(a.left);
     require_no_period(a.right);
@@ -255,7 +255,7 @@ expression expression::of_atom(atom a) {
         bits *= 2;
         if (bits > result.most_bits()) {
             throw error(error_kind::undecided, "number", "",
-                        "has a part of which no precision within the limits shows that it has a value");
+                        "has a part for which no precision within the limits decides whether it is defined");
         }
     }
     return result;
@@ -331,7 +331,7 @@ expression apply(function_kind f, const expression& x) {
 
 expression apply(function_kind f, const rational& order, const expression& x) {
     if (!has_order(f)) {
-        refuse_number("takes " + std::string(name_of(f)) + ", which has no order, of an order");
+        refuse_number("takes " + std::string(name_of(f)) + " with an order, which it does not have");
     }
     return expression::of_function(f, order, x);
 }

@@ -1,4 +1,4 @@
-// What the sums of an expression are made of.
+// The summands of an expression.
 #pragma once
 
 #include <functional>

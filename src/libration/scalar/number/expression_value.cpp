@@ -1,7 +1,7 @@
-// Expressions in numbers: bounds rounded outwards at each step, by the functions of MPFR that are proved to round as they
-// are asked to [MPFR, algorithms.pdf]. Up to version 4.2.1 the error bounds behind mpfr_div (of mpfr_divhigh_n) and
-// mpfr_pow (of mpfr_pow_general) are wrong: quotients are compared with their operands by an exact product, mpfr_set_q,
-// which divides, by mpfr_cmp_q, which does not, and powers are roots of whole powers or exp(y log x).
+// Numerical values of expressions: bounds rounded outwards at each step, by those functions of MPFR that are proved to
+// round as requested [MPFR, algorithms.pdf]. Up to version 4.2.1 the error bounds used in mpfr_div (of mpfr_divhigh_n)
+// and mpfr_pow (of mpfr_pow_general) are wrong: quotients are compared with their operands by an exact product,
+// mpfr_set_q, which divides, by mpfr_cmp_q, which does not, and powers are roots of integer powers or exp(y log x).
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,7 +25,7 @@ using bounds = function::range;
 using function::require_exponent;
 using function::rising, function::quotient, function::size_of, function::at_corners, function::require_rounding;
 
-// Numbers of more than this many bits before the point, or zeros behind it, are refused: they become fractions.
+// Numbers with more than this many bits before the point, or zeros after it, are rejected, since they become fractions.
 constexpr long largest_exponent = 1L << 27U;
 
 number_bounds of_fraction(const rational& q) {
@@ -71,7 +71,8 @@ bounds whole_power(const number_bounds& x, const integer& n) {
     return n > 0 ? bounds(up) : quotient(of_fraction(1), up);
 }
 
-// The power by a fraction n / 2^k, by square roots, which are exact where they are numbers of so many bits.
+// The power with a fractional exponent n / 2^k, by square roots, which are exact if the results fit into this number of
+// bits.
 bounds root_of_power(const number_bounds& x, const integer& n, std::size_t k) {
     bounds result = whole_power(x, n);
     for (; result && k > 0; --k) {
@@ -83,7 +84,7 @@ bounds root_of_power(const number_bounds& x, const integer& n, std::size_t k) {
 bounds real_power(const number_bounds& x, const number_bounds& y, const std::optional<rational>& fraction) {
     constexpr std::size_t most_roots = 8;
     if (x.upper < 0) {
-        refuse_number("raises a negative number to a power that is not whole");
+        refuse_number("raises a negative number to a non-integer power");
     }
     if (x.lower <= 0) {
         return std::nullopt;
@@ -113,7 +114,7 @@ bool is_narrow(const number_bounds& x, long bits) {
 
 }  // namespace
 
-// One evaluation in the precision in force: atoms that are shared are evaluated once.
+// One evaluation in the current precision: shared atoms are evaluated once.
 class expression::evaluation {
 public:
     bounds of(const expression& x) {

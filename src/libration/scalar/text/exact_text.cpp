@@ -32,7 +32,7 @@ unit take_unit(std::string_view& rest) {
     return take(rest, "T") ? unit::period : unit::one;
 }
 
-// [sign] number [unit] [/ number]; nothing for any other text.
+// [sign] number [unit] [/ number]; std::nullopt for any other text.
 std::optional<exact> read_plain(std::string_view text) {
     std::string_view rest = text;
     const bool negative = take(rest, "-");

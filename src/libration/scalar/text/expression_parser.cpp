@@ -27,7 +27,7 @@ public:
         }
         expression value = sum();
         if (!rest_.empty()) {
-            refuse_here(rest_.front() == ')' ? "has a ) too many" : "");
+            refuse_here(rest_.front() == ')' ? "has an unmatched )" : "");
         }
         return value;
     }
@@ -51,7 +51,7 @@ private:
         rest_ = before;
     }
 
-    // What is no formula at all is not a number; where one was begun, the place is named.
+    // A text that is not a formula at all is reported as not a number; within a formula, the position is reported.
     [[noreturn]] void refuse_here(const std::string& what = "") const {
         if (text_.find_first_of("()*^") == std::string_view::npos) {
             refuse("is not a number");
@@ -80,7 +80,7 @@ private:
         return true;
     }
 
-    // An operator with blanks on both sides; a blank that stands before nothing is left.
+    // An operator with blanks on both sides; a blank not followed by it is left.
     bool take_operator(std::string_view word) {
         const std::string_view before = rest_;
         skip_blanks();
@@ -138,7 +138,7 @@ private:
         }
     }
 
-    // primary [^ exponent]; of a number before pi, deg or T the exponent belongs to what stands behind the number.
+    // primary [^ exponent]; for a number before pi, deg or T the exponent applies to the symbol after the number.
     expression factor() {
         juxtaposed_ = false;
         if (const auto number = take_number(rest_)) {
@@ -169,7 +169,7 @@ private:
             return value;
         }
         rest_ = before;
-        refuse_here("has '" + std::string(name) + "' directly behind a number (write *)");
+        refuse_here("has '" + std::string(name) + "' directly after a number (write *)");
     }
 
     expression power_of(const expression& base) {
@@ -219,14 +219,14 @@ private:
             refuse_name(name, before);
         }
         if (!take_operator("(")) {
-            refuse("has " + std::string(name) + " without a ( behind it" + column_of(before));
+            refuse("has " + std::string(name) + " without a ( after it" + column_of(before));
         }
         if (!has_order(*f)) {
             return apply(*f, in_parentheses());
         }
         const auto order = before_end().fraction();
         if (!order) {
-            refuse("has " + std::string(name) + " of an order that is not a fraction" + column_of(before));
+            refuse("has " + std::string(name) + " with an order that is not a fraction" + column_of(before));
         }
         if (!take(",")) {
             refuse("has " + std::string(name) + " without an order: write " + std::string(name) + "(0, 1)" +
@@ -235,7 +235,7 @@ private:
         return apply(*f, *order, in_parentheses());
     }
 
-    // A text that is one word is no formula.
+    // A text that is a single word is not a formula.
     [[noreturn]] void refuse_name(std::string_view name, std::string_view place) const {
         std::string_view word = text_;
         word.remove_prefix(word.starts_with('-') || word.starts_with('+') ? 1 : 0);

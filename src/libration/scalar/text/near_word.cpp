@@ -28,7 +28,7 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> near_word(std::string_view typed, const std::vector<std::string>& words) {
-    constexpr std::size_t longest = 40;  // no name of ours is longer
+    constexpr std::size_t longest = 40;  // none of our names is longer
     const std::size_t allowed = std::max<std::size_t>(2, typed.size() / 3);
     if (typed.empty() || typed.size() > longest) {
         return std::nullopt;

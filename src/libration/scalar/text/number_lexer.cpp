@@ -34,7 +34,7 @@ std::string_view take_digits(std::string_view& rest, radix base) {
     return digits;
 }
 
-// The value of e[sign]digits, where it stands at the front; 0 otherwise.
+// The value of e[sign]digits, if it is at the front; 0 otherwise.
 long take_exponent(std::string_view& rest, radix base) {
     const char letter = base == radix::decimal ? 'e' : 'p';
     if (rest.empty() || std::tolower(static_cast<unsigned char>(rest.front())) != letter) {

@@ -21,7 +21,7 @@ struct significant_digits {
     }
 };
 
-// std::nullopt for 0 and for what has no digits.
+// std::nullopt for 0 and for texts without digits.
 std::optional<significant_digits> digits_of(std::string_view decimal) {
     const std::size_t e = std::min(decimal.find('e'), decimal.size());
     const std::string_view significand = decimal.substr(0, e);

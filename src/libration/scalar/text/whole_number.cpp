@@ -11,7 +11,7 @@ namespace libration {
 
 namespace {
 
-// What does not fit is the largest or the least number; std::nullopt if the text is not a number.
+// Out-of-range values become the largest or the smallest number; std::nullopt if the text is not a number.
 std::optional<long> number_of(std::string_view digits) {
     long value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -24,7 +24,7 @@ std::optional<long> number_of(std::string_view digits) {
     return digits.front() == '-' ? std::numeric_limits<long>::min() : std::numeric_limits<long>::max();
 }
 
-// Up to `largest`, or something larger.
+// Exact up to `largest`, otherwise something larger.
 long times_power_of_ten(long value, long exponent, long largest) {
     for (; exponent > 0 && value > 0 && value <= largest; --exponent) {
         value = value > largest / 10 ? std::numeric_limits<long>::max() : value * 10;
