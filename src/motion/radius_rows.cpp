@@ -31,7 +31,7 @@ std::string relative_error(const std::string& radius, const known_radius& known,
     return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(radius)) / *known.true_size - 1)), uncertainty_digits);
 }
 
-// Without commas, so that a reader that knows no quotes is right too.
+// Without commas, so that a reader without support for quotes is also correct.
 std::string note_of(const radius_estimate<mpfr>& estimate) {
     std::string note = estimate.note;
     std::replace(note.begin(), note.end(), ',', ';');
@@ -90,7 +90,7 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_
                                                       : words;
 }
 
-// `unknown` is whose verdict it is; empty for a list that has no name.
+// `unknown` is the unknown of the verdict; empty for a list without a name.
 std::string verdict_in_words(const radius_answers& answers, const known_radius& known, const table& data,
                              const std::string& unknown = "") {
     const radius_estimate<mpfr>& verdict = answers.rows.front();
@@ -118,8 +118,8 @@ std::string verdict_in_words(const radius_answers& answers, const known_radius& 
     return text;
 }
 
-// "y; the radii of x, z agree with it; that of w is another one or not found": whose verdict the first one is, and what those of the
-// others say.
+// "y; the radii of x, z agree with it; that of w is another one or not found": the unknown of the verdict, and the
+// verdicts of the others.
 std::string whose_verdict(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
                           std::size_t nearest) {
     const radius_estimate<mpfr>& verdict = all[nearest].rows.front();
