@@ -261,7 +261,7 @@ int run_singularities(const singularities_options& options) {
 subcommand singularities_command(CLI::App& program) {
     const auto options = std::make_shared<singularities_options>();
     CLI::App* command = program.add_subcommand(
-        "singularities", "the singularities of any problem in the complex plane of time, proved on request");
+        "singularities", "the singularities of any problem in the complex t-plane, proved on request");
     options->problem.add_to(*command);
     options->output.add_to(*command);
     command

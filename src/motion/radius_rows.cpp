@@ -74,7 +74,7 @@ std::string what_in_words(const radius_estimate<mpfr>& estimate) {
     return estimate.count > 0 ? fmt::format("{} {}", estimate.count, what) : what;
 }
 
-// "2 simple poles at 1.57 and its image": number, kind and position of the nearest singularities.
+// "2 simple poles at 1.57 and the point symmetric to it": number, kind and position of the nearest singularities.
 std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_row_cells& row) {
     if (estimate.kind == singularity_kind::boundary) {
         return "the whole circle of convergence is a boundary";
@@ -84,7 +84,9 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_
         const std::string& re = row[5].text();
         const std::string& im = row[6].text();
         words += " at " + (im == "0" ? re : re == "0" ? im + " i" : fmt::format("{} + {} i", re, im));
-        words += estimate.count > 2 ? " and its images" : estimate.count == 2 ? " and its image" : "";
+        words += estimate.count > 2    ? " and the points symmetric to it"
+                 : estimate.count == 2 ? " and the point symmetric to it"
+                                       : "";
     }
     return estimate.kind == singularity_kind::unknown ? words + ", of a kind that the coefficients do not decide"
                                                       : words;

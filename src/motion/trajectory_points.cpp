@@ -158,7 +158,7 @@ std::vector<wide_t<T>> values_in(const trajectory_request& request) {
     }
     if constexpr (proved_scalar<T>) {
         if (request.method == trajectory_method::rk4) {
-            throw std::logic_error("a march of steps has no proof");
+            throw std::logic_error("a step-by-step integration has no proof");
         }
         return enclosed(request);
     } else if (request.method == trajectory_method::rk4) {
