@@ -1,6 +1,7 @@
 ! The C interface of Libration, libration.h, for Fortran 2003 and later: compile this file with your program and link
-! -llibration. What the functions do stands in libration.h. Handles are type(c_ptr); texts go in as c_text('1.71') and
-! come out through f_text(). Where libration.h allows NULL, a text is c_text(''), a watch c_null_funptr.
+! -llibration. The functions are documented in libration.h. Handles are type(c_ptr); texts are passed as c_text('1.71')
+! and converted back by f_text(). Where libration.h allows NULL, pass c_text('') for a text and c_null_funptr for a
+! callback.
 module libration
     use, intrinsic :: iso_c_binding
     implicit none
@@ -417,7 +418,7 @@ module libration
 
 contains
 
-    ! A text as C takes it.
+    ! A Fortran text as a C string.
     pure function c_text(text) result(ended)
         character(len=*), intent(in) :: text
         character(kind=c_char) :: ended(len(text) + 1)
@@ -428,7 +429,7 @@ contains
         ended(len(text) + 1) = c_null_char
     end function
 
-    ! A text that C gave.
+    ! A C string as a Fortran text.
     function f_text(from) result(text)
         type(c_ptr), intent(in) :: from
         character(len=:), allocatable :: text

@@ -30,8 +30,8 @@ constexpr int failed = 1;
 constexpr int bad_input = 2;
 constexpr const char* out_of_memory = "out of memory: ask for fewer digits, powers or times";
 
-// Where GMP or FLINT gets no memory nothing can be thrown: what a signal would call is called, stdout keeps its whole
-// rows, and the process ends as an error ends it.
+// If GMP or FLINT cannot allocate memory, no exception can be thrown: the actions of an ending signal are called,
+// stdout keeps its complete rows, and the process ends as after an error.
 void end_process(libration::failure_kind kind) {
     static std::atomic_flag ending;
     if (ending.test_and_set()) {
@@ -40,16 +40,17 @@ void end_process(libration::failure_kind kind) {
         }
     }
     constexpr unsigned seconds = 10;
-    ::alarm(seconds);  // an action may wait for what this thread holds
+    ::alarm(seconds);  // an action may wait for a lock that this thread holds
     std::fflush(stdout);
     libration::at_ending_signal::call_all();
     std::fputs("libration: ", stderr);
-    std::fputs(kind == libration::failure_kind::no_memory ? out_of_memory : "FLINT gave up, as it says above", stderr);
+    std::fputs(kind == libration::failure_kind::no_memory ? out_of_memory : "FLINT aborted with the message above",
+               stderr);
     std::fputs("\n", stderr);
     ::_exit(failed);
 }
 
-// One line, whatever the message quotes, and no control characters.
+// One line for any message, without control characters.
 int complain(const std::string& message, int code) {
     fmt::print(stderr, "libration: {}\n", libration::shortened(message));
     return code;
@@ -67,7 +68,7 @@ std::string with_short_words(std::string message, int argc, char** argv) {
     return message;
 }
 
-// The first word that nothing in the program expects: after a subcommand it is an option that it does not have.
+// The first unexpected word: after a subcommand it is an unknown option.
 std::string unexpected_word(const CLI::App& program) {
     const auto words = program.remaining(true);
     if (!program.get_subcommands().empty()) {
@@ -94,7 +95,7 @@ std::vector<std::string> names_in(const CLI::App& app) {
     return names;
 }
 
-// CLI11's own complaint as one line with a remedy, and the name that was perhaps meant.
+// CLI11's error message as one line with a remedy, and a similar valid name.
 int complain_of_usage(const CLI::App& program, const std::string& problem) {
     const std::string unexpected = unexpected_word(program);
     const auto chosen = program.get_subcommands();
@@ -107,14 +108,14 @@ int complain_of_usage(const CLI::App& program, const std::string& problem) {
     return complain(fmt::format("{}: see {}", line, help), bad_input);
 }
 
-// What is beyond the range of a scalar, with the advice that the subcommand takes.
+// A value beyond the range of a scalar, with advice if the subcommand has --scalar.
 int complain_of_range(const CLI::App& command, const libration::error& problem) {
     const bool chooses = command.get_option_no_throw("--scalar") != nullptr;
     return complain(fmt::format("{}{}", libration::message_of(problem), chooses ? ": use --scalar mpfr:DIGITS" : ""),
                     bad_input);
 }
 
-// Runs a subcommand; what it throws becomes a line and an exit code.
+// Runs a subcommand; exceptions become a message of one line and an exit code.
 int run(const libration::subcommand& command) {
     try {
         return command.run();

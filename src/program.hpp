@@ -1,10 +1,10 @@
-// The program `libration`, as its own main and that of the ranks of MPI start it.
+// The program `libration`, called by its main and by that of the MPI ranks.
 #pragma once
 
 namespace libration {
 
-/// Reads the command line and runs its subcommand: data to stdout, messages to stderr. Returns the exit code: 0 done, 1
-/// a check failed, 2 bad usage or input.
+/// Parses the command line and runs its subcommand: data to stdout, messages to stderr. Returns the exit code: 0
+/// success, 1 a check failed, 2 invalid usage or input.
 int run_program(int argc, char** argv);
 
 }  // namespace libration

@@ -23,7 +23,7 @@ last_error& error_here() {
     return kept;
 }
 
-// What a moment without memory leaves of it: texts this short need none.
+// The part of a message that can be kept without memory: texts this short need none.
 void keep_message(last_error& kept, const char* message) noexcept {
     for (std::string* text : {&kept.message, &kept.subject, &kept.value, &kept.reason}) {
         text->clear();
@@ -73,11 +73,11 @@ int code_of_exception(last_error& kept) noexcept {
     } catch (const std::exception& problem) {
         return keep(kept, LIBRATION_FAULT, problem.what());
     } catch (...) {
-        return keep(kept, LIBRATION_FAULT, "an unknown failure");
+        return keep(kept, LIBRATION_FAULT, "unknown failure");
     }
 }
 
-// Works with the precision that every call begins with.
+// Works with the precision with which every call starts.
 int code_of(const call_view<void>& work, last_error& kept) noexcept {
     try {
         constexpr long usual_digits = 50;
@@ -101,7 +101,7 @@ int guarded(const call_view<void>& work) noexcept {
     switch (in_proof_thread(with_code)) {
         case call_ending::finished: break;
         case call_ending::no_memory: return keep(kept, LIBRATION_NO_MEMORY, "no memory");
-        case call_ending::flint_failure: return keep(kept, LIBRATION_FAULT, "FLINT gave up; its message is on stderr");
+        case call_ending::flint_failure: return keep(kept, LIBRATION_FAULT, "FLINT aborted; its message is on stderr");
         case call_ending::no_thread: return keep(kept, LIBRATION_NO_MEMORY, "no memory for a thread");
     }
     return code;
@@ -134,7 +134,7 @@ void require_powers(long first, long last) {
     constexpr long most_rows = 1'000'001;
     if (first < 0 || last < first || last - first >= most_rows) {
         throw error(error_kind::argument, "powers", std::to_string(first) + " .. " + std::to_string(last),
-                    "are no powers from 0 on, a million of them at most");
+                    "are not a range of powers from 0 on, at most a million of them");
     }
 }
 

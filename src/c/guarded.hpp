@@ -1,4 +1,4 @@
-// The border of the C interface: exceptions become codes, arguments are looked at, a watch is heard.
+// The boundary of the C interface: exceptions become codes, arguments are checked, the progress callback is called.
 #pragma once
 
 #include <exception>
@@ -15,17 +15,17 @@
 
 namespace libration::c {
 
-/// Thrown where a watch wants to stop.
+/// Thrown if the progress callback cancels the call.
 class cancelled : public std::exception {
 public:
     const char* what() const noexcept override { return "the call was cancelled"; }
 };
 
-/// The code of what work() does in the proof thread of this thread, where it begins with the same precision in every
-/// call. An exception, and a failure below FLINT, become a code and the error of this thread.
+/// Runs work() in the proof thread of this thread, starting with the same precision in every call, and returns its
+/// code. An exception, and a failure inside FLINT, become a code and the error of this thread.
 int guarded(const call_view<void>& work) noexcept;
 
-/// The same in the thread of the caller, for work that proves nothing and allocates nothing below GMP.
+/// The same in the thread of the caller, for work that proves nothing and allocates no memory through GMP.
 int guarded_here(const call_view<void>& work) noexcept;
 
 /// Throws error of the kind argument for NULL.
@@ -40,35 +40,35 @@ const T& given(const T* argument, const char* name) {
 /// The text of an argument; throws as given().
 inline std::string text_of(const char* text, const char* name) { return &given(text, name); }
 
-/// The code of make(), whose result goes to a handle of the caller.
+/// Runs make(), stores its result in a handle of the caller, and returns the code.
 template <class T, class Make>
 int made(T** handle, const Make& make) noexcept {
     return guarded([&] {
-        given(handle, "the place for the result");
+        given(handle, "the pointer to the result");
         *handle = std::make_unique<T>(make()).release();
     });
 }
 
-/// Whether a text that may be left out is there.
+/// Whether an optional text is given.
 inline bool is_given(const char* text) { return text != nullptr && *text != 0; }
 
-/// ROUNDED or PROVED; throws error of the kind argument for another number.
+/// Whether the rigour is PROVED, not ROUNDED; throws error of the kind argument for another number.
 bool asks_proof(int rigour);
 
-/// Throws error of the kind argument for powers below 0, none, or more than a million.
+/// Throws error of the kind argument for negative powers, an empty range, or more than a million.
 void require_powers(long first, long last);
 
-/// The items of a list, without blanks around; throws error for one that is empty, and for an empty list.
+/// The items of a list, without surrounding blanks; throws error for an empty item, and for an empty list.
 std::vector<std::string> items_of(const std::string& list, const char* name);
 
-/// "name = value" between semicolons, in the order given; empty parts are left out. Throws error of this subject where
-/// there is no =.
+/// "name = value" between semicolons, in the order given; empty parts are left out. Throws error of this subject if =
+/// is missing.
 std::vector<std::pair<std::string, std::string>> settings_of(const std::string& text, const char* subject);
 
-/// Without blanks around.
+/// Without surrounding blanks.
 std::string trimmed(std::string_view text);
 
-/// Calls a watch, in the thread of the caller, with how much is done; throws cancelled.
+/// Calls the progress callback, in the thread of the caller, with the part that is done; throws cancelled.
 class watcher {
 public:
     watcher(libration_watch watch, void* context) : watch_(watch), context_(context) {}

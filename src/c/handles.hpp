@@ -1,4 +1,4 @@
-// What stands behind the handles of the C interface.
+// The objects behind the handles of the C interface.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 #include "libration/pendulum/sampler/sampler.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
-// What this header declares is what the shared library shows; all else is hidden.
+// The shared library exports what this header declares; everything else is hidden.
 #pragma GCC visibility push(default)
 #include "libration.h"
 #pragma GCC visibility pop
@@ -23,7 +23,7 @@ struct libration_number {
     int rigour = LIBRATION_HEURISTIC;
 };
 
-/// Rows of cells; words are numbers of no rigour.
+/// Rows of cells; words are numbers without rigour.
 struct libration_table {
     struct cell {
         libration_number number;
@@ -55,14 +55,14 @@ struct libration_sampler {
 
 namespace libration::c {
 
-/// A decimal that is right to one unit in the last; 0 and inf are exact.
+/// A decimal that is correct to one unit in the last digit; 0 and inf are exact.
 libration_number rounded_number(const std::string& decimal);
 inline libration_number rounded_number(const rounded_decimal& number) { return rounded_number(number.text); }
-/// Throws std::logic_error where no digit is proved.
+/// Throws std::logic_error if no digit is proved.
 libration_number proved_number(const proved_decimal& number);
-/// A whole number.
+/// An integer.
 inline libration_number count_number(long n) { return {std::to_string(n), "0", LIBRATION_PROVED}; }
-/// What was typed, as it was typed.
+/// Typed text, unchanged.
 inline libration_number typed_number(const std::string& text) { return {text, "0", LIBRATION_PROVED}; }
 
 }  // namespace libration::c

@@ -35,7 +35,7 @@ given_motion read_motion(const std::string& text) {
             std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.first == name; });
         if (field == fields.end()) {
             throw error(error_kind::argument, "motion", name,
-                        "is none of theta0, omega0, energy, gap, direction, length and gravity");
+                        "is not one of theta0, omega0, energy, gap, direction, length and gravity");
         }
         if (value.empty() || !(read.*field->second).empty()) {
             throw error(error_kind::argument, "motion", name, value.empty() ? "has no value" : "has two values");
@@ -77,7 +77,7 @@ libration_table states_of(const libration_motion& m, const std::string& times, l
     return table;
 }
 
-// NULL is the usual point of a motion.
+// NULL is the default point of a motion.
 std::string point_of(const char* point) { return point == nullptr ? "" : point; }
 
 libration_table coefficients_of(const libration_motion& m, const std::string& point, long first, long last, long digits,
@@ -211,7 +211,7 @@ int libration_sampler_at(const libration_sampler* sampler, size_t count, const d
             sampler->of({&given(times, "times"), count}, {theta, count}, {omega, count});
         }
     };
-    // A round trip to another thread would cost a hundred times as much as a time.
+    // A round trip to another thread would cost a hundred times as much as one time.
     const bool in_double = sampler == nullptr || times == nullptr || sampler->of.reaches({times, count});
     return in_double ? guarded_here(sample) : guarded(sample);
 }

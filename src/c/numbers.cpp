@@ -36,10 +36,10 @@ namespace {
 // Bits beyond the digits of a decimal, with which it is converted.
 constexpr long digits_beyond = 25;
 
-// +1 or -1 where the number is infinite.
+// +1 or -1 if the number is infinite.
 int infinity_of(const libration_number& x) { return x.decimal == "inf" ? 1 : x.decimal == "-inf" ? -1 : 0; }
 
-// The numbers that this one may be. Throws error where nothing is known of them.
+// A ball that contains the exact number. Throws error if nothing is known about it.
 ball enclosure_of(const libration_number& x) {
     const precision_scope scope(std::max<long>(static_cast<long>(x.decimal.size()), 17) + digits_beyond);
     if (x.uncertainty.empty()) {
@@ -48,7 +48,7 @@ ball enclosure_of(const libration_number& x) {
     try {
         return enclose(from_rational<ball>(read_exact(x.decimal).coefficient),
                        from_rational<ball>(read_exact(x.uncertainty).coefficient));
-    } catch (const error& problem) {  // beyond the exponents that are read
+    } catch (const error& problem) {  // beyond the supported exponents
         throw error(error_kind::range, "number", x.decimal, problem.reason());
     }
 }
@@ -61,13 +61,13 @@ double nearest_double(const libration_number& x) {
     const double below = mpfr_get_d(handle(midpoint_of(lower_bound(enclosure))), MPFR_RNDN);
     const double above = mpfr_get_d(handle(midpoint_of(upper_bound(enclosure))), MPFR_RNDN);
     if (!(below == above)) {
-        throw error(error_kind::undecided, "number", x.decimal, "does not decide its double: ask for more digits");
+        throw error(error_kind::undecided, "number", x.decimal, "does not determine its double: request more digits");
     }
     return below;
 }
 
 void write_text(const std::string& text, char* place, std::size_t size) {
-    given(place, "the place for the text");
+    given(place, "the pointer to the text");
     if (text.size() >= size) {
         throw error(error_kind::range, "size", std::to_string(size),
                     "is too small: " + std::to_string(text.size() + 1) + " characters are needed");
@@ -81,12 +81,12 @@ std::string exact_text(const std::string& mantissa, long exponent) {
         mantissa.size() > first && std::all_of(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
                                                [](unsigned char c) { return std::isdigit(c) != 0; });
     if (!whole) {
-        throw error(error_kind::argument, "mantissa", mantissa, "is not a whole number");
+        throw error(error_kind::argument, "mantissa", mantissa, "is not an integer");
     }
     return mantissa + "*2^" + (exponent < 0 ? "(" + std::to_string(exponent) + ")" : std::to_string(exponent));
 }
 
-// A decimal, and a bound that leaves a digit where one is proved.
+// A decimal, and a bound that leaves at least one digit if it is proved.
 void require_bound(const libration_number& written) {
     const rational value = given_fraction("decimal", written.decimal);
     const rational bound = written.uncertainty.empty() ? 0 : given_fraction("uncertainty", written.uncertainty);
@@ -100,7 +100,7 @@ void require_bound(const libration_number& written) {
 }
 
 std::size_t mantissa_size(const libration_number& x) {
-    // The digits of the decimal and of the bits beyond, a sign, the 0 at the end.
+    // The digits of the decimal and of the additional bits, a sign, the terminating 0.
     return x.decimal.size() + static_cast<std::size_t>(2 * digits_beyond);
 }
 
@@ -123,7 +123,7 @@ int libration_number_read(const char* text, long digits, libration_number** numb
 int libration_number_of(const char* decimal, const char* uncertainty, int rigour, libration_number** number) {
     return made(number, [&] {
         if (rigour < LIBRATION_HEURISTIC || rigour > LIBRATION_PROVED) {
-            throw error(error_kind::argument, "rigour", std::to_string(rigour), "is none of the three");
+            throw error(error_kind::argument, "rigour", std::to_string(rigour), "is not one of the three");
         }
         libration_number written{text_of(decimal, "decimal"), text_of(uncertainty, "uncertainty"), rigour};
         if (infinity_of(written) == 0) {
@@ -152,7 +152,7 @@ int libration_number_rigour(const libration_number* number) {
 int libration_number_double(const libration_number* number, double* nearest) {
     return guarded([&] {
         const double found = nearest_double(given(number, "number"));
-        given(nearest, "the place for the result");
+        given(nearest, "the pointer to the result");
         *nearest = found;
     });
 }
@@ -160,8 +160,8 @@ int libration_number_double(const libration_number* number, double* nearest) {
 int libration_number_bounds(const libration_number* number, double* lower, double* upper) {
     return guarded([&] {
         const libration_number& x = given(number, "number");
-        given(lower, "the place for the lower bound");
-        given(upper, "the place for the upper bound");
+        given(lower, "the pointer to the lower bound");
+        given(upper, "the pointer to the upper bound");
         if (infinity_of(x) != 0) {
             *lower = *upper = infinity_of(x) * std::numeric_limits<double>::infinity();
             return;
@@ -180,9 +180,9 @@ int libration_number_exact(const libration_number* number, char* mantissa, size_
                            unsigned long* radius, long* radius_exponent) {
     return guarded([&] {
         const libration_number& x = given(number, "number");
-        given(exponent, "the place for the exponent");
-        given(radius, "the place for the radius");
-        given(radius_exponent, "the place for the exponent of the radius");
+        given(exponent, "the pointer to the exponent");
+        given(radius, "the pointer to the radius");
+        given(radius_exponent, "the pointer to the exponent of the radius");
         if (infinity_of(x) != 0) {
             throw error(error_kind::range, "number", x.decimal, "is infinite");
         }

@@ -23,7 +23,7 @@ libration_number heuristic(const std::string& decimal, const std::string& uncert
     return {decimal, uncertainty, LIBRATION_HEURISTIC};
 }
 
-// A number that there may be none of.
+// A number that may be missing.
 void add_where_known(libration_table& table, const std::string& decimal, const std::string& uncertainty) {
     if (decimal.empty()) {
         table.add(std::string());
@@ -63,8 +63,8 @@ std::vector<convergence::listed_function> functions_of(const ode::coefficient_li
     return functions;
 }
 
-// A part of a place to so many digits: what the disc round it holds is at most so far from the decimal, which is 0 where
-// no digit of a proved one is.
+// A part of a position to this number of digits: its uncertainty bounds the distance of the decimal from every point of
+// the surrounding disc. The decimal is 0 if a proved one has no digit.
 libration_number part_of_place(const mpfr& part, const magnitude& reach, long digits, int rigour) {
     const std::string decimal = to_decimal(part, digits);
     const ball within = widened(ball(part), reach);
@@ -76,7 +76,7 @@ libration_number part_of_place(const mpfr& part, const magnitude& reach, long di
     return {number.text, number.uncertainty, rigour};
 }
 
-// A part of an exponent: a whole number as such.
+// A part of an exponent: an integer as such.
 std::string small_text(double x) {
     const double nearest = std::round(x);
     constexpr double whole = 1e-7;
@@ -101,8 +101,8 @@ ode::singularity_map search(const ode::explicit_system& system, const std::strin
     auto map = ode::singularities_of(system, request);
     if (map.all.empty() && !map.entire && within.empty()) {
         throw error(error_kind::undecided, "problem", "",
-                    "has no singularity that was found within " + to_decimal(map.within, 6) +
-                        " of its start, which does not prove that there is none: search further out");
+                    "has no known singularity within " + to_decimal(map.within, 6) +
+                        " of its initial point, which does not prove that there is none: search a larger disc");
     }
     return map;
 }

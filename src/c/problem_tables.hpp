@@ -1,4 +1,4 @@
-// What radii and singularities become in tables of the C interface.
+// The tables of radii and singularities in the C interface.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@
 
 namespace libration::c {
 
-/// The answers to functions, the verdict of the nearest first and then all of each; to so many digits at most.
+/// The results for functions, the verdict of the nearest first and then all of each; to at most this number of digits.
 libration_table table_of_radii(const std::vector<convergence::listed_function>& functions,
                                const std::vector<std::string>& names, long digits);
 
-/// Of the unknowns of a system, from coefficients 0 .. last about its start.
+/// Of the unknowns of a system, from coefficients 0 .. last about its initial point.
 libration_table radius_table(const ode::explicit_system& system, long last, long digits);
 
-/// The singularities within a distance of the start, "" for twice the nearest, and whether all of it was searched.
+/// The singularities within a distance of the initial point, "" for twice the nearest, and whether the whole disc was
+/// searched.
 struct found_singularities {
     libration_table table;
     bool complete;

@@ -41,12 +41,12 @@ libration_problem make_problem(const std::string& text, const std::string& setti
 exact time_of(const std::string& text) {
     const exact time = given_time("time", text);
     if (time.has_periods()) {
-        throw error(error_kind::argument, "time", text, "is a multiple of a period, which a problem has not");
+        throw error(error_kind::argument, "time", text, "is a multiple of a period, which a problem does not have");
     }
     return time;
 }
 
-// A row for each time, with what is known of it, and why something is missing where it is.
+// A row for each time, with what is known of it, and the reason if something is missing.
 struct known_states {
     libration_table table;
     std::optional<error> missing;
@@ -72,7 +72,7 @@ known_states states_of(const libration_problem& p, const std::string& list, long
     std::ranges::transform(items, std::back_inserter(times), time_of);
     const request how{.scalar = {proved ? scalar_kind::proved : scalar_kind::arbitrary, given_digits(digits)},
                       .progress = [&](double part) { watch(part); }};
-    // A solution of its own for each call: one in which memory ran out is not asked again.
+    // A separate solution for each call: one in which memory ran out is not used again.
     auto found = solve(problem(p.equations))->states(times, how);
     libration_table table{{"time"}, {}};
     table.names.insert(table.names.end(), p.names.begin(), p.names.end());
@@ -98,7 +98,7 @@ std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, b
     return names;
 }
 
-// A row a power; `as_number` makes numbers of what the list has.
+// One row per power; `as_number` converts the elements of the list to numbers.
 template <class Number, class AsNumber>
 libration_table table_of(const ode::coefficient_request& request, const ode::coefficient_list<Number>& list,
                          const AsNumber& as_number) {
@@ -145,7 +145,7 @@ ode::coefficient_request request_of(const libration_problem& p, const char* poin
     if (is_given(point)) {
         request.at = read_point(point);
     } else if (is_given(corners)) {
-        throw error(error_kind::argument, "corners", corners, "are a way to a point and there is none");
+        throw error(error_kind::argument, "corners", corners, "are a path to a point, and no point is given");
     }
     if (is_given(corners)) {
         for (const std::string& each : items_of(corners, "corners")) {
@@ -189,7 +189,7 @@ int libration_problem_states(const libration_problem* problem, const char* times
 int libration_problem_known_states(const libration_problem* problem, const char* times, long digits, int rigour,
                                    libration_watch watch, void* context, libration_table** states) {
     return guarded([&] {
-        given(states, "the place for the result");
+        given(states, "the pointer to the result");
         *states = nullptr;
         auto found = states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
                                watcher(watch, context));
@@ -225,8 +225,8 @@ int libration_problem_radius(const libration_problem* problem, long last, long d
 int libration_problem_radius_bounds(const libration_problem* problem, long digits, libration_number** lower,
                                     libration_number** upper) {
     return guarded([&] {
-        given(lower, "the place for the lower bound");
-        given(upper, "the place for the upper bound");
+        given(lower, "the pointer to the lower bound");
+        given(upper, "the pointer to the upper bound");
         const auto proof = ode::prove_radius(given(problem, "problem").system, given_digits(digits));
         const auto [below, above] = ode::outward_decimals(proof, digits);
         auto first = std::make_unique<libration_number>(typed_number(below));

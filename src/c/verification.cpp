@@ -14,7 +14,7 @@ namespace libration::c {
 
 namespace {
 
-// What is compared: the names of the columns, a time and as many values as names for each row, in texts.
+// What is compared: the names of the columns, and for each row a time and one value per name, as texts.
 struct asked_values {
     std::vector<std::string> names, times, values;
 };
@@ -24,8 +24,8 @@ asked_values read_lists(const char* names, const char* times, const char* values
                        items_of(text_of(values, "values"), "values")};
     if (asked.values.size() != asked.times.size() * asked.names.size()) {
         throw error(error_kind::argument, "number of values", std::to_string(asked.values.size()),
-                    "is not that of the times, " + std::to_string(asked.times.size()) + ", times that of the names, " +
-                        std::to_string(asked.names.size()));
+                    "is not the product of the number of times, " + std::to_string(asked.times.size()) +
+                        ", and that of names, " + std::to_string(asked.names.size()));
     }
     return asked;
 }
@@ -41,7 +41,7 @@ std::string text_of_double(double x) {
 asked_values read_doubles(const char* names, std::size_t rows, const double* times, const double* values) {
     asked_values asked{items_of(text_of(names, "names"), "names"), {}, {}};
     if (rows == 0) {
-        throw error(error_kind::argument, "rows", "0", "are none to compare");
+        throw error(error_kind::argument, "rows", "0", "is less than 1");
     }
     given(times, "times");
     given(values, "values");
@@ -71,11 +71,11 @@ compare_rules rules_of(const char* text) {
              : name == "relative" ? rules.relative
                                   : rules.ulps) = tolerance_of(name, value);
         } else {
-            throw error(error_kind::argument, "rules", name, "is none of tolerance, relative, ulp and modulo");
+            throw error(error_kind::argument, "rules", name, "is not one of tolerance, relative, ulp and modulo");
         }
     }
     if (rules.ulps && (rules.tolerance || rules.relative)) {
-        throw error(error_kind::argument, "ulp", "", "comes together with another tolerance");
+        throw error(error_kind::argument, "ulp", "", "is given together with another tolerance");
     }
     return rules;
 }
@@ -145,14 +145,16 @@ libration_table compared_with_problem(const libration_problem& p, const asked_va
     for (const std::string& name : asked.names) {
         const auto found = std::find(p.names.begin(), p.names.end(), name);
         if (found == p.names.end()) {
-            throw error(error_kind::argument, "names", name, "is no unknown of the problem and no lower derivative");
+            throw error(error_kind::argument, "names", name,
+                        "is neither an unknown of the problem nor a lower derivative");
         }
         components.push_back(all[static_cast<std::size_t>(found - p.names.begin())]);
     }
     ode::problem_truths truths(p.system, p.equations, components);
     return compared(asked, rules, watch, [&](const exact& time) {
         if (time.has_periods()) {
-            throw error(error_kind::argument, "time", time.text, "is a multiple of a period, which a problem has not");
+            throw error(error_kind::argument, "time", time.text,
+                        "is a multiple of a period, which a problem does not have");
         }
         return truths.at(time);
     });

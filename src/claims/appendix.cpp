@@ -1,4 +1,4 @@
-// The appendix: the resummation in powers of t, and what it saves.
+// The appendix: the resummation in powers of t, and the saving that it brings.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -30,7 +30,7 @@ struct appendix_form {
     }
 };
 
-// sigma_N and sigma_N' at t as (efficient) should have them, and as it prints them, sum a_n t^N.
+// sigma_N and sigma_N' at t as required by (efficient), and as printed, sum a_n t^N.
 jet<mpfr> sigma_of(const std::vector<mpfr>& a, const mpfr& t) {
     const auto at = evaluate(power_series<mpfr>(a), t);
     return {at.value, at.slope};
@@ -45,7 +45,7 @@ std::vector<mpfr> unscaled(const sampled_arc& arc, int order) {
     return rescale(arc.series(order), mpfr(1 / arc.period())).coefficients();
 }
 
-// The norm of theta_N - theta where theta_N is in powers of t.
+// The norm of theta_N - theta with theta_N in powers of t.
 mpfr norm_of(const sampled_arc& arc, const appendix_form& form) {
     const truncated_series<mpfr> scaled(rescale(power_series<mpfr>(form.coefficients), arc.period()), mpfr(1));
     return arc.error_norm(scaled);

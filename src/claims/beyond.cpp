@@ -1,4 +1,4 @@
-// Beyond the paper: what this program claims itself, measured like the statements of the paper.
+// Beyond the paper: the claims of this program, measured like the statements of the paper.
 #include <algorithm>
 #include <string_view>
 
@@ -28,7 +28,7 @@ std::vector<motion> all_energies() {
     return all;
 }
 
-// The error norm of the uniform resummation to the power N, at digits enough for it.
+// The error norm of the uniform resummation to the power N, with sufficiently many digits.
 mpfr uniform_norm(const motion& m, int order) {
     const precision_scope enough(uniform_digits_below(m, order) + 20);
     return arc_errors(m).norm_of(uniform_from_top<mpfr>(m, order), order).norm;

@@ -1,4 +1,4 @@
-// Section VI: what the paper concludes.
+// Section VI: the conclusions of the paper.
 #include <algorithm>
 #include <string_view>
 
@@ -38,7 +38,7 @@ claim converges_beyond_bottom() {
                 for (const std::string_view gap : {"1e-10", "1e-100"}) {
                     smallest = std::min(smallest, mpfr(1 / sampled_arc(of_gap(gap)).rho()));
                 }
-                // R is the distance of the singularities; that the series does converge there is in the coefficients.
+                // R is the distance of the singularities; the coefficients show that the series does converge there.
                 const sampled_arc arc(of_energy("1.71"));
                 const bool terms_fall = abs(arc.series(200)[200]) < abs(arc.series(100)[100]) / 1000;
                 const mpfr beyond = smallest - 1;
@@ -214,8 +214,8 @@ claim root_test() {
             }};
 }
 
-// R about the fraction x of the way from the top to the bottom, over the truth: deduced from 60 coefficients in time
-// scaled by T*, with 40 digits.
+// R about the fraction x of the interval between the top and the bottom, relative to the exact value: deduced from 60
+// coefficients in time scaled by T*, with 40 digits.
 mpfr deduced_radius(const motion& m, const rational& x) {
     const exact_solution<mpfr> solution(m);
     const expansion_point point{expansion_point::place::time,

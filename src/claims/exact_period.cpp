@@ -1,4 +1,4 @@
-// Claims of section II about the exact period, and the symmetries that leave T* of it.
+// Claims of section II about the exact period, and the symmetries that reduce it to T*.
 #include <algorithm>
 #include <vector>
 
@@ -83,7 +83,7 @@ mpfr time_by_angle(const mpfr& energy, int points) {
     return sum * width;
 }
 
-// K(k) as (K) defines it, by the same rule.
+// K(k) as defined by (K), by the same rule.
 mpfr integral_of_modulus(const mpfr& k_squared, int points) {
     const mpfr width = pi<mpfr>() / 2 / points;
     mpfr sum(0);

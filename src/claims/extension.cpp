@@ -15,8 +15,8 @@ namespace {
 
 using namespace judging;
 
-// The series from the top in t, clockwise rotation by its own initial conditions, to so many powers that those left out
-// are below 1e-45 at T*.
+// The series from the top in t, clockwise rotation with its own initial conditions, to so many powers that the
+// remaining ones are below 1e-45 at T*.
 class top_series {
 public:
     explicit top_series(const char* energy, int direction = 1) : arc_(arc_of<mpfr>(of_energy(energy))) {
@@ -264,7 +264,7 @@ claim figure_libration_orders() {
         }};
 }
 
-// |a_N| T*^N at the top, by the recurrence that knows no parity.
+// |a_N| T*^N at the top, by the recurrence without use of parity.
 mpfr last_term(const char* energy, int order) {
     const mpfr duration = effective_period_of(energy);
     return abs(printed_series(top_of(number(energy)), order, duration)[order]);
@@ -315,7 +315,7 @@ claim error_grows_towards_separatrix() {
             }};
 }
 
-// The first N from which on |theta(T*) - sum to N| stays below a bound, up to N = order.
+// The first N such that |theta(T*) - sum to n| stays below a bound for all n = N .. order.
 int terms_for(const char* energy, const mpfr& bound, int order) {
     const auto arc = arc_of<mpfr>(of_energy(energy));
     const auto a = arc_series(arc, order);

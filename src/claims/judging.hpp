@@ -1,4 +1,4 @@
-// How a number becomes a verdict, and the motions that claims are measured on.
+// The conversion of a number to a verdict, and the motions on which claims are measured.
 #pragma once
 
 #include <string_view>
@@ -10,10 +10,10 @@
 
 namespace libration::judging {
 
-/// An error below this is none: 50 digits less ten that a measurement may lose.
+/// An error below this counts as 0: 50 digits less ten that a measurement may lose.
 inline mpfr negligible() { return pow(mpfr(10), -40); }
 
-/// Holds where the error is negligible.
+/// Holds if the error is negligible.
 inline finding by_error(const mpfr& error) { return {error < negligible() ? verdict::holds : verdict::fails, error}; }
 
 /// The statement as printed and as corrected: the number is the error of what is printed.
@@ -24,12 +24,12 @@ inline finding by_errors(const mpfr& printed, const mpfr& corrected) {
     return {corrected < negligible() ? verdict::corrected : verdict::fails, printed};
 }
 
-/// A number that speaks for the statement or against it.
+/// A number that supports or contradicts the statement.
 inline finding by_test(bool statement, const mpfr& number) {
     return {statement ? verdict::holds : verdict::fails, number};
 }
 
-/// The same with a correction that is tested too.
+/// The same with a correction that is also tested.
 inline finding by_tests(bool statement, bool correction, const mpfr& number) {
     if (statement) {
         return {verdict::holds, number};

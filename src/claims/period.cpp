@@ -20,8 +20,8 @@ modulus<mpfr> modulus_of_square(const mpfr& square) {
     return {sqrt(square), sqrt(1 - square), modulus<mpfr>::source::modulus};
 }
 
-// A function of v and 1-v integrated over [0, 1] by the double exponential rule, which bears 1/sqrt(1-v) at the end:
-// v = 1/(1 + e^(-2s)), s = (pi/2) sinh tau, dv = 2 v (1-v) ds.
+// A function of v and 1-v integrated over [0, 1] by the double exponential rule, which tolerates 1/sqrt(1-v) at the
+// end: v = 1/(1 + e^(-2s)), s = (pi/2) sinh tau, dv = 2 v (1-v) ds.
 template <class F>
 mpfr integral_over_unit(const F& f) {
     const int steps_per_unit = 64;
@@ -38,7 +38,7 @@ mpfr integral_over_unit(const F& f) {
     return sum / steps_per_unit;
 }
 
-// The error of (Kold) and (Knew) cut after k^(2N).
+// The error of (Kold) and (Knew) truncated after k^(2N).
 mpfr old_error(const modulus<mpfr>& m, int order) {
     return abs(complete_integral_series(m, order) - complete_integral(m));
 }
@@ -249,7 +249,7 @@ claim knew_rapid() {
             .measure = [] {
                 const auto o = energy_level_of<mpfr>(of_gap("1e-12"));
                 const mpfr ratio = new_error(o.modulus, 800) / new_error(o.modulus, 400);
-                // Rapid would be a fixed factor for so many terms more; 1/(8N) only halves.
+                // Rapid would be a fixed factor per given number of further terms; 1/(8N) only halves.
                 return by_tests(ratio < mpfr(1) / 1000, abs(ratio * 2 - 1) < mpfr(1) / 100, ratio);
             }};
 }
@@ -270,7 +270,7 @@ claim knew_limit() {
                 const auto m = modulus<mpfr>::from_complement(complement);
                 const mpfr rest = complete_integral(m) - artanh_over_modulus(m) - log(mpfr(2));
                 const mpfr coefficient = rest / (complement * complement * log(complement));
-                // An analytic rest would be c k'^2: no logarithm, and this quotient would tend to 0 like 1/ln k'.
+                // An analytic remainder would be c k'^2: no logarithm, and this quotient would tend to 0 like 1/ln k'.
                 const auto next = modulus<mpfr>::from_complement(mpfr(complement * complement));
                 const mpfr deeper = (complete_integral(next) - artanh_over_modulus(next) - log(mpfr(2))) /
                                     (pow(complement, 4) * log(complement) * 2);
@@ -356,7 +356,7 @@ claim period_analyticity() {
             .command = "./run claims period_analyticity",
             .measure = [] {
                 const sampled_arc arc(of_energy("1.71"));
-                // After the bottom the extension is -theta(2T* - t): its second derivative there is the opposite one.
+                // After the bottom the extension is -theta(2T* - t): its second derivative there has the opposite sign.
                 const mpfr inner = evaluate(arc.resummed(10).inner(), mpfr(1)).value;
                 const mpfr jump = abs(inner) * 4 / (arc.period() * arc.period());
                 const mpfr later = abs(evaluate(arc.resummed(80).inner(), mpfr(1)).value);

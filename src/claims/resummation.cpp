@@ -1,4 +1,4 @@
-// Section IV: the resummation of the series, its formulas and what they enforce. Its errors are in
+// Section IV: the resummation of the series, its formulas and the conditions that they satisfy. Its errors are in
 // resummation_errors.cpp, its form in the appendix in appendix.cpp.
 #include <cstddef>
 #include <utility>
@@ -121,7 +121,7 @@ claim b_constants() {
             .command = "./run claims b_constants",
             .measure = [] {
                 const sampled_arc arc(of_energy("2.02"));
-                // The sum of all b_n T*^n is theta(T*) less the line there; of n b_n T*^n, its slope.
+                // The sum of all b_n T*^n is theta(T*) minus the line there; that of n b_n T*^n, its slope.
                 const jet<mpfr> bottom = arc.exact(mpfr(1));
                 const mpfr slope = bottom.slope - arc.fastest() * arc.period();
                 const bool flat = abs(slope) < epsilon<mpfr>() * 100;
@@ -131,7 +131,7 @@ claim b_constants() {
             }};
 }
 
-// The formula of (approxcoeffs) as it stands, in the unscaled variable.
+// The formula of (approxcoeffs) exactly as printed, in the unscaled variable.
 std::vector<mpfr> ahat_by_the_formula(const std::vector<mpfr>& b, const mpfr& period) {
     std::vector<mpfr> ahat(b.size(), mpfr(0));
     for (std::size_t n = 0; n < b.size(); ++n) {
@@ -205,7 +205,7 @@ claim exact_resummation() {
                 const auto printed = arc.resummed(order, mpfr(0), arc.fastest()).inner();
                 const auto corrected = arc.resummed(order).inner();
                 const mpfr scale = arc.fastest() * arc.period() * 2;
-                // |ahat_n T*^(n+2)| falls like (T*/R)^n where the radius is R; 100 leaves room for the constant.
+                // |ahat_n T*^(n+2)| decreases like (T*/R)^n if the radius is R; 100 is a margin for the constant.
                 const mpfr allowed = pow(arc.rho(), order) * 100;
                 return by_tests(abs(printed[order]) < allowed, abs(corrected[order]) < allowed, printed[order] / scale);
             }};
@@ -220,7 +220,7 @@ claim resummation_range() {
             .command = "./run claims resummation_range",
             .measure = [] {
                 const sampled_arc arc(of_energy("1.71"));
-                // At -T* the monomial t^(N+1+j) leaves 2j - 1 + (-1)^j times itself: the rate stays, nothing is gained.
+                // At -T* the monomial t^(N+1+j) leaves 2j - 1 + (-1)^j times itself: the rate is unchanged.
                 const mpfr there(-1);
                 const mpfr at_eighty = arc.error_at(arc.resummed(80), there);
                 const mpfr at_forty = arc.error_at(arc.resummed(40), there);
@@ -229,7 +229,7 @@ claim resummation_range() {
             }};
 }
 
-// The exponent p of an error that goes like distance^p.
+// The exponent p of an error that behaves like distance^p.
 mpfr order_of_contact(const mpfr& near, const mpfr& far) { return log10(far / near); }
 
 claim enforced_at_top() {

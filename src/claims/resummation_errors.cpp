@@ -1,4 +1,5 @@
-// Section IV: how fast the resummation converges, the figure of its errors, and what it costs beside the series.
+// Section IV: the rate of convergence of the resummation, the figure of its errors, and its cost compared with the
+// series.
 #include <algorithm>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,7 @@ claim acceleration_rate() {
             .command = "./run study error_norm --energies 1.71 --orders 40,80 --scalar mpfr:20",
             .measure = [] {
                 const sampled_arc arc(of_energy("1.71"));
-                // The larger one of two orders: one alone may be near a zero of sin(n phi).
+                // The larger one of two orders: a single one may be near a zero of sin(n phi).
                 const auto rate = [](const auto& norm) {
                     const mpfr early = std::max(norm(40), norm(42));
                     const mpfr late = std::max(norm(80), norm(82));
@@ -55,7 +56,7 @@ claim every_energy() {
         .measure = [] {
             mpfr slowest(0);
             for (const std::string_view energy : {"1e-3", "1", "4", "100", "1.9999", "2.0001"}) {
-                // The digits that the error falls below theta, where the rate is fastest: (T*/R)^160 at E = 1e-3.
+                // The digits by which the error falls below theta, where the rate is fastest: (T*/R)^160 at E = 1e-3.
                 const precision_scope deeper(200);
                 const sampled_arc arc(of_energy(energy));
                 slowest = std::max(slowest, mpfr(arc.error_at(arc.resummed(160), mpfr(3) / 4) /
@@ -109,7 +110,7 @@ claim error_monotone() {
             }};
 }
 
-// |theta of the Runge-Kutta method - theta| at a time, from the start of a motion.
+// |theta of the Runge-Kutta method - theta| at a time, from the initial state of a motion.
 mpfr runge_kutta_error(const motion& m, const exact& time, const mpfr& step) {
     const exact_solution<mpfr> truth(m);
     const auto start = truth(exact{});

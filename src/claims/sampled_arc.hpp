@@ -1,5 +1,5 @@
-// A motion on its way from the top to the bottom, in the paper's own frame, with constants at the bottom that may be
-// wrong: what the claims about the resummation are measured on.
+// A motion from the top to the bottom, in the paper's own coordinates, with constants at the bottom that may be
+// perturbed: the basis of the claims about the resummation.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace libration::judging {
 
-/// theta and its series on the way down, t = x T*, by the exact solution and without mirror images: a clockwise
-/// rotation runs from pi to 0. At the working precision in force; throws error at E = 2.
+/// theta and its series from the top to the bottom, t = x T*, by the exact solution and without mirror images: a
+/// clockwise rotation runs from pi to 0. At the current working precision; throws error at E = 2.
 class sampled_arc {
 public:
     explicit sampled_arc(const pendulum::motion& m)
@@ -47,7 +47,7 @@ public:
     }
     truncated_series<mpfr> cut(int order) const { return {series(order), mpfr(1)}; }
 
-    /// The resummation that ends in these theta* and omega*, and the one that ends where the motion does.
+    /// The resummation with the end values theta* and omega*, and the one with the end values of the motion.
     endpoint_approximant<mpfr> resummed(int order, const mpfr& angle, const mpfr& speed) const {
         return {series(order), {angle, speed * period_}};
     }
@@ -63,7 +63,7 @@ public:
         const auto truth = [this](const mpfr& x) { return exact(x); };
         return difference_norm<mpfr>(difference(approximation, truth), points).norm;
     }
-    /// The error at one place.
+    /// The error at one point.
     template <class F>
     mpfr error_at(const F& approximation, const mpfr& x) const {
         return abs(approximation(x).value - exact(x).value);

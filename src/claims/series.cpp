@@ -1,4 +1,4 @@
-// Claims of section III A: the recurrences, where else they come from, and figure `series`.
+// Claims of section III A: the recurrences, other derivations of them, and figure `series`.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -107,7 +107,7 @@ power_series<mpfr> four_equations(const jet<mpfr>& start, int order) {
     return theta;
 }
 
-// Largest |a_n - b_n| R^n n/8: relative to the size that coefficients have.
+// Largest |a_n - b_n| R^n n/8: relative to the size of the coefficients.
 mpfr relative_distance(const power_series<mpfr>& a, const power_series<mpfr>& b, const mpfr& radius) {
     mpfr largest(0);
     mpfr power(1);
@@ -135,7 +135,7 @@ claim four_equations_agree() {
             }};
 }
 
-// y'' = -linear y + cubic y^3, which cd, sn and omega obey.
+// y'' = -linear y + cubic y^3, satisfied by cd, sn and omega.
 power_series<mpfr> cubic_oscillator(const jet<mpfr>& start, const mpfr& linear, const mpfr& cubic, int order) {
     power_series<mpfr> y({start.value, start.slope});
     auto square = power_series<mpfr>::zero(order);
@@ -183,7 +183,7 @@ claim arcsine_route() {
 }
 
 // omega is itself a Jacobi function, -2 k k' sd(t, k) below E = 2 and 2 dn(t sqrt(E/2), k) sqrt(E/2) above (from the
-// bottom), and obeys omega'' = (E - 1) omega - omega^3/2.
+// bottom), and satisfies omega'' = (E - 1) omega - omega^3/2.
 power_series<mpfr> integrated_omega(const jet<mpfr>& start, const mpfr& energy, int order) {
     const jet<mpfr> omega{start.slope, mpfr(-sin(start.value))};
     return integral(cubic_oscillator(omega, 1 - energy, mpfr(mpfr(-1) / 2), order - 1), start.value);
@@ -212,7 +212,7 @@ claim arcsine_is_required() {
             }};
 }
 
-// Products that sum_k f_k g_(n-k), n = 0 .. count-1, takes; half of them for a square.
+// The number of products in sum_k f_k g_(n-k), n = 0 .. count-1; half of them for a square.
 long products(int count, bool square) {
     long sum = 0;
     for (int n = 0; n < count; ++n) {

@@ -1,4 +1,5 @@
-// Claims of section III B: where theta(t) is singular, how, and what radius that leaves from the top and the bottom.
+// Claims of section III B: the singularities of theta(t), their type, and the resulting radius about the top and the
+// bottom.
 #include <algorithm>
 #include <initializer_list>
 #include <tuple>
@@ -17,15 +18,15 @@ namespace {
 
 using namespace judging;
 
-// What theta and omega gain on a square path once around a point of the complex time plane, of half the given side,
-// reached along the real axis and then straight up or down.
+// The increments of theta and omega along a square path once around a point of the complex t-plane, of half the given
+// side, reached along the real axis and then straight up or down.
 struct circuit {
     complex_number<mpfr> theta;
     complex_number<mpfr> omega;
 };
 
 circuit around(const jet<mpfr>& start, const complex_number<mpfr>& centre, const mpfr& half) {
-    // Counterclockwise, from the side that faces the real axis: the way there must not meet the point itself.
+    // Counterclockwise, starting at the side that faces the real axis: the path to it must not meet the point itself.
     const mpfr side = centre.im < 0 ? mpfr(-half) : half;
     flow<mpfr> along(start.value, start.slope);
     along.advance_to(centre.re);
@@ -40,7 +41,8 @@ circuit around(const jet<mpfr>& start, const complex_number<mpfr>& centre, const
     return {after.theta - before.theta, after.omega - before.omega};
 }
 
-// How far a circuit is from that of a logarithm 2i sign log(t - centre): theta gains -4 pi sign, omega nothing.
+// The deviation of a circuit from that of a logarithm 2i sign log(t - centre): theta increases by -4 pi sign, omega by
+// 0.
 mpfr distance_from_logarithm(const circuit& c, int sign) {
     const complex_number<mpfr> expected{mpfr(pi<mpfr>() * (-4 * sign)), mpfr(0)};
     return std::max(modulus_of(c.theta - expected), modulus_of(c.omega));
@@ -253,7 +255,7 @@ claim radius_exceeds_effective_period() {
             }};
 }
 
-// The largest |a_n T*^n n/8|^(1/n), n = 600 .. 616: the rate at which terms fall on the way to the bottom.
+// The largest |a_n T*^n n/8|^(1/n), n = 600 .. 616: the rate at which terms decrease between the top and the bottom.
 mpfr rate_of_fall(const char* energy) {
     const auto a = arc_series(arc_of<mpfr>(of_energy(energy)), 616, recurrence::sine_cosine);
     mpfr largest(0);

@@ -1,4 +1,4 @@
-// The approximants that the series of an unknown about the start makes.
+// The approximants computed from the series of an unknown about the initial point.
 #pragma once
 
 #include <algorithm>
@@ -16,26 +16,26 @@
 
 namespace libration {
 
-/// What a list of coefficients is made into.
+/// The approximation computed from a list of coefficients.
 enum class list_approximation { series, pade, endpoint };
 
 inline std::string name_of(list_approximation method) {
     return method == list_approximation::series ? "series" : method == list_approximation::pade ? "pade" : "endpoint";
 }
 
-/// Those of a list of coefficients in powers of x, one in `stride` of which is not 0, from the `first` on.
+/// Those of a list of coefficients in powers of x, starting at `first`, of which only every `stride`-th is nonzero.
 template <scalar T>
 class approximants_of_list {
 public:
     using function = std::function<T(const T&)>;
 
-    /// `end` holds the value and the slope at x = 1; empty where they are not known.
+    /// `end` contains the value and the slope at x = 1; empty if they are not known.
     approximants_of_list(series::power_series<T> list, int first, int stride, std::vector<T> end)
         : list_(std::move(list)), first_(first), stride_(stride), end_(std::move(end)) {}
 
-    /// Nothing where there is no such approximant of this order: no endpoint approximant without an end, no Pade
-    /// approximant, in arithmetic that rounds of no smaller degrees either. On balls one exists where it is given, and
-    /// that others do not is not told.
+    /// std::nullopt if there is no such approximant of this order: no endpoint approximant without an end; no Pade
+    /// approximant if, in arithmetic that rounds, none of smaller degrees exists either. In balls a returned
+    /// approximant exists, but std::nullopt does not imply that there is none.
     std::optional<function> of(list_approximation method, int order) const {
         if (method == list_approximation::series) {
             return [sum = list_.truncated(order)](const T& x) { return evaluate_value(sum, x); };
@@ -52,8 +52,8 @@ public:
     }
 
 private:
-    // [m/m] of the list without what symmetry leaves out, in powers of x^stride, m the half of its last power; of
-    // smaller degrees where that does not exist.
+    // [m/m] of the list without the terms that vanish by symmetry, in powers of x^stride, m half of its last power; of
+    // smaller degrees if that does not exist.
     std::optional<function> pade_of(int order) const {
         std::vector<T> part;
         for (int n = first_; n <= order; n += stride_) {
@@ -82,11 +82,11 @@ private:
     std::vector<T> end_;
 };
 
-/// The first coefficient of an unknown that may be other than 0.
+/// The first coefficient of an unknown that may be nonzero.
 inline int first_of_unknown(const ode::tape& of, int unknown) { return std::max(0, of.residue_of(unknown)); }
 
 /// Those of one unknown, as functions of x = ((t - t0)/reach)^(1/root), reach the distance of the farthest time. No
-/// endpoint approximant where times lie on both sides of the start.
+/// endpoint approximant if times are on both sides of the initial point.
 template <rounding_scalar T>
 class approximants_of_unknown {
 public:
@@ -99,16 +99,17 @@ public:
           all_(rescale(of.expansion.series_of(unknown), unit_), first_of_unknown(of.tape, unknown), of.tape.stride(),
                end_of(truth, unknown, root_)) {}
 
-    /// x of a time. Throws error for one before the start of a series in powers of a root.
+    /// x of a time. Throws error for one before the initial point of a series in powers of a root.
     T coordinate(const mpfr& t) const { return T(root_of(mpfr(t - start_), root_) / unit_); }
 
     std::optional<function> of(list_approximation method, int order) const { return all_.of(method, order); }
 
 private:
-    // The real root; of a negative number there is an odd one alone.
+    // The real root; for a negative number only odd roots exist.
     static T root_of(const mpfr& x, int root) {
         if (root > 1 && x < 0) {
-            throw error(error_kind::argument, "time", "", "is before the start, where the solution is not real");
+            throw error(error_kind::argument, "time", "",
+                        "is before the initial point, where the solution is not real");
         }
         return narrow<T>(root == 1 ? x : mpfr(pow(x, mpfr(mpfr(1) / root))));
     }

@@ -1,4 +1,4 @@
-// The axes of studies of the whole catalogue: which of its problems.
+// The axes of studies of the whole catalogue: a selection of its problems.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace libration {
 
-/// Its one axis: --problems.
+/// Its only axis: --problems.
 inline const problem& catalogue_as_problem() {
     static const problem result{"catalogue",
                                 {{.name = "problem",
@@ -29,7 +29,7 @@ inline const problem& catalogue_as_problem() {
     return result;
 }
 
-/// The names that values of that axis mean: all stands for the whole catalogue.
+/// The names given by the values of that axis: all means the whole catalogue.
 inline std::vector<std::string> problem_names_of(const std::vector<exact>& words) {
     std::vector<std::string> names;
     for (const exact& word : words) {

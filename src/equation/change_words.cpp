@@ -15,7 +15,7 @@ namespace libration {
 
 namespace {
 
-// What stands before =, without blanks.
+// The text before =, without blanks.
 std::string left_side_of(const std::string& change) {
     std::string left = change.substr(0, change.find('='));
     std::erase_if(left, [](unsigned char c) { return std::isspace(c) != 0; });
@@ -24,7 +24,7 @@ std::string left_side_of(const std::string& change) {
 
 bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// f, f', f'', ... of f''(0); nothing for another form.
+// f, f', f'', ... of f''(0); empty for another form.
 std::string started_in(const std::string& left) {
     const std::size_t bracket = left.find('(');
     if (bracket == std::string::npos || !left.ends_with(')')) {
@@ -36,8 +36,8 @@ std::string started_in(const std::string& left) {
 
 [[noreturn]] void refuse(const std::string& change, const std::string& left, const char* what,
                          const std::vector<std::string>& own) {
-    throw input_error("--set", change, fmt::format("names no {} of this problem{}", what, suggestion(left, own)),
-                      own.empty() ? fmt::format("leave it out, for there is no {}", what)
+    throw input_error("--set", change, fmt::format("does not name a {} of this problem{}", what, suggestion(left, own)),
+                      own.empty() ? fmt::format("leave it out: there is no {}", what)
                                   : fmt::format("choose one of its own, {}", fmt::join(own, ", ")));
 }
 
@@ -62,7 +62,7 @@ void require_changeable(const ode::equation_system& system, const std::string& c
         own.push_back(names.back() + left.substr(std::min(left.find('('), left.size())));
     }
     if (!started.empty() && std::ranges::find(names, started) == names.end()) {
-        refuse(change, left, "start", own);
+        refuse(change, left, "initial value", own);
     }
 }
 

@@ -1,4 +1,4 @@
-// The words of --set: what a problem has to be changed.
+// The arguments of --set: changes of a problem.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace libration {
 
-/// Refuses a change such as `kk=1` or `f'''(0)=1` whose left side is no parameter and no start of the problem, with the
-/// near one and those that there are. Throws input_error; what is no such form passes.
+/// Throws for a change such as `kk=1` or `f'''(0)=1` whose left-hand side is neither a parameter nor an initial value
+/// of the problem, with the similar one and all that exist. Throws input_error; other forms are accepted.
 void require_changeable(const ode::equation_system& system, const std::string& change);
 
 }  // namespace libration

@@ -30,7 +30,8 @@ ode::complex_constant point_in(const std::string& option, const std::string& tex
     return reading(option, text, remedy_of_points, [&] { return ode::parse_complex_constant(text); });
 }
 
-// As it would be typed: 1/2+3/4i is no fraction of i, so that fractions of the imaginary part come first.
+// As it would be typed: 1/2+3/4i would not be read as a fraction of i, hence fractions of the imaginary part come
+// first.
 std::string typed_text(const rational& re, const rational& im) {
     const std::string real = re.str();
     if (im == 0) {
@@ -79,7 +80,7 @@ std::vector<typed_point> complex_points(const std::string& option, const std::st
             continue;
         }
         if (parts.size() != 3) {
-            throw input_error(option, item, "is no range a:b:count", remedy_of_points);
+            throw input_error(option, item, "is not a range a:b:count", remedy_of_points);
         }
         const typed_point first{point_in(option, parts[0]), parts[0]};
         const typed_point last{point_in(option, parts[1]), parts[1]};

@@ -1,4 +1,4 @@
-// Times in the complex plane, and the ways to them around singularities, as the command line takes them.
+// Complex times, and the paths to them around singularities, in the notation of the command line.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace libration {
 
-/// A point of the plane and how it was typed; one of a range as it would be typed alone.
+/// A point of the complex plane and how it was typed; a point of a range as it would be typed alone.
 struct typed_point {
     ode::complex_constant value;
     std::string text;
@@ -18,11 +18,11 @@ struct typed_point {
 /// Whether the imaginary unit i occurs in a number, list or range.
 bool has_imaginary_unit(const std::string& words);
 
-/// Reads LIST, items with commas between them: constants of the plane, 1+2i, or ranges a:b:count along the straight
-/// line from a to b. Throws input_error of the option.
+/// Reads LIST, items separated by commas: complex constants, 1+2i, or ranges a:b:count along the straight line from a
+/// to b. Throws input_error of the option.
 std::vector<typed_point> complex_points(const std::string& option, const std::string& words);
 
-/// The corners of --via; none where it is not given.
+/// The corners of --via; empty if it is not given.
 std::vector<ode::complex_constant> corners_of(const std::optional<std::string>& via);
 
 }  // namespace libration

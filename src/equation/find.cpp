@@ -1,4 +1,4 @@
-// libration find: proved parameters, starts and periodic orbits of any problem.
+// libration find: proved parameters, initial values and periodic orbits of any problem.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
     if (std::ranges::any_of(options.conditions, is_at_infinity)) {
         if (options.check) {
             throw input_error(
-                "--check compares two proofs and a condition at infinity has one, by a lemma: leave it out");
+                "--check compares two proofs, and a condition at infinity has only one, by a lemma: leave it out");
         }
         return named(found_for_infinity(options, system, digits));
     }
@@ -106,8 +106,8 @@ int run_find(const find_options& options) {
     }
     if (options.periodic == !options.unknowns.empty()) {
         throw input_error(options.periodic
-                              ? "--periodic and --unknown come together: leave one of them out"
-                              : "nothing is asked for: add --unknown S --such-that \"f'(5) = 1\", or --periodic");
+                              ? "--periodic is given together with --unknown: leave one of them out"
+                              : "nothing to find is given: add --unknown S --such-that \"f'(5) = 1\", or --periodic");
     }
     table data({{"name", ""}, {"value", ""}, {"digits", ""}, {"rigour", ""}});
     std::string lines;
@@ -129,7 +129,8 @@ int run_find(const find_options& options) {
 subcommand find_command(CLI::App& program) {
     const auto options = std::make_shared<find_options>();
     CLI::App* command = program.add_subcommand(
-        "find", "parameters, starts and periodic orbits of any problem, proved to exist, to any number of digits");
+        "find",
+        "parameters, initial values and periodic orbits of any problem, proved to exist, to any number of digits");
     options->problem.add_to(*command);
     options->output.add_to(*command);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
@@ -137,14 +138,14 @@ subcommand find_command(CLI::App& program) {
     command
         ->add_option(
             "--unknown", options->unknowns,
-            "what is looked for: parameters or starts, k or \"f''(0)\"; the problem's values are the first guess")
+            "the unknown parameters or initial values, k or \"f''(0)\"; the problem's values are the first guess")
         ->delimiter(',')
         ->type_name("NAMES");
     command->add_option("--such-that", options->conditions, "a condition for each: \"f'(5) = 1\"")
         ->type_name("CONDITION");
-    command->add_flag("--periodic", options->periodic, "the periodic orbit near the start, and its period");
+    command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag("--check", options->check,
-                      "compare with a second proof by another route, exit 1 where they disagree");
+                      "compare with a second proof by another route, exit 1 if they disagree");
     return {command, [options] { return run_find(*options); }};
 }
 

@@ -1,4 +1,4 @@
-// What the coefficients of any problem about its start say of it at times, and how far that is from the solution.
+// Approximations of a problem's solution from its coefficients about the initial point, with their errors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace libration {
 namespace {
 
 constexpr long most_error_digits = 6;
-constexpr long digits_of_judge = 40;  // of the solution that judges a fixed scalar
+constexpr long digits_of_judge = 40;  // of the solution with which a fixed scalar is compared
 
-// Values of the unknowns at the times, one time after the other, and of the solution behind them.
+// Values of the unknowns at the times, one time after the other, and the corresponding values of the solution.
 struct compared_values {
     std::vector<std::string> unknowns;
     std::vector<bool> there;  // whether an unknown has such an approximant
@@ -35,7 +35,7 @@ list_approximation method_named(const std::string& name) {
                             : list_approximation::endpoint;
 }
 
-// In the arithmetic of T, the solution in the precision in force.
+// In the arithmetic of T; the solution in the current precision.
 template <rounding_scalar T>
 compared_values by_list(const ode::explicit_system& system, const chosen_approximation& by,
                         const std::vector<ode::number>& times) {
@@ -64,7 +64,7 @@ compared_values by_list(const ode::explicit_system& system, const chosen_approxi
     return result;
 }
 
-// In the precision in force, the far behaviour to so many digits.
+// In the current precision, with the asymptotic behaviour to this number of digits.
 compared_values by_far_behaviour(const std::string& problem, const ode::equation_system& given, int order,
                                  const std::vector<ode::number>& times, long digits) {
     const far_behaviour far = far_behaviour_of(problem, given, digits);
@@ -87,12 +87,12 @@ void require_known_far_behaviour(const problem_options& problem) {
         for (const std::string& each : known) {
             names += (names.empty() ? "" : ", ") + each;
         }
-        throw input_error("--method", "asymptotic", "needs the far behaviour of the problem, which is not known",
+        throw input_error("--method", "asymptotic", "needs the asymptotic behaviour of the problem, which is not known",
                           "choose one of " + names + ", or --method pade");
     }
 }
 
-// Before a march takes its time.
+// Checked before the integration.
 void require_one_side(const ode::explicit_system& system, const std::vector<ode::number>& times) {
     const precision_scope scope(digits_of_judge);
     bool before = false;
@@ -103,12 +103,12 @@ void require_one_side(const ode::explicit_system& system, const std::vector<ode:
         after = after || distance > 0;
     }
     if (before == after) {
-        throw input_error("--method", "endpoint", "needs times on one side of the start, and another than that",
+        throw input_error("--method", "endpoint", "needs times on one side of the initial point, not only that point",
                           "choose such times");
     }
 }
 
-// The values that both runs agree on, with all that is beside them.
+// The values on which both runs agree, with the other members.
 compared_values agreed_comparison(long digits, const std::vector<ode::number>& times,
                                   const ode::explicit_system& system,
                                   const std::function<compared_values(long digits)>& compute) {
@@ -143,7 +143,7 @@ compared_values agreed_comparison(long digits, const std::vector<ode::number>& t
     return last;
 }
 
-// |value - truth| with the digits that both tell, at least two; nothing where they are fewer.
+// |value - truth| with the digits supported by both, at least two; empty if there are fewer.
 cell error_cell(const mpfr& value, const mpfr& truth, long digits) {
     const precision_scope scope(digits + digits_of_judge);
     const mpfr off = abs(mpfr(value - truth));
@@ -213,7 +213,7 @@ table table_of_comparison(const compared_values& found, const std::vector<exact>
 table problem_approximation(const problem_options& problem, const chosen_approximation& by,
                             const std::vector<exact>& times, const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::proved) {
-        throw input_error("--scalar", numbers.scalar.name(), "proves nothing about --method " + by.method,
+        throw input_error("--scalar", numbers.scalar.name(), "cannot prove --method " + by.method,
                           fmt::format("use mpfr:{}, or --method taylor", numbers.scalar.digits));
     }
     const auto at = constants_of(times);
@@ -229,7 +229,7 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
             throw;
         }
         throw input_error(complaint.subject() == "time" ? "--times" : "--problem", complaint.value(),
-                          complaint.reason(), "choose times nearer to the start, or another start");
+                          complaint.reason(), "choose times nearer to the initial point, or another initial point");
     }
 }
 

@@ -29,7 +29,7 @@ std::string text_of_file(const std::string& path) {
     std::string text = content_of(file, path, ode::longest_problem);
     if (text.size() > ode::longest_problem) {
         throw input_error("--problem", path, fmt::format("is longer than {} characters", ode::longest_problem),
-                          "write less, with parameters for what is repeated");
+                          "shorten it, with parameters for repeated parts");
     }
     return text;
 }
@@ -65,11 +65,11 @@ void problem_options::add_to(CLI::App& command, closed_forms known) {
                     "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\", with the functions " +
                         function_names())
         ->type_name("P");
-    command.add_option("--set", changes_, "another parameter or start of the problem: k=1/3, \"f'(0)=1\"")
+    command.add_option("--set", changes_, "another parameter or initial value of the problem: k=1/3, \"f'(0)=1\"")
         ->type_name("X=VALUE");
     if (known == closed_forms::used) {
         command.add_flag("--general", general_,
-                         "by Taylor series also where the equations are those of a problem with a closed form");
+                         "by Taylor series even if the equations are those of a problem with a closed form");
     }
 }
 
@@ -91,21 +91,21 @@ std::unique_ptr<libration::solution> problem_options::solution(bool general) con
 
 void problem_options::require_problem() const {
     if (!problem_ && !changes_.empty()) {
-        throw input_error("--set", changes_.front(), "changes a problem and there is none", "give --problem too");
+        throw input_error("--set", changes_.front(), "requires --problem", "add --problem P");
     }
     if (!problem_ && general_) {
-        throw input_error("--general is about the equations of a problem and there is none: give --problem too");
+        throw input_error("--general requires --problem: add --problem P");
     }
 }
 
 void warn_of_unused_parameters(const std::string& written) {
     for (const std::string& name : ode::unused_parameters(written)) {
-        fmt::print(stderr, "libration: warning: --problem defines {}, which nothing uses: leave it out\n",
+        fmt::print(stderr, "libration: warning: --problem defines {}, which is not used: leave it out\n",
                    quotation(name));
     }
 }
 
-// Once, also of what the condition of --until does not use.
+// Once, taking into account the condition of --until.
 void problem_options::warn_of_unused(const std::string& written) const {
     if (std::exchange(warned_, true)) {
         return;
@@ -118,7 +118,7 @@ void problem_options::warn_of_unused(const std::string& written) const {
     try {
         warn_of_unused_parameters(used);
     } catch (const error&) {
-        // The condition cannot be read, which its own option reports.
+        // The condition cannot be read; its own option reports that.
     }
 }
 

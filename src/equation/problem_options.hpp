@@ -1,4 +1,4 @@
-// The options by which a command takes any differential equation in place of a motion.
+// The options of commands that accept any differential equation instead of a motion.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,8 +14,8 @@
 
 namespace libration {
 
-/// read(), its complaint of a problem with the option in front. What no precision decides passes, and what is said of
-/// anything else.
+/// read(); an error about a problem is rethrown with the name of the option. Errors of the kind undecided and errors
+/// about anything else are passed on.
 template <class Read>
 auto naming_option(const std::string& option, const Read& read) {
     try {
@@ -29,26 +29,27 @@ auto naming_option(const std::string& option, const Read& read) {
     }
 }
 
-/// What --problem names: the name of the catalogue, a file's without folder and ending, or "typed"; and the text.
+/// The problem of --problem: the name in the catalogue, a file's without directory and extension, or "typed"; and the
+/// text.
 struct problem_source {
     std::string name;
     std::string text;
 };
 
-/// Text if it has =, a file if it has / or ends in .ode, else a name of the catalogue. Throws input_error.
+/// A text if it contains =, a file if it contains / or ends in .ode, else a name of the catalogue. Throws input_error.
 problem_source problem_named(const std::string& words);
 
-/// A line to stderr for each parameter that a problem defines and nothing in it uses: right for what is written, but
-/// perhaps not what was meant. So it is a warning, and stdout stays the same. Throws error where it cannot be read.
+/// A line on stderr for each parameter that a problem defines but does not use: valid, but possibly not what was
+/// intended. It is therefore a warning, and stdout is unchanged. Throws error if the problem cannot be read.
 void warn_of_unused_parameters(const std::string& written);
 
 /// --problem NAME | FILE.ode | 'TEXT; WITH; SEMICOLONS' and --set k=1/3, --set "f'(0)=1", any number of them.
 class problem_options {
 public:
-    /// Whether a command answers by closed forms where they are known, and has --general, which leaves them aside.
+    /// Whether a command uses closed forms if they are known, and has --general, which disables them.
     enum class closed_forms { used, not_used };
     void add_to(CLI::App& command, closed_forms known = closed_forms::not_used);
-    /// The solution, nullptr where no problem is given; by Taylor series with --general or `general`. A line on stderr
+    /// The solution, nullptr if no problem is given; by Taylor series with --general or `general`. A line on stderr
     /// names the closed form that is used. Throws input_error, also for --set and --general without --problem.
     std::unique_ptr<libration::solution> solution(bool general = false) const;
     bool given() const { return problem_.has_value(); }
@@ -56,9 +57,9 @@ public:
     ode::explicit_system choose() const;
     /// The same as it is written, with the changes.
     ode::equation_system equations() const;
-    /// Refuses --set and --general without --problem.
+    /// Throws input_error for --set and --general without --problem.
     void require_problem() const;
-    /// The words as they were given.
+    /// The argument as it was given.
     const std::optional<std::string>& problem() const { return problem_; }
     const std::vector<std::string>& changes() const { return changes_; }
 

@@ -25,7 +25,7 @@ std::string at_words(const complex_number<mpfr>& z) {
                        to_decimal(mpfr(abs(z.im)), digits_of_place));
 }
 
-// Without the primes of the derivative that the loop is of.
+// Without the primes of the derivative to which the loop refers.
 std::string unknown_of(const ode::explicit_system& system, const ode::loop_result& loop) {
     std::string name = ode::first_order_form(system).names[loop.unknown];
     name.erase(std::find(name.begin(), name.end(), '\''), name.end());
@@ -41,7 +41,7 @@ std::string words_of_loop(const ode::explicit_system& system, const ode::loop_re
                            : fmt::format("the contour integral of (t - t*)^{} {} is nonzero", loop.power, name);
 }
 
-// A covering of the same digits costs as much as the first; one of more digits, many times that.
+// A covering with the same digits costs as much as the first; one with more digits, many times that.
 void check_bounds(const ode::explicit_system& system, long digits, const ode::outward_bounds& first) {
     const auto second = ode::outward_decimals(ode::prove_radius(system, digits, ode::proof_route::second()), digits);
     if (!intervals_meet(first.lower, first.upper, second.lower, second.upper)) {

@@ -75,7 +75,7 @@ ode::complex_constant point_of_series(const std::string& at) {
     }
 }
 
-// Where the way there ends before it, the option says so.
+// If the path to the point ends before it, the message names the option.
 template <class Print>
 auto on_the_way_to(const problem_series_request& request, const Print& print) {
     try {
@@ -84,16 +84,17 @@ auto on_the_way_to(const problem_series_request& request, const Print& print) {
         if (problem.subject() != "time" && problem.subject() != "point") {
             throw;
         }
-        throw input_error(request.via ? "--at with --via" : "--at", *request.at, problem.reason(),
-                          "choose a point nearer to the start, or a way around it, --via \"1+i,2+i\"");
+        throw input_error(
+            request.via ? "--at with --via" : "--at", *request.at, problem.reason(),
+            "choose a point nearer to the initial point, or a path around the singularity, --via \"1+i,2+i\"");
     }
 }
 
-// The words of the options as a point and the corners of the way to it.
+// The arguments of the options as a point and the corners of the path to it.
 ode::coefficient_request read_request(const problem_series_request& request) {
     const auto point = request.at ? std::optional(point_of_series(*request.at)) : std::nullopt;
     if (request.via && !point) {
-        throw input_error("--via", *request.via, "is a way to a point and there is none", "give --at too");
+        throw input_error("--via", *request.via, "requires --at", "add --at POINT");
     }
     return {request.system, request.first, request.order, point, corners_of(request.via)};
 }
@@ -126,7 +127,7 @@ table problem_coefficients(const problem_series_request& request, const arithmet
     const bool proved = numbers.scalar.kind == scalar_kind::proved;
     if (proved && read.complex()) {
         throw input_error("--scalar", numbers.scalar.name(),
-                          "proves no way through the complex plane to --at '" + *request.at + "'",
+                          "cannot prove a path in the complex plane to --at '" + *request.at + "'",
                           "use mpfr:" + std::to_string(numbers.scalar.digits));
     }
     if (proved) {
@@ -165,7 +166,8 @@ problem_lists lists_of_problem(const problem_series_request& request, long digit
 
 table problem_fractions(const problem_series_request& request) {
     if (request.at) {
-        throw input_error("--at", *request.at, "is no point for fractions, which a solution has at its start alone",
+        throw input_error("--at", *request.at,
+                          "is not a point for fractions, which a solution has at its initial point only",
                           "leave it out");
     }
     const auto found = ode::exact_coefficients(read_request(request));

@@ -20,7 +20,7 @@ namespace libration {
 
 namespace {
 
-constexpr const char* nearer_times_remedy = "choose times nearer to the start";
+constexpr const char* nearer_times_remedy = "choose times nearer to the initial point";
 constexpr const char* problem_times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
 using complex = complex_number<mpfr>;
@@ -42,7 +42,7 @@ std::vector<ode::solution_state<complex>> in_wide_numbers(
     return all;
 }
 
-// Digits with which marches work beyond those of the result, at least.
+// The minimum number of digits with which integrations work beyond those of the result.
 constexpr long digits_beyond = 20;
 
 long digits_of_march(const arithmetic& numbers) { return std::max(numbers.digits, numbers.scalar.digits); }
@@ -69,7 +69,7 @@ std::vector<std::string> names_of_values(const ode::explicit_system& system) {
     return names;
 }
 
-// The largest change of an invariant at each time; nothing where the problem states none or its start is singular.
+// The largest change of an invariant at each time; empty if the problem states none or its initial point is singular.
 std::vector<cell> drifts_of(const ode::explicit_system& system, const std::vector<ode::complex_constant>& times,
                             const std::vector<ode::solution_state<complex>>& states, const arithmetic& numbers) {
     std::vector<cell> drifts;
@@ -88,7 +88,7 @@ const char* rigour_of_march(const arithmetic& numbers) {
     return numbers.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
 }
 
-// <time>,<values>,digits,rigour,time_typed, and the drifts where there are any.
+// <time>,<values>,digits,rigour,time_typed, and the drifts if there are any.
 table table_with(std::vector<column> columns, const std::vector<cell>& drifts,
                  const std::vector<table_row_cells>& times_and_values, const std::vector<std::string>& typed,
                  const arithmetic& numbers) {
@@ -193,7 +193,7 @@ partial_table problem_trajectory(const solution& of, const std::vector<exact>& t
 table problem_trajectory_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,
                                const std::vector<typed_point>& times, const arithmetic& numbers) {
     if (numbers.scalar.kind == scalar_kind::proved) {
-        throw input_error("--scalar", numbers.scalar.name(), "proves no way through the complex plane",
+        throw input_error("--scalar", numbers.scalar.name(), "cannot prove a path in the complex plane",
                           "use mpfr:" + std::to_string(numbers.scalar.digits));
     }
     try {
@@ -203,7 +203,7 @@ table problem_trajectory_along(const ode::explicit_system& system, const std::ve
             throw;
         }
         throw input_error(corners.empty() ? "--times" : "--via with --times", problem.value(), problem.reason(),
-                          "give a way around it by corners, --via \"1+i,2+i\"");
+                          "give a path around the singularity by its corners, --via \"1+i,2+i\"");
     }
 }
 

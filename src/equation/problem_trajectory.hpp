@@ -15,7 +15,7 @@
 
 namespace libration {
 
-/// The words of --times of a problem: exact numbers without a unit. Throws input_error.
+/// The argument of --times for a problem: exact numbers without a unit. Throws input_error.
 std::vector<exact> times_of_problem(const std::string& words);
 
 /// The same as constants of equations.
@@ -24,34 +24,35 @@ std::vector<ode::number> constants_of(const std::vector<exact>& times);
 /// time,<unknown and its lower derivatives>...,digits,rigour,time_typed.
 std::vector<column> columns_of_states(const ode::explicit_system& system);
 
-/// The states of a solution (states_table): in mpfr each value right to one unit in its last digit, by a closed form or
-/// by two integrations that differ in order and in precision (two-method), in fixed scalars as one integration computes
-/// it (heuristic), in balls each digit proved. Throws input_error where no time is reached in arithmetic that rounds;
-/// else a time that is not reached is missing.
+/// The states of a solution (states_table): in mpfr each value correct to one unit in its last digit, by a closed form
+/// or by two integrations that differ in order and in precision (two-method), in fixed scalars as one integration
+/// computes it (heuristic), in balls each digit proved. Throws input_error if no time is reached in arithmetic that
+/// rounds; otherwise a time that is not reached is missing.
 partial_table problem_trajectory(const solution& of, const std::vector<exact>& times, const arithmetic& numbers,
                                  const std::function<void(double)>& progress = {});
 
 /// time_re,time_im,<unknown and its lower derivatives>_re,.._im,...,digits,rigour,time_typed: the same at points of the
-/// complex plane of time, by the corners and then straight to each (ode::complex_path). A part far below the other is
-/// 0 (agreed_complex_values). Throws input_error for a point that is not reached, and for balls, which prove no such
-/// way.
+/// complex t-plane, by the corners and then straight to each (ode::complex_path). A part far smaller than the other is
+/// 0 (agreed_complex_values). Throws input_error for a point that is not reached, and for balls, which cannot prove
+/// such a path.
 table problem_trajectory_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,
                                const std::vector<typed_point>& times, const arithmetic& numbers);
 
-/// How a trajectory of a problem is computed from the coefficients about its start.
+/// How a trajectory of a problem is computed from the coefficients about its initial point.
 struct chosen_approximation {
     std::string method;  ///< series, pade, endpoint or asymptotic
     int order;           ///< N, last power
 };
 
-/// time,<unknown>...,digits,rigour,time_typed,<unknown>_error...: what the coefficients a_0 .. a_N about the start make
-/// of the unknowns, and its distance from the solution, of which marches tell (problem_trajectory). `series` is the
-/// partial sum, `pade` the diagonal approximant in powers that no symmetry leaves out, `endpoint` has value and slope
-/// of the solution at the farthest time too, `asymptotic` the far behaviour of a problem of the catalogue where it is
-/// known, and that unknown alone. In mpfr the values are right to one unit in their last digit (two-method); an error
-/// has the digits that the values can tell, and is empty where they tell none, a value where there is no such
-/// approximant. Throws input_error for balls, for asymptotic approximants of other problems or in a fixed scalar, for
-/// endpoint with times on both sides of the start, and for times that are not reached.
+/// time,<unknown>...,digits,rigour,time_typed,<unknown>_error...: the approximations of the unknowns from the
+/// coefficients a_0 .. a_N about the initial point, and their distance from the solution, which is integrated
+/// (problem_trajectory). `series` is the partial sum, `pade` the diagonal approximant in the powers that do not vanish
+/// by symmetry, `endpoint` also matches value and slope of the solution at the farthest time, `asymptotic` the
+/// asymptotic behaviour of a problem of the catalogue if it is known, and that unknown alone. In mpfr the values are
+/// correct to one unit in their last digit (two-method); an error has the digits that the values support, and is empty
+/// if they support none, a value if there is no such approximant. Throws input_error for balls, for asymptotic
+/// approximants of other problems or in a fixed scalar, for endpoint with times on both sides of the initial point, and
+/// for times that are not reached.
 table problem_approximation(const problem_options& problem, const chosen_approximation& by,
                             const std::vector<exact>& times, const arithmetic& numbers);
 

@@ -21,7 +21,7 @@ struct problems_options {
     output_options output;
 };
 
-// x y z, or y1 .. y51 where there are more than eight.
+// x y z, or y1 .. y51 if there are more than eight.
 std::string joined_by_blanks(const std::vector<std::string>& words) {
     constexpr std::size_t most = 8;
     if (words.size() > most) {
@@ -70,7 +70,7 @@ int list_problems(const problems_options& options) {
 subcommand problems_command(CLI::App& program) {
     const auto options = std::make_shared<problems_options>();
     CLI::App* command = program.add_subcommand("problems", "the catalogue of differential equations for --problem");
-    command->add_option("NAME", options->name, "this problem: equations, starts, parameters, sources");
+    command->add_option("NAME", options->name, "this problem: equations, initial values, parameters, sources");
     options->output.add_to(*command);
     return {command, [options] { return list_problems(*options); }};
 }

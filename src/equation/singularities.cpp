@@ -1,4 +1,4 @@
-// libration singularities: the map of the complex plane of time, of any problem.
+// libration singularities: the map of the complex t-plane, for any problem.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,13 +40,13 @@ struct singularities_options {
     }
 };
 
-// Rounding errors of what is 0 or whole do not show: relative to `size`.
+// Removes rounding errors from values that are 0 or integers: relative to `size`.
 double tidied(double x, double size) {
     const double nearest = std::round(x);
     return std::abs(x - nearest) < 1e-7 * size ? nearest + 0.0 : x;
 }
 
-// Empty where it has no value in the range of double.
+// Empty if it has no value in the range of double.
 cell small_cell(double x, double size) {
     return std::isfinite(x) ? number_cell(fmt::format("{:.{}g}", tidied(x, size), exponent_digits)) : cell();
 }
@@ -70,29 +70,29 @@ std::string joined(const std::vector<std::complex<double>>& all) {
 std::vector<column> columns_of_map() {
     return {{"position_re", "time of the singularity, real part"},
             {"position_im", "time of the singularity, imaginary part"},
-            {"modulus", "distance from the start"},
-            {"uncertainty", "how far off the position, as it is printed, may be"},
-            {"kind", "pole, with branches, algebraic, logarithm, complex power, or unclear where no power is seen"},
+            {"modulus", "distance from the initial point"},
+            {"uncertainty", "error bound of the position as printed"},
+            {"kind", "pole, with branches, algebraic, logarithm, complex power, or unclear if no power is found"},
             {"exponent_re", "exponent p of the leading behaviour, real part"},
             {"exponent_im", "imaginary part"},
             {"rigour",
              "proved: that this unknown is singular within the uncertainty, and a pole by a zero of its inverse; other "
              "kinds are heuristic"},
             {"unknown", "the unknown that is singular there, with that behaviour"},
-            {"coefficient_re", "c in c (t - t*)^p, or c (1 - (t - t0)/(t* - t0))^p where p is no whole number"},
+            {"coefficient_re", "c in c (t - t*)^p, or c (1 - (t - t0)/(t* - t0))^p if p is not an integer"},
             {"coefficient_im", "imaginary part"},
             {"resonances", "r: perturbations grow like (t - t*)^(p + r)"},
             {"evidence", "what proves it, or why it is not proved"}};
 }
 
-// Whether the discs of two proofs of one unknown meet.
+// Whether the discs of two proofs of one unknown intersect.
 bool discs_meet(const ode::proved_singularity& a, std::size_t of_a, const ode::proved_singularity& b,
                 std::size_t of_b) {
     const complex_number<mpfr> apart{mpfr(a.centre.re - b.centre.re), mpfr(a.centre.im - b.centre.im)};
     return of_a == of_b && modulus_of(apart) <= midpoint_of(a.reach.exact()) + midpoint_of(b.reach.exact());
 }
 
-// Another search and another proof, with more digits: as many rows, each of which meets one of the first.
+// Another search and another proof, with more digits: as many rows, each of which intersects one of the first.
 void check_positions(const singularities_options& options, const ode::explicit_system& system, long digits,
                      const ode::singularity_map& map, const std::vector<ode::proved_singularity>& first) {
     ode::singularity_request request;
@@ -103,7 +103,7 @@ void check_positions(const singularities_options& options, const ode::explicit_s
                                                  ode::proof_route::second());
     for (const auto& each : second) {
         if (!each.refusal.empty()) {
-            throw error(error_kind::undecided, "--check", "", "makes no second proof: the problem " + each.refusal);
+            throw error(error_kind::undecided, "--check", "", "has no second proof: the problem " + each.refusal);
         }
     }
     const precision_scope scope(request.digits + 30);
@@ -134,7 +134,7 @@ struct map_rows {
     std::size_t refused = 0;
 };
 
-// What is at most between a place and its decimals: its own error, and their rounding.
+// A bound of the distance between a position and its decimals: its own error, and their rounding.
 std::string uncertainty_of(const complex_number<ball>& time, const ball& error, const cell& re, const cell& im) {
     const ball of_re = time.re - from_rational<ball>(read_exact(re.text()).coefficient);
     const ball of_im = time.im - from_rational<ball>(read_exact(im.text()).coefficient);
@@ -211,12 +211,12 @@ std::string text_of(const table& data, const ode::singularity_map& map) {
         }
     }
     return text + fmt::format(
-                      "within {:.6g} of the start, on the branch that is reached along rays from it; {} points "
-                      "of expansion{}\n",
+                      "within {:.6g} of the initial point, on the branch reached along rays from it; {} expansion "
+                      "points{}\n",
                       map.within, map.points,
                       map.complete ? ""
-                                   : fmt::format(", {} cells of the plane not explained: singularities "
-                                                 "accumulate, perhaps a natural boundary",
+                                   : fmt::format(", {} cells unresolved: singularities "
+                                                 "accumulate, possibly a natural boundary",
                                                  map.unexplained));
 }
 
@@ -227,7 +227,7 @@ int run_singularities(const singularities_options& options) {
         throw input_error("no problem is given: add --problem P");
     }
     if (options.check && !options.prove) {
-        throw input_error("--check compares two proofs and there is none: add --prove, or leave it out");
+        throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
     }
     const ode::explicit_system system = options.problem.choose();
     const long digits = options.digits ? digits_of(options.digits) : usual_digits;
@@ -242,15 +242,15 @@ int run_singularities(const singularities_options& options) {
         throw error(
             error_kind::undecided, "--problem", *options.problem.problem(),
             fmt::format(
-                "has no singularity that was found within {:.6g} of its start, which does not prove that there is "
-                "none: --within RHO searches further out",
+                "has no known singularity within {:.6g} of its initial point, which does not prove that there is "
+                "none: --within RHO searches a larger disc",
                 map.within));
     }
     const map_rows rows = rows_of_map(options, system, map, digits);
     options.output.write(rows.data, text_of(rows.data, map));
     if (rows.refused != 0) {
         throw error(error_kind::undecided, "--prove", "",
-                    fmt::format("leaves {} of {} singularities unproved: their rows are heuristic and say why",
+                    fmt::format("leaves {} of {} singularities unproved: their rows are heuristic and give the reason",
                                 rows.refused, map.all.size()));
     }
     return 0;
@@ -261,17 +261,17 @@ int run_singularities(const singularities_options& options) {
 subcommand singularities_command(CLI::App& program) {
     const auto options = std::make_shared<singularities_options>();
     CLI::App* command = program.add_subcommand(
-        "singularities", "the singularities of any problem in the complex plane of time, proved on request");
+        "singularities", "the singularities of any problem in the complex t-plane, proved on request");
     options->problem.add_to(*command);
     options->output.add_to(*command);
     command
         ->add_option("--within", options->within,
-                     "the distance from the start; twice the nearest where it is not given")
+                     "the distance from the initial point (default: twice that of the nearest)")
         ->type_name("RHO");
     command->add_flag("--prove", options->prove, "encloses each in a disc, to D digits (theorem C)");
     command->add_option("--digits", options->digits, "digits of the positions (15)")->type_name("D");
     command->add_flag("--check", options->check,
-                      "with --prove: compare with a second proof by another route, exit 1 where they disagree");
+                      "with --prove: compare with a second proof by another route, exit 1 if they disagree");
     return {command, [options] { return run_singularities(*options); }};
 }
 

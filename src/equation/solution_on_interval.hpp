@@ -1,4 +1,4 @@
-// The solution of an equation at times of an interval, and its series about the start.
+// The solution of an equation at times of an interval, and its series about the initial point.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace libration {
 
-/// The solution at times by one march in the precision in force, and the slopes at the far end, the time farthest from
-/// the start. A second march in another precision has to agree (agreed_numbers).
+/// The solution at times by one integration in the current precision, and the slopes at the far end, the time farthest
+/// from the initial point. A second integration in another precision has to agree (agreed_numbers).
 struct solution_on_interval {
     mpfr start;
     std::vector<mpfr> times;
     std::vector<std::vector<mpfr>> values;  ///< [unknown][time]
-    std::size_t far = 0;                    ///< the place of the far end among the times
+    std::size_t far = 0;                    ///< the index of the far end among the times
     std::vector<mpfr> slopes;               ///< of the unknowns there
-    bool one_sided = true;                  ///< whether no two times have the start between them
+    bool one_sided = true;                  ///< whether no two times have the initial point between them
 
     mpfr reach() const { return times[far] - start; }
 };
@@ -53,7 +53,7 @@ inline solution_on_interval solve_on(const ode::explicit_system& system, const s
     return found;
 }
 
-/// The series of the unknowns about the start in powers of s, s^root = t - t0, in the arithmetic of T.
+/// The series of the unknowns about the initial point in powers of s, s^root = t - t0, in the arithmetic of T.
 template <rounding_scalar T>
 struct series_about_start {
     series_about_start(const ode::explicit_system& system, int order)

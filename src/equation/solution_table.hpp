@@ -1,4 +1,4 @@
-// The states of a solution as a table: what reference and trajectory print of every problem.
+// The states of a solution as a table: the output of reference and trajectory for every problem.
 #pragma once
 
 #include <optional>
@@ -13,33 +13,33 @@
 
 namespace libration {
 
-/// Cells that all times of a solution share, with the names of their columns, by where they are in a row.
+/// Cells shared by all times of a solution, with the names of their columns, by position in a row.
 struct shared_cells {
     using list = std::vector<std::pair<const char*, cell>>;
     list before_time, behind_values, behind_rigour, behind_time;
 };
 
-/// What is answered at a list of times, and why the rest is not.
+/// The results at a list of times, and the reason why the rest is missing.
 struct partial_table {
     /// A row for each time that is reached: <before_time>...,time,<quantity>...,<behind_values>...,digits,rigour,
-    /// <behind_rigour>...,time_typed,<behind_time>.... Where invariants are known and nothing is proved, the column
-    /// `invariant_drift` behind is the largest change of one of them since the start, of the values before they are
-    /// rounded to be printed. A value that no run within the limits distinguishes from 0, or that its equations do not
-    /// reach, is an empty cell, and then a column `undecided` behind has "|y| < 1.2e-60; z is not reached".
+    /// <behind_rigour>...,time_typed,<behind_time>.... If invariants are known and nothing is proved, the following
+    /// column `invariant_drift` is the largest change of one of them since the initial point, of the values before they
+    /// are rounded for printing. A value that no run within the limits distinguishes from 0, or that its equations do
+    /// not reach, is an empty cell, and then a further column `undecided` has "|y| < 1.2e-60; z is not reached".
     table rows;
-    /// The same for people: the shared cells in lines of their own, then each time a paragraph, each value or its bound
-    /// a line.
+    /// The same as readable text: the shared cells in separate lines, then a paragraph per time, with a line for each
+    /// value or its bound.
     std::string heading, text;
     std::optional<error> missing;
 
-    /// Whether there is something to write: not where the first time is missing already.
+    /// Whether there is something to write: false if the first time is missing already.
     bool has_output() const { return !missing || !rows.rows().empty(); }
 };
 
 /// Throws the error of what is missing, once the rest has been written.
 void require_complete(const partial_table& of);
 
-/// The answer at these times, which stand in `decimals` as they are printed.
+/// The results at these times, with `decimals` as they are printed.
 partial_table states_table(const answer& found, const std::vector<exact>& times,
                            const std::vector<std::string>& decimals, long digits, const shared_cells& shared = {});
 
@@ -47,10 +47,10 @@ partial_table states_table(const answer& found, const std::vector<exact>& times,
 partial_table states_table(const solution& of, const std::vector<exact>& times, const request& how,
                            const shared_cells& shared = {});
 
-/// States for people: each time a paragraph, each column a line.
+/// States as readable text: a paragraph per time, a line per column.
 std::string lines_of_states(const table& data);
 
-/// Tables of several solutions with the same columns, one below the other; a heading that is that of the one before is
+/// Tables of several solutions with the same columns, one below the other; a heading that equals the previous one is
 /// not repeated.
 partial_table stacked_states(const std::vector<partial_table>& parts);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* set_remedy = "write values such as k=1/3, k=1,2,5 or k=0:1:11";
 constexpr const char* times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
-// What has no meaning in an equation: multiples of the period of a motion.
+// Not allowed in an equation: multiples of the period of a motion.
 void require_no_period(const exact& value) {
     if (value.has_periods()) {
         throw error(error_kind::argument, "list", "", "has '" + value.text + "', and a problem has no period T");
@@ -61,7 +61,7 @@ problem axes_of(const swept_problem& of) {
     const auto require_unknown = [names](const exact& word) {
         if (std::ranges::find(names, word.text) == names.end()) {
             throw error(error_kind::argument, "list", "",
-                        "has '" + word.text + "', which is no unknown of the problem");
+                        "has '" + word.text + "', which is not an unknown of the problem");
         }
     };
     std::string listed;
@@ -83,7 +83,7 @@ problem axes_of(const swept_problem& of) {
                            .to_coordinate = {}});
     result.axes.push_back({.name = "unknown",
                            .option = "--unknowns",
-                           .help = "unknowns of --problem: a,b,c; all without it",
+                           .help = "unknowns of --problem: a,b,c; default all",
                            .unit = "",
                            .form = axis_form::words,
                            .remedy = "write some of " + listed,
@@ -93,7 +93,7 @@ problem axes_of(const swept_problem& of) {
     return result;
 }
 
-// Parameters in the order of the text, then starts by name: the columns follow from what is varied alone.
+// Parameters in the order of the text, then initial values by name: the columns then depend only on what is varied.
 void put_in_order(std::vector<set_axis>& sets, const ode::equation_system& system) {
     const auto place = [&](const set_axis& each) {
         const auto found =

@@ -36,7 +36,7 @@ struct coefficients_options {
 
 constexpr long most_rows = 1'000'001;
 
-// --from and --order: which powers are printed.
+// --from and --order: the powers to be printed.
 template <class Request>
 void read_powers(const coefficients_options& options, Request& request) {
     const auto power = [](const char* option, const std::string& value) {
@@ -51,11 +51,11 @@ void read_powers(const coefficients_options& options, Request& request) {
     }
     if (request.order - request.first >= most_rows) {
         throw input_error("--order", options.order, fmt::format("makes more than {} rows", most_rows),
-                          "write a lower power, or the first one that you want as --from");
+                          "write a lower power, or the first power to print as --from");
     }
 }
 
-// A proof has a column for its uncertainty.
+// A proof has an additional column for its uncertainty.
 table table_of(long first, const std::vector<printed_number>& coefficients, bool proved) {
     std::vector<column> columns{{"n", ""}, {"coefficient", ""}};
     if (proved) {
@@ -78,10 +78,10 @@ void refuse_check(const coefficients_options& options) {
     }
 }
 
-// In place of a motion, any problem.
+// Instead of a motion, any problem.
 table coefficients_of_problem(const coefficients_options& options) {
     if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
     problem_series_request request{options.problem.choose(), 0, 0, options.at, options.via};
     read_powers(options, request);
@@ -107,10 +107,10 @@ int run_coefficients(const coefficients_options& options) {
     }
     options.problem.require_problem();
     if (options.check) {
-        throw input_error("--check is of a --problem: add one, or leave it out");
+        throw input_error("--check requires --problem: add one, or leave it out");
     }
     if (options.via) {
-        throw input_error("--via", *options.via, "is a way through the complex times of a --problem", "leave it out");
+        throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem", "leave it out");
     }
     const arithmetic numbers = options.arithmetic.choose();
     series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
@@ -132,17 +132,16 @@ subcommand coefficients_command(CLI::App& program) {
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N")->type_name("N")->required();
-    command->add_option("--from", options->from, "first power to print, 0 without it: any costs the same")
+    command->add_option("--from", options->from, "first power to print (default 0); does not affect the cost")
         ->type_name("N");
-    command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1); of a problem a time, 1+2i too")
-        ->type_name("POINT");
     command
-        ->add_option("--via", options->via,
-                     "corners of the way to --at of a problem through the complex plane: 1+i,2+i")
+        ->add_option("--at", options->at,
+                     "top, bottom, start or a time (T/8, 1.1); of a problem a time, also complex: 1+2i")
+        ->type_name("POINT");
+    command->add_option("--via", options->via, "corners of the path to --at of a problem in the complex plane: 1+i,2+i")
         ->type_name("LIST");
-    command->add_flag(
-        "--check", options->check,
-        "of a problem in balls: compare with a second proof by another route, exit 1 where they disagree");
+    command->add_flag("--check", options->check,
+                      "of a problem in balls: compare with a second proof by another route, exit 1 if they disagree");
     return {command, [options] { return run_coefficients(*options); }};
 }
 

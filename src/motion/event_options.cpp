@@ -53,18 +53,17 @@ void event_options::require_none() const {
     for (const auto& [option, value] : {std::pair("--count", count_), std::pair("--crossing", way_),
                                         std::pair("--before", before_), std::pair("--horizon", horizon_)}) {
         if (value) {
-            throw input_error(option, *value, "is of an event and there is none", "add --until \"x = 0\"");
+            throw input_error(option, *value, "requires --until", "add --until \"x = 0\"");
         }
     }
     if (from_start_) {
-        throw input_error("--from-start is of an event and there is none: add --until \"x = 0\"");
+        throw input_error("--from-start requires --until: add --until \"x = 0\"");
     }
 }
 
 void event_options::require_absent() const {
     if (until_) {
-        throw input_error("--until", *until_, "requires --problem",
-                          "leave it out, or write --problem pendulum");
+        throw input_error("--until", *until_, "requires --problem", "leave it out, or write --problem pendulum");
     }
     require_none();
 }
@@ -73,7 +72,7 @@ ode::event_request event_options::request(const problem_options& problem, const 
     ode::event_request request;
     request.g = naming_option("--until", [&] { return ode::parse_condition(problem.equations(), *until_); });
     if (request.g.is_constant()) {
-        throw input_error("--until", *until_, "is no condition on the solution", "write one, such as \"x' = 0\"");
+        throw input_error("--until", *until_, "is not a condition on the solution", "write one, such as \"x' = 0\"");
     }
     if (way_) {
         request.way = way_of(*way_);

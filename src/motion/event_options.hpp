@@ -1,4 +1,4 @@
-// The options of a command that ask for the events of a problem.
+// The options of a command for the events of a problem.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,15 +11,15 @@
 
 namespace libration {
 
-/// --until "x = 0" and what belongs to it: --count, --crossing, --before, --from-start, --horizon.
+/// --until "x = 0" and the options that depend on it: --count, --crossing, --before, --from-start, --horizon.
 class event_options {
 public:
     void add_to(CLI::App& command);
-    /// Whether there is --until.
+    /// Whether --until is given.
     bool given() const { return until_.has_value(); }
     /// Throws input_error for an option that has no meaning without --until.
     void require_none() const;
-    /// Throws input_error for any of them: events are those of a problem.
+    /// Throws input_error for any of them: only problems have events.
     void require_absent() const;
     /// Throws input_error.
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;

@@ -53,7 +53,7 @@ int direction_in(const std::string& text) {
     return -1;
 }
 
-// The number in a cell, or the double nearest to it; nothing where it is empty.
+// The number in a cell, or the double nearest to it; std::nullopt if the cell is empty.
 std::optional<exact> number_in(const named_text& cell, exact (*read)(const std::string&), bool as_double) {
     if (cell.text.empty()) {
         return std::nullopt;
@@ -80,14 +80,14 @@ bool same_number(const std::string& a, const std::string& b) {
     throw error(error_kind::argument, cell.name, cell.text, "contradicts " + other.name + " " + quotation(other.text));
 }
 
-// An energy that cells give, with what the doubles that it may have been computed from leave open.
+// An energy given by cells, with the uncertainty due to doubles from which it may have been computed.
 struct given_energy {
     const named_text* by;
     mpfr energy;
     mpfr size;
 };
 
-// Refuses energies that differ by more than doubles of their size do.
+// Throws if energies differ by more than doubles of their size do.
 void require_one_energy(const std::vector<given_energy>& given) {
     constexpr int open_bits = 50;
     for (const given_energy& each : given) {

@@ -1,4 +1,4 @@
-// A motion in the cells of a row: which columns give it, and what they say, read exactly.
+// A motion in the cells of a row: the columns that define it, and their contents, read exactly.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace libration {
 
-/// What stands in a cell or behind an option, with the name that the user knows it by.
+/// The text of a cell or of an option, with the name by which the user refers to it.
 struct named_text {
     std::string text = {};
     std::string name = {};
 };
 
-/// A text for each number of a motion, empty where there is none.
+/// A text for each number of a motion, empty if there is none.
 struct motion_cells {
     named_text theta0 = {}, omega0 = {}, gap = {}, energy = {}, direction = {}, length = {}, gravity = {};
 
@@ -27,22 +27,22 @@ struct motion_cells {
     bool names_a_motion() const {
         return (!theta0.text.empty() && !omega0.text.empty()) || !gap.text.empty() || !energy.text.empty();
     }
-    /// Takes from another what is empty here. Throws error where both say something and differ.
+    /// Copies from another what is empty here. Throws error if both have a text and the texts differ.
     void complete_from(const motion_cells& other);
-    /// All texts: what tells motions apart.
+    /// All texts: identifies the motion.
     std::string key() const;
-    /// theta0 and omega0, else the gap, else the energy, these two from theta0 where it is there; in the nearest
-    /// doubles of them where that is asked for. Throws error of the name of a cell where it cannot be read, where there
-    /// is no motion, and where the cells contradict each other: where the energies that they give differ by more than
-    /// doubles round, 2^-50 of their size, or the direction is not the sign of omega0.
+    /// theta0 and omega0, else the gap, else the energy, these two from theta0 if it is given; with `as_doubles` the
+    /// doubles nearest to them. Throws error of the name of a cell if it cannot be read, if there is no motion, and if
+    /// the cells contradict each other: if the energies that they give differ by more than the rounding of doubles,
+    /// 2^-50 of their size, or the direction is not the sign of omega0.
     pendulum::typed_motion read(bool as_doubles = false) const;
-    /// The motion of what was read. Throws error of the name of a cell, as where an energy is negative.
+    /// The motion of what was read. Throws error of the name of a cell, for example if an energy is negative.
     pendulum::motion motion_of(const pendulum::typed_motion& typed) const;
-    /// The motion with the texts that stand for it in the output. Throws as both.
+    /// The motion with the texts that represent it in the output. Throws as both.
     chosen_motion choose() const;
 };
 
-/// Where the cells of a motion are. A table of ours says behind how its numbers were typed: what stands there is exact.
+/// The columns of a motion. A table of this program has further columns with its numbers as typed, which are exact.
 class motion_columns {
 public:
     /// The quantities, for column_names.
@@ -85,7 +85,7 @@ exact time_in(const std::string& text);
 /// The same in a cell, of a motion in this regime; throws error of its name, also for a multiple of an infinite period.
 exact time_for(const named_text& cell, pendulum::regime r);
 
-/// read(cell.text); what is wrong with it is said of the cell's name.
+/// read(cell.text); errors are rethrown with the name of the cell.
 template <class Read>
 auto reading_cell(const named_text& cell, const Read& read) {
     try {

@@ -38,8 +38,8 @@ exact angle_of(const std::string& option, const std::string& value) {
 
 exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
     if (length.has_value() != gravity.has_value()) {
-        throw input_error(length ? "--length '" + *length + "' comes without --gravity: give both or neither"
-                                 : "--gravity '" + *gravity + "' comes without --length: give both or neither");
+        throw input_error(length ? "--length '" + *length + "' requires --gravity: give both or neither"
+                                 : "--gravity '" + *gravity + "' requires --length: give both or neither");
     }
     return length ? positive_number_of("--gravity", *gravity) / positive_number_of("--length", *length) : exactly(1);
 }
@@ -49,7 +49,7 @@ int direction_of(const std::optional<std::string>& words) {
         return 1;
     }
     if (*words != "-") {
-        throw input_error("--direction", *words, "is no direction", "write + or -");
+        throw input_error("--direction", *words, "is not a direction", "write + or -");
     }
     return -1;
 }
@@ -115,12 +115,13 @@ chosen_motion motion_options::by_energy() const {
 
 chosen_motion motion_options::by_state() const {
     if (!theta0_ || !omega0_) {
-        throw input_error(theta0_ ? "--theta0 '" + *theta0_ + "' is not yet a motion: add --omega0 W or --energy E"
-                                  : "--omega0 '" + *omega0_ + "' is not yet a motion: add --theta0 A");
+        throw input_error(theta0_ ? "--theta0 '" + *theta0_ +
+                                        "' alone does not determine a motion: add --omega0 W or --energy E"
+                                  : "--omega0 '" + *omega0_ + "' alone does not determine a motion: add --theta0 A");
     }
     if (direction_) {
-        throw input_error("--direction", *direction_, "goes with --energy or --gap",
-                          "give the sign of the motion to --omega0");
+        throw input_error("--direction", *direction_, "applies to --energy or --gap",
+                          "write the sign of the motion in --omega0");
     }
     const exact angle = angle_of("--theta0", *theta0_);
     const exact speed = number_of("--omega0", *omega0_);
@@ -134,11 +135,12 @@ chosen_motion motion_options::by_state() const {
 
 chosen_motion motion_options::choose() const {
     if (energy_ && gap_) {
-        throw input_error("--gap", *gap_, "comes together with --energy '" + *energy_ + "'", "give one of the two");
+        throw input_error("--gap", *gap_, "is given together with --energy '" + *energy_ + "'", "give one of the two");
     }
     const bool energetic = energy_ || gap_;
     if (energetic && omega0_) {
-        throw input_error("--omega0", *omega0_, std::string("comes together with ") + (energy_ ? "--energy" : "--gap"),
+        throw input_error("--omega0", *omega0_,
+                          std::string("is given together with ") + (energy_ ? "--energy" : "--gap"),
                           "give an energy, or --theta0 and --omega0, not both");
     }
     if (!energetic && !theta0_ && !omega0_) {

@@ -14,7 +14,7 @@
 
 namespace libration {
 
-/// A motion with the texts that stand for it in the output.
+/// A motion with the texts that represent it in the output.
 struct chosen_motion {
     pendulum::motion of;
     bool by_state;       ///< given by theta0 and omega0
@@ -22,24 +22,24 @@ struct chosen_motion {
     std::string value;
     std::optional<std::string> energy;
     std::optional<std::string> gap;
-    std::string energy_typed, gap_typed, theta0_typed, omega0_typed;  ///< empty where they were not
+    std::string energy_typed, gap_typed, theta0_typed, omega0_typed;  ///< empty if they were not typed
 };
 
-/// gravity/length of --length and --gravity, 1 where neither is given. Throws input_error where one of them is.
+/// gravity/length of --length and --gravity, 1 if neither is given. Throws input_error if only one of them is.
 exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
 
-/// 1 or -1 of --direction + or -, 1 where it is not given. Throws input_error.
+/// 1 or -1 of --direction + or -, 1 if it is not given. Throws input_error.
 int direction_of(const std::optional<std::string>& words);
 
 /// --energy E | --gap G [--theta0 A] [--direction +|-], or --theta0 A --omega0 W; --length L --gravity G.
 class motion_options {
 public:
     void add_to(CLI::App& command);
-    /// Throws input_error, also where the scalar cannot hold E or 2 - E.
+    /// Throws input_error, also if the scalar cannot represent E or 2 - E.
     chosen_motion choose_for(const scalar_spec& scalar) const;
-    /// The first option that was given, as "--energy '1.71'"; nothing where none was.
+    /// The first option that was given, as "--energy '1.71'"; std::nullopt if none was.
     std::optional<std::string> first_given() const;
-    /// What was given for the option of this name, "--energy" say.
+    /// The argument of the option with this name, for example "--energy".
     const std::optional<std::string>& given(std::string_view option) const;
     exact squared_frequency() const { return squared_frequency_of(length_, gravity_); }
 
@@ -54,16 +54,16 @@ private:
     std::optional<std::string> energy_, gap_, theta0_, omega0_, direction_, length_, gravity_;
 };
 
-/// The times of a motion in this regime: a list or a range, multiples of T among them where it has a period.
+/// The times of a motion in this regime: a list or a range, also multiples of T if it has a period.
 std::vector<exact> times_of(const std::string& value, pendulum::regime r);
 
-/// The times as decimals in the motion's unit: exact where they end, else to `digits` digits; multiples of T proved.
+/// The times as decimals in the motion's unit: exact if they terminate, else to `digits` digits; multiples of T proved.
 std::vector<std::string> times_in_decimals(const pendulum::motion& of, const std::vector<exact>& times, long digits);
 
-/// A number as a decimal where one is exact; nothing for another, and for none.
+/// A number as a decimal if that is exact; std::nullopt otherwise, and for std::nullopt.
 std::optional<std::string> ending_decimal(const std::optional<exact>& number);
 
-/// An angle or a velocity as a decimal, exact where it ends, else to `digits` digits.
+/// An angle or a velocity as a decimal, exact if it terminates, else to `digits` digits.
 std::string angle_in_decimals(const exact& angle, long digits);
 
 }  // namespace libration

@@ -46,7 +46,7 @@ period_method read_period_method(const std::string& name) {
     if (name == "series" || name == "resummed") {
         return name == "series" ? period_method::series : period_method::resummed;
     }
-    throw input_error("--method", name, "is no method for the period", "write agm, series or resummed");
+    throw input_error("--method", name, "is not a method for the period", "write agm, series or resummed");
 }
 
 period_request choose(const period_options& options) {
@@ -60,7 +60,7 @@ period_request choose(const period_options& options) {
                           "leave it out, or write --method series or resummed");
     }
     if (method != period_method::agm && !order) {
-        throw input_error("--method", options.method, "is a partial sum", "add --order N, its last power being k^(2N)");
+        throw input_error("--method", options.method, "is a partial sum", "add --order N for the last power k^(2N)");
     }
     const arithmetic numbers = options.arithmetic.choose();
     period_request request{options.motion.choose_for(numbers.scalar), numbers, method, order};
@@ -91,8 +91,8 @@ struct period_texts {
     std::string error = "0";
 };
 
-// |T* as printed - truth|, the truth by the mean with more digits. It is not 0: what is printed is rational, and T* at
-// an algebraic energy is not [Schneider].
+// |T* as printed - true value|, the true value by the mean with more digits. It is nonzero: what is printed is
+// rational, and T* at an algebraic energy is not [Schneider].
 std::string error_of(const std::string& tstar, const period_request& request) {
     const motion& m = request.chosen.of;
     const auto difference = [&]<class T>() {
@@ -109,7 +109,7 @@ period_texts texts_of(const period_request& request) {
     return {values[0].text, values[1].text, error_of(values[1].text, request)};
 }
 
-// Energy and gap as they were typed, or to so many digits.
+// Energy and gap as they were typed, or to this number of digits.
 energy_texts printed_energies(const chosen_motion& chosen, const arithmetic& numbers) {
     if (chosen.energy && chosen.gap) {
         return {*chosen.energy, *chosen.gap};

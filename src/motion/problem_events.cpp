@@ -43,8 +43,8 @@ table table_of_events(const ode::explicit_system& system, const std::vector<ode:
     return data;
 }
 
-// How much of a search is done: of the time up to its end, else of its events and of the horizon of the next one. A run
-// that begins again does not go back.
+// The progress of a search: of the time up to its end, else of its events and of the horizon of the next one. It does
+// not decrease when a run restarts.
 class search_progress {
 public:
     search_progress(const ode::explicit_system& system, const ode::event_request& request)
@@ -89,7 +89,7 @@ private:
     std::size_t done_ = 0;
 };
 
-// What is known of a search when a signal ends it, told from one thread and read in another.
+// The results of a search up to a signal that ends it, written in one thread and read in another.
 class known_so_far {
 public:
     void tell(const ball& reached, const std::vector<ode::printed_event>& known) {
@@ -100,7 +100,7 @@ public:
         }
     }
 
-    /// Writes the events, says how far the search came, and ends the process.
+    /// Writes the events, reports the time reached, and ends the process.
     [[noreturn]] void end(const ode::explicit_system& system, const ode::event_request& request, long digits,
                           const std::function<void(const table&)>& write) {
         const std::lock_guard lock(mutex_);

@@ -1,4 +1,4 @@
-// The events of a problem as a table, searched with progress and in a way that may be interrupted.
+// The events of a problem as a table; the search shows progress and can be interrupted.
 #pragma once
 
 #include <functional>
@@ -9,17 +9,17 @@
 
 namespace libration {
 
-/// The events that are proved, and why they are fewer than were asked for.
+/// The proved events, and the reason if they are fewer than requested.
 struct events_found {
     table data;
     std::optional<error> missing;
 };
 
 /// time,<unknown and its lower derivatives>...,digits,rigour,count: ode::searched_events, the first event in the first
-/// row; progress on a terminal. A signal that ends the process meanwhile (run/ending_signal.hpp) writes the events that
-/// are known by `write`, unless there are none, says on stderr how far the search came, and ends it with exit code 1.
+/// row; progress on a terminal. A signal that ends the process meanwhile (run/ending_signal.hpp) writes the known
+/// events by `write`, unless there are none, reports on stderr the time reached, and ends the process with exit code 1.
 /// With `check` each event is compared with a second proof (ode::proof_route::second): throws std::runtime_error with
-/// both enclosures where they disagree.
+/// both enclosures if they disagree.
 events_found problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
                             bool check, const std::function<void(const table&)>& write);
 

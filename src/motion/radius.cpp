@@ -66,11 +66,11 @@ listed_series judged_part(const radius_options& options, const arithmetic& numbe
 
 std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const arithmetic& numbers) {
     if (const auto motion = options.motion.first_given()) {
-        throw input_error(fmt::format("--coefficients {} comes together with {}: give a list or a motion, not both",
+        throw input_error(fmt::format("--coefficients {} is given together with {}: give a list or a motion, not both",
                                       quotation(*options.file), *motion));
     }
     if (options.at) {
-        throw input_error("--at", *options.at, "is a point of a motion, and --coefficients have none",
+        throw input_error("--at", *options.at, "is a point of a motion, which --coefficients do not have",
                           "leave --at out");
     }
     std::vector<lists_of_unknown> lists;
@@ -86,10 +86,10 @@ std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const
 
 constexpr const char* usual_order_of_problems = "300";
 
-// The coefficients of every unknown, of which all digits are right.
+// The coefficients of every unknown, with all digits correct.
 std::vector<lists_of_unknown> judged_lists_of_problem(const radius_options& options, const arithmetic& numbers) {
     if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
     const long order = order_of("--order", options.order.value_or(usual_order_of_problems));
     const problem_series_request request{options.problem.choose(), 0, order, options.at, options.via};
@@ -106,7 +106,7 @@ std::vector<lists_of_unknown> judged_lists_of_problem(const radius_options& opti
     return lists;
 }
 
-// Of a motion the radius is known otherwise.
+// The radius of a motion is also known independently.
 struct list_of_known_radius {
     listed_series list;
     known_radius known;
@@ -129,7 +129,7 @@ list_of_known_radius list_of_motion(const radius_options& options, const arithme
     return {{power_series<mpfr>(coefficient_values(request))}, {std::move(text), std::move(radius)}};
 }
 
-// Lower and upper bound of a problem, by discs and loops instead of coefficients.
+// Lower and upper bound for a problem, by discs and loops instead of coefficients.
 int prove_radius(const radius_options& options) {
     if (!options.problem.given()) {
         throw input_error("--prove is for differential equations: add --problem P");
@@ -138,11 +138,11 @@ int prove_radius(const radius_options& options) {
          {std::pair("--order", options.order), std::pair("--at", options.at), std::pair("--coefficients", options.file),
           std::pair("--scalar", options.arithmetic.scalar())}) {
         if (value) {
-            throw input_error(name, *value, "has no part in a proof about the start", "leave it out");
+            throw input_error(name, *value, "has no meaning for a proof about the initial point", "leave it out");
         }
     }
     if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
     const long digits = options.arithmetic.choose().digits;
     const auto answer =
@@ -157,14 +157,14 @@ int run_radius(const radius_options& options) {
         return prove_radius(options);
     }
     if (options.check) {
-        throw input_error("--check compares two proofs and there is none: add --prove, or leave it out");
+        throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
     }
     const arithmetic numbers = options.arithmetic.choose();
     std::vector<lists_of_unknown> unknowns;
     known_radius known;
     if (options.problem.given()) {
         if (options.file) {
-            throw input_error("--coefficients", *options.file, "come together with --problem", "give one of them");
+            throw input_error("--coefficients", *options.file, "is given together with --problem", "give one of them");
         }
         unknowns = judged_lists_of_problem(options, numbers);
     } else if (options.file) {
@@ -172,8 +172,7 @@ int run_radius(const radius_options& options) {
     } else {
         options.problem.require_problem();
         if (options.via) {
-            throw input_error("--via", *options.via, "is a way through the complex times of a --problem",
-                              "leave it out");
+            throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem", "leave it out");
         }
         auto of_motion = list_of_motion(options, numbers);
         unknowns.push_back({"", {{std::move(of_motion.list)}, 1}});
@@ -212,21 +211,19 @@ subcommand radius_command(CLI::App& program) {
     options->problem.add_to(*command);
     options->arithmetic.add_to(*command);
     options->output.add_to(*command);
-    command->add_option("--order", options->order, "last power N; of a file all that it has unless given")
+    command->add_option("--order", options->order, "last power N (default for a file: all of its coefficients)")
         ->type_name("N");
     command->add_flag("--prove", options->prove,
                       "of a problem: proved lower and upper bounds that agree to --digits D (theorems L and C)");
     command->add_flag("--check", options->check,
-                      "with --prove: compare with a second proof by another route, exit 1 where they disagree");
+                      "with --prove: compare with a second proof by another route, exit 1 if they disagree");
     command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
-    command
-        ->add_option("--via", options->via,
-                     "corners of the way to --at of a problem through the complex plane: 1+i,2+i")
+    command->add_option("--via", options->via, "corners of the path to --at of a problem in the complex plane: 1+i,2+i")
         ->type_name("LIST");
     command
         ->add_option(
             "--coefficients", options->file,
-            "lists instead of a motion: one number a line, n,coefficient, n,u,v, complex 1+2i or NAME_re,NAME_im, or "
+            "lists instead of a motion: one number per line, n,coefficient, n,u,v, complex 1+2i or NAME_re,NAME_im, or "
             "JSON; - for stdin")
         ->type_name("FILE");
     return {command, [options] { return run_radius(*options); }};

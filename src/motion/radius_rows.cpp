@@ -31,7 +31,7 @@ std::string relative_error(const std::string& radius, const known_radius& known,
     return to_decimal(mpfr(abs(from_exact<mpfr>(read_exact(radius)) / *known.true_size - 1)), uncertainty_digits);
 }
 
-// Without commas, so that a reader that knows no quotes is right too.
+// Without commas, so that a reader without support for quotes is also correct.
 std::string note_of(const radius_estimate<mpfr>& estimate) {
     std::string note = estimate.note;
     std::replace(note.begin(), note.end(), ',', ';');
@@ -74,7 +74,7 @@ std::string what_in_words(const radius_estimate<mpfr>& estimate) {
     return estimate.count > 0 ? fmt::format("{} {}", estimate.count, what) : what;
 }
 
-// "2 simple poles at 1.57 and its image": number, kind and position of the nearest singularities.
+// "2 simple poles at 1.57 and the point symmetric to it": number, kind and position of the nearest singularities.
 std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_row_cells& row) {
     if (estimate.kind == singularity_kind::boundary) {
         return "the whole circle of convergence is a boundary";
@@ -84,13 +84,15 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const table_
         const std::string& re = row[5].text();
         const std::string& im = row[6].text();
         words += " at " + (im == "0" ? re : re == "0" ? im + " i" : fmt::format("{} + {} i", re, im));
-        words += estimate.count > 2 ? " and its images" : estimate.count == 2 ? " and its image" : "";
+        words += estimate.count > 2    ? " and the points symmetric to it"
+                 : estimate.count == 2 ? " and the point symmetric to it"
+                                       : "";
     }
     return estimate.kind == singularity_kind::unknown ? words + ", of a kind that the coefficients do not decide"
                                                       : words;
 }
 
-// `unknown` is whose verdict it is; empty for a list that has no name.
+// `unknown` is the unknown of the verdict; empty for a list without a name.
 std::string verdict_in_words(const radius_answers& answers, const known_radius& known, const table& data,
                              const std::string& unknown = "") {
     const radius_estimate<mpfr>& verdict = answers.rows.front();
@@ -118,8 +120,8 @@ std::string verdict_in_words(const radius_answers& answers, const known_radius& 
     return text;
 }
 
-// "y; the radii of x, z agree with it; that of w is another one or not found": whose verdict the first one is, and what those of the
-// others say.
+// "y; the radii of x, z agree with it; that of w is another one or not found": the unknown of the verdict, and the
+// verdicts of the others.
 std::string whose_verdict(const std::vector<radius_answers>& all, const std::vector<std::string>& names,
                           std::size_t nearest) {
     const radius_estimate<mpfr>& verdict = all[nearest].rows.front();

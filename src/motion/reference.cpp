@@ -38,20 +38,20 @@ struct reference_options {
     bool check = false;
 };
 
-// The second route sums about D/3 columns of D digits: minutes at this many, hours far above.
+// The second route sums about D/3 columns of D digits: minutes at this many, hours for far more.
 constexpr long most_checked_digits = 10'000;
 constexpr const char* infinite_time = "inf";
 
-// A solution with the times that it is asked at.
+// A solution with the requested times.
 struct asked_solution {
     std::unique_ptr<solution> of;
     std::vector<exact> times;
-    std::string typed;  ///< what named the times, for complaints
+    std::string typed;  ///< the argument that gave the times, for messages
     /// Of a motion, with the digits of its constants.
     std::function<shared_cells(const solution& of, const request& how)> about = {};
 };
 
-// What the times of a motion share.
+// The cells that all times of a motion share.
 shared_cells cells_of_motion(const chosen_motion& chosen, const solution& of, const request& how) {
     const answer constants = *of.constants(how);
     const auto constant = [&](const char* name) { return number_cell(constants.at(0, name)); };
@@ -94,7 +94,7 @@ partial_table states_of(const asked_solution& asked, const request& how) {
         }
         throw input_error("--times", asked.typed,
                           "has '" + problem.value() + "', where the angular velocity is too small to be printed",
-                          "choose nearer times");
+                          "choose times closer to 0");
     }
 }
 
@@ -103,7 +103,7 @@ asked_solution motion_of_options(const reference_options& options, long digits) 
         throw input_error("no times are given: add --times LIST");
     }
     if (options.columns) {
-        throw input_error("--columns", *options.columns, "comes without --motions", "leave it out");
+        throw input_error("--columns", *options.columns, "requires --motions", "leave it out");
     }
     chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
     auto times = times_of(*options.times, chosen.of.regime());
@@ -117,7 +117,7 @@ std::vector<known_column> columns_of_motions() {
     return known;
 }
 
-// The motions of a file, those of consecutive rows together.
+// The motions of a file, with those of consecutive rows combined.
 std::vector<asked_solution> motions_of_file(const reference_options& options) {
     const point_file file("--motions", *options.motions, options.columns, columns_of_motions());
     const motion_columns columns(file.names());
@@ -160,10 +160,10 @@ std::vector<asked_solution> motions_of_file(const reference_options& options) {
     return asked;
 }
 
-// What belongs to motions alone.
+// Throws for options that apply to motions alone.
 void refuse_motions(const reference_options& options) {
     if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
     for (const auto& [option, value] : {std::pair("--motions", options.motions),
                                         std::pair("--columns", options.columns), std::pair("--jobs", options.jobs)}) {
@@ -173,11 +173,12 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// When a condition holds.
+// The times at which a condition holds.
 int write_events(const reference_options& options, long digits) {
     refuse_motions(options);
     if (options.times) {
-        throw input_error("--times", *options.times, "comes with --until, which finds the times", "leave one out");
+        throw input_error("--times", *options.times, "is given together with --until, which finds the times",
+                          "leave one out");
     }
     const auto system = options.problem.choose();
     const auto request = options.events.request(options.problem, system);
@@ -202,7 +203,7 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
         return {std::move(of), times_of_problem(*options.times), *options.times};
     }
     if (options.check) {
-        throw input_error("--check compares two proofs and --time inf has one, by a closed form: leave it out");
+        throw input_error("--check compares two proofs, and --time inf has only one, by a closed form: leave it out");
     }
     return {std::move(of), {}, infinite_time};
 }
@@ -219,7 +220,7 @@ std::vector<asked_solution> asked_by(const reference_options& options, long digi
     return asked;
 }
 
-// On all cores where there are several solutions.
+// On all cores if there are several solutions.
 std::vector<partial_table> answered(const std::vector<asked_solution>& asked, const reference_options& options,
                                     long digits) {
     progress shown("reference", asked.size() * progress_of_part::steps);
@@ -247,8 +248,8 @@ int run_reference(const reference_options& options) {
     const auto asked = asked_by(options, digits);
     const bool closed = std::ranges::any_of(asked, [](const auto& each) { return !each.of->closed_form().empty(); });
     if (options.check && closed && digits > most_checked_digits) {
-        throw input_error("--digits", std::to_string(digits), "with --check would take hours",
-                          fmt::format("ask for {} digits or fewer", most_checked_digits));
+        throw input_error("--digits", std::to_string(digits), "would take hours with --check",
+                          fmt::format("write {} or fewer", most_checked_digits));
     }
     const auto found = naming_option("--problem", [&] { return stacked_states(answered(asked, options, digits)); });
     if (found.has_output()) {
@@ -275,12 +276,13 @@ subcommand reference_command(CLI::App& program) {
                      "a file with a motion in each row: theta0 and omega0, gap or energy, and a time unless --times is "
                      "given; - for stdin")
         ->type_name("FILE");
-    command->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, - for none of these")
+    command
+        ->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, NAME=- to ignore one")
         ->type_name("THEIRS=OURS,...");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->events.add_to(*command);
     command->add_flag("--check", options->check,
-                      "compare with a second proof by another route, exit 1 where they disagree");
+                      "compare with a second proof by another route, exit 1 if they disagree");
     return {command, [options] { return run_reference(*options); }};
 }
 

@@ -48,7 +48,7 @@ trajectory_method read_trajectory_method(const std::string& name) {
     if (name == "uniform") {
         return trajectory_method::uniform;
     }
-    throw input_error("--method", name, "is no method for a trajectory",
+    throw input_error("--method", name, "is not a method for a trajectory",
                       "write exact, series, resummed, uniform or rk4");
 }
 
@@ -57,7 +57,7 @@ bool is_partial_sum(trajectory_method method) {
            method == trajectory_method::uniform;
 }
 
-// --order belongs to partial sums, --step to rk4.
+// --order applies to partial sums, --step to rk4.
 void require_fitting(const trajectory_options& options, trajectory_method method) {
     const bool sums = is_partial_sum(method);
     if (sums && !options.order) {
@@ -81,7 +81,7 @@ trajectory_request choose(const trajectory_options& options) {
     const exact step = positive_number_of("--step", options.step.value_or(usual_step));
     const arithmetic numbers = options.arithmetic.choose();
     if (method == trajectory_method::rk4 && numbers.scalar.kind == scalar_kind::proved) {
-        throw input_error("--scalar", numbers.scalar.name(), "proves nothing about a march of steps",
+        throw input_error("--scalar", numbers.scalar.name(), "cannot prove a step-by-step integration",
                           "use another scalar, or --method exact");
     }
     chosen_motion chosen = options.motion.choose_for(numbers.scalar);
@@ -97,10 +97,10 @@ trajectory_request choose(const trajectory_options& options) {
     return {std::move(chosen), numbers, method, order, step, times_of(options.times, r), jobs_of(options.jobs)};
 }
 
-// In place of a motion, any problem.
+// Instead of a motion, any problem.
 partial_table trajectory_of_problem(const trajectory_options& options) {
     if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
+        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
     const auto refuse = [](const char* option, const std::optional<std::string>& value) {
         if (value) {
@@ -111,7 +111,7 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     static const std::vector<std::string> approximations{"series", "pade", "endpoint", "asymptotic"};
     const bool approximated = std::ranges::find(approximations, method) != approximations.end();
     if (!approximated && method != "taylor") {
-        throw input_error("--method", method, "is no method for a problem",
+        throw input_error("--method", method, "is not a method for a problem",
                           "write taylor, series, pade, endpoint or asymptotic");
     }
     refuse("--step", options.step);
@@ -121,10 +121,10 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     const arithmetic numbers = options.arithmetic.choose();
     if (approximated) {
         if (!options.order) {
-            throw input_error("--method", method, "is made from coefficients", "add --order N, the last power");
+            throw input_error("--method", method, "is computed from coefficients", "add --order N, the last power");
         }
         if (options.via || has_imaginary_unit(options.times)) {
-            throw input_error("--method", method, "is for real times", "leave --method out for complex ones");
+            throw input_error("--method", method, "is limited to real times", "leave --method out for complex ones");
         }
         return naming_option("--problem", [&] {
             return partial_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
@@ -162,7 +162,7 @@ int run_trajectory(const trajectory_options& options) {
     }
     options.problem.require_problem();
     if (options.via) {
-        throw input_error("--via", *options.via, "is a way through the complex times of a --problem",
+        throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem",
                           "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");
     }
     const trajectory_request request = choose(options);
@@ -204,12 +204,13 @@ subcommand trajectory_command(CLI::App& program) {
         ->type_name("METHOD");
     command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
-    command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401; of a problem 1+2i too")
+    command
+        ->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401; of a problem also 1+2i")
         ->type_name("LIST")
         ->required();
     command
         ->add_option("--via", options->via,
-                     "corners of the way to the times of a problem through the complex plane: 1+i,2+i")
+                     "corners of the path to the times of a problem in the complex plane: 1+i,2+i")
         ->type_name("LIST");
     command->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", usual_step))
         ->type_name("H");

@@ -24,7 +24,7 @@ using namespace pendulum;
 
 namespace {
 
-// What the latest of the times needs.
+// The digits that the latest of the times requires.
 long digits_before_point(const trajectory_request& request) {
     long most = 0;
     for (const exact& time : request.times) {
@@ -43,7 +43,7 @@ jet<wide_t<T>> widened(const pendulum_state<T>& at) {
     return {widen(at.theta), widen(at.omega)};
 }
 
-// Calls work(i) for every time, on all threads; blocks of them, so that a thread is not asked for every single one.
+// Calls work(i) for every time, on all threads, in blocks, so that threads are not scheduled for single times.
 template <class Work>
 void at_every_time(const trajectory_request& request, const std::string& what, const Work& work) {
     constexpr std::size_t block = 64;
@@ -59,7 +59,7 @@ void at_every_time(const trajectory_request& request, const std::string& what, c
 }
 
 // theta and omega, in the motion's units, at every time, one after the other, from function(i) at the i-th; omega is
-// divided in more digits where they round.
+// divided with more digits if they round.
 template <class T, class Function>
 std::vector<wide_t<T>> follow(const trajectory_request& request, const Function& function) {
     const long own_digits = working_digits();
@@ -98,7 +98,7 @@ std::vector<ball> enclosed(const trajectory_request& request, const std::string&
     return values;
 }
 
-// A number as T; refuses what T rounds to 0 or infinity.
+// A number as T; throws if its conversion to T is 0 or infinite.
 template <class T>
 T held_by(const mpfr& value, const std::string& option, const std::string& text, const scalar_spec& scalar) {
     const long exponent = binary_exponent(value);
@@ -108,7 +108,7 @@ T held_by(const mpfr& value, const std::string& option, const std::string& text,
     return narrow<T>(value);
 }
 
-// The numerical solution, which names the time that takes too many steps.
+// The numerical solution; its error names the time that would take too many steps.
 template <class T>
 std::vector<mpfr> follow_runge_kutta(const trajectory_request& request) {
     const motion& m = request.chosen.of;
@@ -131,7 +131,7 @@ std::vector<mpfr> follow_runge_kutta(const trajectory_request& request) {
     progress shown("rk4, times", times.size());
     const jet<T> at_zero{start.theta, start.omega};
     const auto states = numerical_solution(at_zero, times, step, [&](runge_kutta_march<T>& arc, std::size_t i) {
-        jet<T> state = reading("--times", request.times[i].text, "choose nearer times or a larger --step",
+        jet<T> state = reading("--times", request.times[i].text, "choose times closer to 0 or a larger --step",
                                [&] { return arc.advance_to(times[i]); });
         shown.step();
         return state;
@@ -148,7 +148,7 @@ std::vector<wide_t<T>> values_in(const trajectory_request& request) {
         case trajectory_method::resummed:
             return follow_extension<T>(request, resummation_from_top(arc_of<T>(m), request.order));
         case trajectory_method::uniform:
-            // Balls of the sum itself, without the bound of what it leaves out.
+            // Balls of the sum itself, without a bound of its remainder.
             if constexpr (proved_scalar<T>) {
                 return follow_extension<T>(request, uniform_from_top<T>(m, request.order).partial_sum());
             } else {
@@ -158,7 +158,7 @@ std::vector<wide_t<T>> values_in(const trajectory_request& request) {
     }
     if constexpr (proved_scalar<T>) {
         if (request.method == trajectory_method::rk4) {
-            throw std::logic_error("a march of steps has no proof");
+            throw std::logic_error("a step-by-step integration has no proof");
         }
         return enclosed(request);
     } else if (request.method == trajectory_method::rk4) {
@@ -169,8 +169,8 @@ std::vector<wide_t<T>> values_in(const trajectory_request& request) {
     }
 }
 
-// What symmetry makes 0: omega at the turning points, by every method, because each is even about the top; theta at the
-// bottom by the exact solution and by the resummation, which has its value there.
+// Values that are 0 by symmetry: omega at the turning points, by every method, because each is even about the top;
+// theta at the bottom by the exact solution and by the resummation, which has its value there.
 std::vector<bool> vanishing(const trajectory_request& request) {
     const auto is_zero = [](const ball& x) { return is_exact(x) && contains_zero(x); };
     const auto values = enclosed(request);
@@ -185,8 +185,8 @@ std::vector<bool> vanishing(const trajectory_request& request) {
     return zeros;
 }
 
-// theta where it is known to be a fraction: that of the start, again after whole periods of libration, and of opposite
-// sign about the bottom theta = 0 half a period later. Elsewhere it is no decimal, as far as anybody knows.
+// theta where it is known to be a fraction: the initial angle, again after whole periods of libration, and with
+// opposite sign about the bottom theta = 0 half a period later. Elsewhere no decimal value of it is known.
 std::optional<rational> rational_theta(const motion& m, const exact& time) {
     const auto& start = m.theta0();
     if (!start || start->measure != unit::one) {
@@ -206,7 +206,8 @@ std::optional<rational> rational_theta(const motion& m, const exact& time) {
     return whole ? start->coefficient : rational(-start->coefficient);
 }
 
-// |theta as printed - the exact solution| at every time, six proved digits of it, in as many digits as it takes.
+// |theta as printed - the exact solution| at every time, six proved digits of it, with as many working digits as
+// needed.
 std::vector<printed_number> errors_of(const trajectory_request& request, const std::vector<printed_number>& printed,
                                       long before) {
     std::vector<exact> thetas;
@@ -234,7 +235,7 @@ std::vector<printed_number> values_of(const trajectory_request& request, long be
         const precision_scope wider(working_digits() + (proved_scalar<T> ? before : 0));
         return values_in<T>(request);
     };
-    // A march of millions of steps is not repeated; its rounding is far below its error.
+    // An integration of millions of steps is not repeated; its rounding is far below its error.
     if (request.method == trajectory_method::rk4) {
         return printed(one_run(scalar, compute), digits);
     }
@@ -242,8 +243,9 @@ std::vector<printed_number> values_of(const trajectory_request& request, long be
     if (scalar.kind != scalar_kind::arbitrary) {
         return printed(scalar, digits, compute, zeros);
     }
-    // The right digits that mpfr stands for are those of enclosures, which need one run where rounding needs two. What
-    // enclosures of a partial sum leave open, a 0 that nobody knows of, two runs may agree on.
+    // The correct digits that mpfr guarantees are computed by enclosures, which need one run where rounding needs two.
+    // Values that enclosures of a partial sum leave undecided, an unknown exact 0, may be determined by two runs that
+    // agree.
     try {
         return printed({scalar_kind::proved, scalar.digits}, digits, compute, zeros);
     } catch (const error& problem) {
@@ -273,7 +275,7 @@ bool has_no_digits(const error& problem, const trajectory_request& request) {
            (problem.kind() == error_kind::range && request.chosen.of.regime() == regime::separatrix);
 }
 
-// Each by itself, so that one without digits loses no other.
+// Each time separately, so that one without digits does not affect the others.
 std::vector<trajectory_point> points_apart(const trajectory_request& request) {
     std::vector<trajectory_point> points;
     points.reserve(request.times.size());

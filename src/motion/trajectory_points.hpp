@@ -8,19 +8,20 @@
 
 namespace libration {
 
-/// One time as it is printed. Where the digits are right or proved, they are those of the method's own exact value, not
+/// One time as it is printed. If the digits are correct or proved, they are those of the method's own exact value, not
 /// of its rounding; the error is |theta as printed - the exact solution|.
 struct trajectory_point {
     std::string theta;
     std::string omega;  ///< in the motion's units
     std::string error;
-    std::string undecided;  ///< why there are none of them, where that is so
+    std::string undecided;  ///< the reason if there are no digits
 };
 
-/// All times, on request.jobs threads, in the scalar of request.numbers: as a fixed scalar computes them, in balls
-/// proved, and in mpfr right, by enclosures too, which give the digits in one run (rk4 is one run of mpfr). Proved
-/// enclosures judge every method. A time whose digits no precision within the limits decides has no numbers, but the
-/// reason. Throws input_error for what the scalar cannot hold, std::logic_error for rk4 in balls, which proves nothing.
+/// All times, on request.jobs threads, in the scalar of request.numbers: as a fixed scalar computes them, proved in
+/// balls, and correct in mpfr, also by enclosures, which give the digits in one run (rk4 is one run of mpfr). Every
+/// method is compared with proved enclosures. A time whose digits no precision within the limits decides has no
+/// numbers, but the reason. Throws input_error for values that the scalar cannot represent, std::logic_error for rk4 in
+/// balls, which cannot be proved.
 std::vector<trajectory_point> trajectory_points(const trajectory_request& request);
 
 }  // namespace libration

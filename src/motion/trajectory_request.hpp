@@ -1,4 +1,4 @@
-// What `libration trajectory` is asked for.
+// The request of `libration trajectory`.
 #pragma once
 
 #include <vector>

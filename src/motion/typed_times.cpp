@@ -14,7 +14,7 @@ proved_states::state_text state_at(proved_states& states, const exact& time, con
             throw;
         }
         throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
-                          "choose nearer times");
+                          "choose times closer to 0");
     }
 }
 

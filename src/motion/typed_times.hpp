@@ -7,8 +7,8 @@
 
 namespace libration {
 
-/// The state at one of the times. Throws input_error where omega is too small to be printed: on the separatrix it falls
-/// like exp(-t), until no exponent holds it.
+/// The state at one of the times. Throws input_error if omega is too small to be printed: on the separatrix it
+/// decreases like exp(-t), below every exponent.
 pendulum::proved_states::state_text state_at(pendulum::proved_states& states, const exact& time,
                                              const std::string& typed);
 

@@ -12,7 +12,7 @@
 
 namespace {
 
-// The other ranks read the same command line: what is wrong with it is said once.
+// The other ranks read the same command line: errors in it are reported once.
 void be_silent() {
     const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     ::dup2(nothing, STDOUT_FILENO);
@@ -44,8 +44,8 @@ int main(int argc, char** argv) {
         if (argc < 2 || std::string_view(argv[1]) != "study") {
             if (ranks.is_first()) {
                 fmt::print(stderr,
-                           "libration: --mpi '{}' is no study: write ./run --mpi -n K study NAME ..., and all "
-                           "else without --mpi\n",
+                           "libration: --mpi '{}' is not a study: write ./run --mpi -n K study NAME ..., and run "
+                           "other commands without --mpi\n",
                            argc < 2 ? "" : argv[1]);
             }
             return 2;

@@ -20,8 +20,8 @@ namespace libration {
 
 namespace {
 
-// Messages: a rank says how many threads it has; it gets groups, one more than it has threads; it sends finished cells;
-// and it is released.
+// Messages: a rank sends its number of threads; it receives groups, one more than it has threads; it sends finished
+// cells; and it is released.
 constexpr int tag_ready = 1;
 constexpr int tag_work = 2;
 constexpr int tag_finished = 3;
@@ -43,7 +43,7 @@ struct message {
     std::string text;
 };
 
-// A message that is there; std::nullopt where none is.
+// A message that has arrived; std::nullopt if there is none.
 std::optional<message> arrived() {
     int there = 0;
     MPI_Status status;
@@ -78,7 +78,7 @@ group_work work_from(const std::string& text) {
     return work;
 }
 
-// The threads of a rank: groups go in, finished ones come out.
+// The threads of a rank: a queue of groups to compute and one of finished ones.
 class crew {
 public:
     crew(const study_cells& of, int jobs) : of_(of) {
@@ -126,7 +126,7 @@ private:
     std::vector<std::jthread> threads_;  // last, so that they end first
 };
 
-// What rank 0 knows of the work that is out.
+// The state on rank 0 of the groups that are being computed.
 class handing_out {
 public:
     handing_out(const std::vector<group_work>& work, const cell_events& events) : work_(work), events_(events) {}
@@ -148,7 +148,7 @@ public:
     }
 
 private:
-    // One group at a time to each rank that has a thread for it, so that long ones are spread.
+    // One group at a time to each rank with a free thread, so that long ones are distributed.
     void hand_out() {
         for (bool any = true; any && next_ < work_.size();) {
             any = false;

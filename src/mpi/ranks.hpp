@@ -1,12 +1,12 @@
-// The cells of a study on the ranks of MPI: rank 0 hands them out and is the only one that writes.
+// The cells of a study on the ranks of MPI: rank 0 distributes them and is the only one that writes.
 #pragma once
 
 #include "sweep/cell_engine.hpp"
 
 namespace libration {
 
-/// MPI while it lives. Rank 0 runs the program; all others serve it: they make the same plan from the same command line
-/// and compute the groups whose numbers they are sent, on all their threads.
+/// The lifetime of MPI. Rank 0 runs the program; all others work for it: they make the same plan from the same command
+/// line and compute the groups whose numbers they receive, on all their threads.
 class mpi_ranks {
 public:
     mpi_ranks(int* argc, char*** argv);
@@ -18,13 +18,13 @@ public:
     bool is_first() const { return rank_ == 0; }
     int count() const { return count_; }
 
-    /// On rank 0: has these groups computed by the others; without others by threads of its own.
+    /// On rank 0: computes these groups on the others; if there are none, in its own threads.
     void compute(const study_cells& of, const std::vector<group_work>& work, const cell_events& events) const;
-    /// On the others: computes what it is sent until rank 0 has no more.
+    /// On the others: computes the groups that it receives until rank 0 has no more.
     void serve(const study_cells& of);
-    /// On rank 0: the others are not needed any more.
+    /// On rank 0: the others are no longer needed.
     void release() const;
-    /// On the others, where the command line asked for no cells: waits until rank 0 has come to its end.
+    /// On the others, if the command line requests no cells: waits until rank 0 has finished.
     void wait_for_release();
 
 private:

@@ -1,5 +1,5 @@
-// The compiled half of the Python package: the C interface with Python's texts, exceptions and arrays. What a person
-// types is in python/libration.
+// The compiled half of the Python package: the C interface with Python's texts, exceptions and arrays. The public
+// interface is in python/libration.
 #include <libration.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -28,7 +28,7 @@ using motion_handle = owned<libration_motion, libration_motion_free>;
 using problem_handle = owned<libration_problem, libration_problem_free>;
 using sampler_handle = owned<libration_sampler, libration_sampler_free>;
 
-// Handles as Python holds them.
+// Handles owned by Python objects.
 struct motion_object {
     motion_handle handle;
 };
@@ -39,13 +39,13 @@ struct sampler_object {
     sampler_handle handle;
 };
 
-// decimal, uncertainty, rigour: a Ball is made of them.
+// decimal, uncertainty, rigour: the parts of a Ball.
 using number_parts = std::tuple<std::string, std::string, int>;
 // Names, and cells row by row: a text, or the parts of a number.
 using table_parts = std::pair<std::vector<std::string>, py::list>;
 
-// The error of a call that failed as an exception of libration.errors, with what is known all the same; a signal that
-// cancelled it as its own.
+// The error of a failed call as an exception of libration.errors, with the results that are known nevertheless; a
+// signal that cancelled the call is raised as its own exception.
 [[noreturn]] void raise(int code, const py::object& partial = py::none()) {
     if (code == LIBRATION_CANCELLED && PyErr_Occurred() != nullptr) {
         throw py::error_already_set();
@@ -77,7 +77,7 @@ void run(const Call& call) {
     }
 }
 
-// What call(&handle) makes.
+// The object created by call(&handle).
 template <class Owned, class Call>
 Owned made(const Call& call) {
     typename Owned::pointer handle = nullptr;
@@ -85,7 +85,7 @@ Owned made(const Call& call) {
     return Owned(handle);
 }
 
-// Hears Ctrl-C in long calls.
+// Handles Ctrl-C in long calls.
 int watch_signals(double /*part*/, void* /*context*/) {
     const py::gil_scoped_acquire lock;
     return PyErr_CheckSignals() == 0 ? 0 : 1;
@@ -126,7 +126,7 @@ table_parts table(const Call& call) {
     return parts_of(made<table_handle>(call).get());
 }
 
-// Of a call that makes a table of what is known where it fails too; the exception has it as `partial`.
+// For a call that returns a table of known values even if it fails; the exception has it as `partial`.
 template <class Call>
 table_parts known_table(const Call& call) {
     libration_table* handle = nullptr;
@@ -276,7 +276,7 @@ void define_problems(py::module_& m) {
     });
 }
 
-// A number made again of its parts, for what only the library computes.
+// A number reconstructed from its parts, for functions that only the library provides.
 class number_object {
 public:
     number_object(const std::string& decimal, const std::string& uncertainty, int rigour)

@@ -17,7 +17,7 @@ namespace libration {
 
 namespace {
 
-constexpr char between_words = '\x1f';  // stands in no word of a command
+constexpr char between_words = '\x1f';  // does not occur in the words of a command
 constexpr std::size_t most_failures_listed = 20;
 
 std::string bytes_of(const cell_key& key) { return {key.begin(), key.end()}; }
@@ -148,7 +148,7 @@ cells_found missing_cells(const study_cells& of, const cell_store& in, const stu
 }
 
 void compute_on_threads(const study_cells& of, const std::vector<group_work>& work, const cell_events& events) {
-    // What measures times has the machine for itself.
+    // Cells that measure times run alone on the machine.
     const int jobs = of.of().alone ? 1 : of.request().jobs;
     on_threads(work.size(), jobs, [&](std::size_t i) {
         events.begun(work[i]);
@@ -168,7 +168,7 @@ std::function<void(const study_cells&)>& cell_server() {
 
 namespace {
 
-// The groups that are being computed, by the time at which they began.
+// The groups that are being computed, by the time at which they started.
 class running_groups {
 public:
     explicit running_groups(const study_cells& of) : of_(of) {}

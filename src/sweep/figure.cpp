@@ -1,4 +1,4 @@
-// libration figure NAME: draws a study's figures again from its CSV.
+// libration figure NAME: redraws a study's figures from its CSV.
 #include <memory>
 
 #include "option/subcommand.hpp"
@@ -14,8 +14,8 @@ subcommand figure_command(CLI::App& program) {
     };
     const auto options = std::make_shared<figure_options>();
     CLI::App* command = program.add_subcommand("figure", "redraw the figures of a study from its CSV");
-    command->add_option("NAME", options->name, "which study")->required();
-    command->add_option("--out", options->out, "the folder that holds NAME/NAME.csv")
+    command->add_option("NAME", options->name, "name of the study")->required();
+    command->add_option("--out", options->out, "the directory that contains NAME/NAME.csv")
         ->type_name("DIR")
         ->capture_default_str();
     return {command, [options] {

@@ -15,7 +15,7 @@ namespace {
 using namespace std::string_literals;
 
 const std::string png_end = "\0\0\0\0IEND\xae\x42\x60\x82"s;
-// Length 9, 11811 dots a metre in x and y, unit 1 (the metre), and the checksum of it all.
+// Length 9, 11811 dots per metre in x and y, unit 1 (the metre), and the checksum of the chunk.
 const std::string png_resolution = "\0\0\0\x09pHYs\0\0\x2e\x23\0\0\x2e\x23\x01\x78\xa5\x3f\x76"s;
 constexpr std::size_t png_header_bytes = 33;  // signature and IHDR
 
@@ -32,7 +32,7 @@ std::string with_resolution(const std::string& png) {
                : png.substr(0, png_header_bytes) + png_resolution + png.substr(png_header_bytes);
 }
 
-// /CreationDate (D:20260102030405+00'00): its digits become those of a fixed day, as many as there were.
+// /CreationDate (D:20260102030405+00'00): its digits are replaced by those of a fixed day, keeping their number.
 std::string without_time(std::string pdf) {
     constexpr std::string_view key = "/CreationDate (D:";
     constexpr std::string_view fixed = "20000101000000";
@@ -45,7 +45,7 @@ std::string without_time(std::string pdf) {
     return pdf;
 }
 
-// rgb( 68,  68,  68) as #444444, from where it begins; moves behind it.
+// rgb( 68,  68,  68) as #444444, starting at `at`, which is moved behind it.
 std::string hexadecimal_colour(const std::string& svg, std::size_t& at) {
     std::string colour = "#";
     at += std::string_view("rgb(").size();
@@ -57,7 +57,7 @@ std::string hexadecimal_colour(const std::string& svg, std::size_t& at) {
     return colour;
 }
 
-// Within tags, never in text: colours in hexadecimal, numbers with one decimal, one blank for several.
+// Within tags, never in text: colours in hexadecimal, numbers with one decimal, multiple blanks as one.
 std::string shorter_words(const std::string& svg) {
     std::string out;
     out.reserve(svg.size());
@@ -84,7 +84,7 @@ std::string shorter_words(const std::string& svg) {
     return out;
 }
 
-// Groups <g ...></g> with nothing in them, away.
+// Removes empty groups <g ...></g>.
 std::string without_empty_groups(const std::string& svg) {
     constexpr std::string_view end = "</g>";
     std::string out;
@@ -104,12 +104,12 @@ std::string without_empty_groups(const std::string& svg) {
     return out;
 }
 
-// The line from `begin` on, with its end.
+// The line that starts at `begin`, with its line end.
 std::string line_at(const std::string& text, std::size_t begin) {
     return text.substr(begin, std::min(text.find('\n', begin), text.size() - 1) + 1 - begin);
 }
 
-// <path ... d='M1,2 L3,4 L5,6'/> without the letters that the next pair of coordinates implies.
+// <path ... d='M1,2 L3,4 L5,6'/> without the letters that are implied by the next pair of coordinates.
 std::string implied_lines(const std::string& path) {
     std::string out;
     const std::size_t data = path.find(" d='");
@@ -119,14 +119,14 @@ std::string implied_lines(const std::string& path) {
     return out;
 }
 
-// Of two equal groups around one path each, one group around both; of two paths of one pen in it, one path.
+// Joins two equal groups around one path each to one group around both, and in it two paths of one pen to one path.
 std::string joined_groups(const std::string& svg) {
     constexpr std::string_view end = "</g>\n";
     constexpr std::string_view closing = "'/></g>\n";
     std::string out;
     out.reserve(svg.size());
-    std::string group;  // the opening tag of the group before, where it held paths alone
-    std::string pen;    // what stands before the lines of its last path
+    std::string group;  // the opening tag of the previous group, if it contained only paths
+    std::string pen;    // the text before the lines of its last path
     for (std::size_t i = 0; i < svg.size();) {
         const std::string line = line_at(svg, i);
         i += line.size();
@@ -157,8 +157,8 @@ std::string joined_groups(const std::string& svg) {
     return out;
 }
 
-// Without the titles of curves, which a browser shows where the mouse rests: those that no key names have the words
-// of the script for one.
+// Removes the titles of curves, which a browser shows under the mouse pointer: a curve without a key entry has text of
+// the script as its title.
 std::string without_titles(const std::string& svg) {
     constexpr std::string_view begin = "<title>";
     constexpr std::string_view end = "</title>";
@@ -174,7 +174,7 @@ std::string without_titles(const std::string& svg) {
 }
 
 std::string compact(const std::string& svg) {
-    const std::size_t body = svg.find("</defs>");  // the marks before it are measured in units of their own
+    const std::size_t body = svg.find("</defs>");  // the marks before it are measured in other units
     if (body == std::string::npos) {
         return svg;
     }

@@ -1,4 +1,4 @@
-// libration journal DIR: what the journals of a folder hold; recomputes a sample, exports, drops, merges shards.
+// libration journal DIR: lists the journals of a directory; recomputes a sample, exports, drops, merges shards.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct journal_options {
     output_options output;
 };
 
-// A journal as the list shows it.
+// A journal as shown in the list.
 struct listed_journal {
     journal_stamp stamp;
     journal_counts counts;
@@ -66,7 +66,7 @@ table table_of(const std::vector<listed_journal>& journals) {
         {"bytes", "of the file", [](const row& r) { return r.bytes; }},
         {"version", "of the study", [](const row& r) { return r.stamp.version; }},
         {"library", "version and commit of libration", [](const row& r) { return r.stamp.library; }},
-        {"commands", "whose cells it holds",
+        {"commands", "whose cells it contains",
          [](const row& r) { return fmt::format("{}", fmt::join(r.commands, "; ")); }}};
     return make_table(columns, journals);
 }
@@ -99,7 +99,7 @@ double share_of(const std::string& words) {
     return static_cast<double>(percent.coefficient) / 100;
 }
 
-// What of a cell does not depend on the hour: all tables but those of times.
+// The reproducible part of a cell: all tables except those of times.
 bool same_rows(const study_cells& of, const std::string& a, const std::string& b) {
     const cell_rows first = rows_from(a);
     const cell_rows second = rows_from(b);
@@ -110,7 +110,7 @@ bool same_rows(const study_cells& of, const std::string& a, const std::string& b
     return same;
 }
 
-// The cells of a journal that are computed again: of each command those that no command before it has.
+// The cells of a journal that are recomputed: for each command those that no previous command has.
 class journal_check {
 public:
     journal_check(const fs::path& path, double share, int jobs)
@@ -193,10 +193,9 @@ int check_journals(const journal_options& options) {
             journal_check check(path, share, jobs);
             check.run();
             const auto& different = check.different();
-            fmt::print("{}: {} cells computed again, {}\n", path.string(), check.checked(),
-                       different.empty()
-                           ? "all the same"
-                           : fmt::format("{} are different: {}", different.size(), fmt::join(different, "; ")));
+            fmt::print("{}: {} cells recomputed, {}\n", path.string(), check.checked(),
+                       different.empty() ? "all equal"
+                                         : fmt::format("{} differ: {}", different.size(), fmt::join(different, "; ")));
             good = good && different.empty();
         }
     }
@@ -225,7 +224,7 @@ nlohmann::ordered_json described_record(const std::string& study, const journal_
     return line;
 }
 
-// One JSON object a line, whole or not at all.
+// One JSON object per line, completely or not at all.
 int export_journals(const journal_options& options) {
     const fs::path target(*options.file);
     const fs::path beside = target.string() + ".part";
@@ -247,8 +246,7 @@ int export_journals(const journal_options& options) {
     }
     if (!out || problem) {
         fs::remove(beside, problem);
-        throw input_error("--export", *options.file, "cannot be written",
-                          "name a file in a folder that you may write in");
+        throw input_error("--export", *options.file, "cannot be written", "name a file in a writable directory");
     }
     say_line(fmt::format("wrote {} cells to {}", count, *options.file));
     return 0;
@@ -270,7 +268,8 @@ int merge(const journal_options& options) {
         throw input_error("journal merge: add --out DIR for the tables of all shards");
     }
     if (folders.empty()) {
-        throw input_error("DIR", "", "is missing", "write the folders of the shards: journal merge DIR... --out DIR");
+        throw input_error("DIR", "", "is missing",
+                          "write the directories of the shards: journal merge DIR... --out DIR");
     }
     const failures_found failures = merge_journals(folders, *options.output.file(), jobs_of(options.jobs));
     if (failures.count > 0) {
@@ -307,9 +306,10 @@ subcommand journal_command(CLI::App& program) {
     command->add_option("DIR", options->folders, "the --out of a study; or merge and those of its shards")
         ->required()
         ->type_name("DIR");
-    command->add_option("--check", options->check, "compute this share of the cells again and compare: 1%")
+    command->add_option("--check", options->check, "recompute this share of the cells and compare: 1%")
         ->type_name("P%");
-    command->add_option("--export", options->file, "write all cells to FILE, a JSON object a line")->type_name("FILE");
+    command->add_option("--export", options->file, "write all cells to FILE, one JSON object per line")
+        ->type_name("FILE");
     command->add_flag("--drop", options->drop, "remove the journals");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->output.add_to(*command, output_options::columns_option::not_here);

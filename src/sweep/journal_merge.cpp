@@ -33,14 +33,14 @@ std::vector<fs::path> journals_in(const std::string& folder) {
         }
     }
     if (found.empty()) {
-        throw input_error("DIR", folder, "holds no journal NAME/NAME.journal", "name the --out of a study");
+        throw input_error("DIR", folder, "contains no journal NAME/NAME.journal", "name the --out of a study");
     }
     return {found.begin(), found.end()};
 }
 
 namespace {
 
-// Adds all records of one journal. Cells that both have must be the same; of two attempts at one the finished counts.
+// Adds all records of one journal. Cells in both must be equal; of two attempts at a cell the finished one counts.
 void add_all(const journal& from, journal& to) {
     constexpr std::size_t together = 1000;
     std::vector<journal_record> fresh;
@@ -52,8 +52,8 @@ void add_all(const journal& from, journal& to) {
         const auto there = to.find(each.key);
         if (there && !there->failed && !each.failed && there->content != each.content) {
             throw input_error("DIR", from.path().string(),
-                              "has for " + each.inputs + " other rows than a journal before it",
-                              "find out by 'libration journal DIR --check 100%' which is wrong");
+                              "has for " + each.inputs + " rows that differ from those of a previous journal",
+                              "run 'libration journal DIR --check 100%' to find the wrong one");
         }
         if (!there || (there->failed && !each.failed)) {
             fresh.push_back(each);
@@ -65,7 +65,7 @@ void add_all(const journal& from, journal& to) {
     keep();
 }
 
-// The one command of these journals.
+// The common command of these journals.
 std::string common_command(const std::vector<fs::path>& paths) {
     std::set<std::string> commands;
     for (const fs::path& path : paths) {
@@ -77,7 +77,7 @@ std::string common_command(const std::vector<fs::path>& paths) {
         throw input_error("DIR", paths.front().parent_path().string(),
                           commands.empty()
                               ? "has no command in its journal"
-                              : fmt::format("and the others are of several commands ({})", fmt::join(commands, "; ")),
+                              : fmt::format("and the others have several commands ({})", fmt::join(commands, "; ")),
                           "merge the shards of one command");
     }
     return *commands.begin();
@@ -102,7 +102,7 @@ failures_found merge_study(const std::vector<fs::path>& paths, const std::string
     const std::size_t failed = failures_among(found, of, store).count;
     if (found.to_compute > failed) {
         throw std::runtime_error(
-            fmt::format("{} of {} cells of {} are in none of the journals; what computes them is: "
+            fmt::format("{} of {} cells of {} are missing from the journals; to compute them, run: "
                         "{} --out {}",
                         found.to_compute - failed, found.cells, order.what->name, command, out));
     }

@@ -21,7 +21,7 @@ bool is_study(const std::string& name) {
     return std::ranges::any_of(all_studies(), [&](const study* each) { return each->name == name; });
 }
 
-// Whether the own axis of a study are problems of the catalogue, to which --problem is one of them.
+// Whether the axis of a study is the problems of the catalogue, so that --problem is one of them.
 bool is_of_catalogue(const study& what) {
     return std::ranges::any_of(what.parameters, [](const study_parameter& p) { return p.option == "--problems"; });
 }
@@ -34,11 +34,11 @@ void require_any_equation(const study& what, const equation_words& asked) {
     for (const study* each : studies_of_equations()) {
         names += (names.empty() ? "" : ", ") + each->name;
     }
-    throw input_error("--problem", asked.problem, "is nothing for the study " + what.name,
+    throw input_error("--problem", asked.problem, "is not supported by the study " + what.name,
                       "leave it out, or choose one of " + names);
 }
 
-// The words of a command between the blanks, blanks within double quotes left.
+// The words of a command, split at blanks, except within double quotes.
 std::vector<std::string> split_command(const std::string& text) {
     std::vector<std::string> items;
     std::string item;
@@ -84,7 +84,7 @@ std::shared_ptr<const study> study_about(const study& what, const shared_problem
         result->parameters.push_back({each.option(), each.words, each.name + " of the problem"});
     }
     result->parameters.insert(result->parameters.end(), form.parameters.begin(), form.parameters.end());
-    result->parameters.push_back({"--unknowns", "", "unknowns of the problem; all where nothing is said"});
+    result->parameters.push_back({"--unknowns", "", "unknowns of the problem; default all"});
     result->seconds = form.seconds;
     result->plan = [plan = what.plan, equation](study_request request) {
         request.equation = equation;
@@ -104,7 +104,7 @@ study_order order_asked(const std::string& option, const std::string& name, cons
     const study& what = study_named(option, name);
     if (!asked) {
         if (what.needs_equation()) {
-            throw input_error(option, name, "is a study of equations and there is none", "add --problem P");
+            throw input_error(option, name, "requires an equation", "add --problem P");
         }
         return order_of(what, words, jobs);
     }

@@ -1,4 +1,4 @@
-// libration studies: each study with its question, its parameters and its cost; one of them at length.
+// libration studies: each study with its question, its parameters and its cost; one of them in detail.
 #include <fmt/format.h>
 
 #include <memory>
@@ -28,12 +28,12 @@ std::string text_of(const std::vector<study_parameter>& parameters) {
 
 std::string cost_text(double seconds) { return fmt::format("    {:<12} {:.1f} s on two cores\n", "cost", seconds); }
 
-// What a study is of its own problem.
+// The description of a study with its own problem.
 std::string own_text_of(const study& each) {
     return each.needs_equation() ? "" : text_of(each.parameters) + cost_text(each.seconds);
 }
 
-// What it is with --problem.
+// Its description with --problem.
 std::string equation_text_of(const study& each) {
     const equation_form& form = *each.any_equation;
     const std::string command = example_of(each, 1).command;
@@ -49,14 +49,14 @@ std::string text_of(const study& each) {
            own_text_of(each) + (each.any_equation ? equation_text_of(each) : "");
 }
 
-// What else there is to say of one.
+// The further description of a single study.
 std::string more_text_of(const study& each) {
     if (each.needs_equation()) {
         return "";
     }
     std::string text;
     for (const without_answer& left : each.excluded) {
-        text += fmt::format("    {:<12} {}: {}\n", "no answer", left.coordinate, left.reason);
+        text += fmt::format("    {:<12} {}: {}\n", "undefined", left.coordinate, left.reason);
     }
     std::string quick;
     for (const study_parameter& parameter : each.quick) {
@@ -80,7 +80,7 @@ nlohmann::ordered_json json_of(const std::vector<study_parameter>& parameters) {
     return list;
 }
 
-// What a study is with --problem; null for one that is of its own problem alone.
+// The description of a study with --problem; null for one that supports only its own problem.
 nlohmann::ordered_json equation_json_of(const study& each) {
     if (!each.any_equation) {
         return nullptr;
@@ -120,7 +120,7 @@ int list_studies(const studies_options& options) {
         return 0;
     }
     if (options.format != "text") {
-        throw input_error("--format", options.format, "is no format", "write text or json");
+        throw input_error("--format", options.format, "is not a format", "write text or json");
     }
     std::string text;
     for (const study* each : chosen) {
@@ -135,7 +135,7 @@ int list_studies(const studies_options& options) {
 subcommand studies_command(CLI::App& program) {
     const auto options = std::make_shared<studies_options>();
     CLI::App* command = program.add_subcommand("studies", "list the studies: question, parameters, cost");
-    command->add_option("NAME", options->name, "this study alone, at length");
+    command->add_option("NAME", options->name, "this study alone, in detail");
     command->add_option("--format", options->format, "text or json")->type_name("FORMAT")->capture_default_str();
     return {command, [options] { return list_studies(*options); }};
 }

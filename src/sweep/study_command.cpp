@@ -40,10 +40,10 @@ struct study_options {
         return result;
     }
 
-    // --problem with --set, which says nothing without it.
+    // --problem with --set, which has no meaning without it.
     std::optional<equation_words> equation() const {
         if (!problem && !sets.empty()) {
-            throw input_error("--set", sets.front(), "changes a problem and there is none", "give --problem too");
+            throw input_error("--set", sets.front(), "requires --problem", "add --problem P");
         }
         return problem ? std::optional(equation_words{*problem, sets}) : std::nullopt;
     }
@@ -54,7 +54,7 @@ bool same_columns(const table& a, const table& b) {
                       [](const column& x, const column& y) { return x.name == y.name; });
 }
 
-// What goes to stdout under one header: the first table and those with its columns. The others are named.
+// The tables written to stdout under one header: the first one and those with its columns. The others are listed.
 table under_one_header(const std::vector<study_table>& parts, std::string& left_out) {
     table all(parts.front().data.columns());
     for (const study_table& part : parts) {
@@ -85,7 +85,7 @@ failures_found print_tables(const study_order& order) {
 // 2/3 is the second of three.
 study_shard shard_of(const std::string& words) {
     const auto refuse = [&](const std::string& reason) {
-        throw input_error("--shard", words, reason, "write which of how many, such as 2/3");
+        throw input_error("--shard", words, reason, "write I/N for the I-th of N shards, such as 2/3");
     };
     constexpr int most_shards = 1'000'000;
     const auto slash = words.find('/');
@@ -93,22 +93,22 @@ study_shard shard_of(const std::string& words) {
         refuse("is not I/N");
     }
     const auto count_in = [&](const std::string& part) {
-        return reading("--shard", words, "write which of how many, such as 2/3",
+        return reading("--shard", words, "write I/N for the I-th of N shards, such as 2/3",
                        [&] { return read_count(part, most_shards); });
     };
     const int index = count_in(words.substr(0, slash));
     const int count = count_in(words.substr(slash + 1));
     if (index < 1 || index > count) {
-        refuse("is none of the shards 1 to " + std::to_string(count));
+        refuse("is not one of the shards 1 to " + std::to_string(count));
     }
     return {static_cast<std::size_t>(index - 1), static_cast<std::size_t>(count)};
 }
 
-// Refuses what says something about a journal where there is none.
+// Throws for options about a journal if there is none.
 study_run run_of(const study_options& options) {
     const auto refuse = [&](const std::string& option, const std::string& value) {
         if (!options.out) {
-            throw input_error(option, value, "needs a folder for the journal", "add --out DIR");
+            throw input_error(option, value, "requires a directory for the journal", "add --out DIR");
         }
     };
     study_run how;
@@ -139,7 +139,7 @@ int run_order(study_order order, const study_options& options) {
     return failures.count > 0 ? 1 : 0;
 }
 
-// What the library says of a value, as a complaint about the study.
+// Rethrows an error of the library about a value as one about the study.
 [[noreturn]] void refuse(const error& problem, const study_options& options) {
     if (problem.kind() == error_kind::undecided) {
         throw;
@@ -153,7 +153,7 @@ int run_order(study_order order, const study_options& options) {
     }
     const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
     if (options.problem && problem.subject() == "problem") {
-        throw input_error("--problem", *options.problem, reason, "choose another problem or start");
+        throw input_error("--problem", *options.problem, reason, "choose another problem or initial value");
     }
     const bool names_option = problem.subject().starts_with("--");
     throw input_error("study", options.name, reason,
@@ -178,29 +178,30 @@ int run_study(const study_options& options) {
 subcommand study_command(CLI::App& program) {
     const auto options = std::make_shared<study_options>();
     CLI::App* command = program.add_subcommand("study", "run one study; 'libration studies' lists them");
-    command->add_option("NAME", options->name, "which study")->required();
+    command->add_option("NAME", options->name, "name of the study")->required();
     for (const study_option& each : options_of(all_studies())) {
         command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
     }
     command
         ->add_option("--problem", options->problem,
-                     "any equation in place of the pendulum: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
+                     "any equation instead of the pendulum: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
         ->type_name("P");
-    command->add_option("--set", options->sets, "values of a parameter or a start of --problem, an axis of the study")
+    command
+        ->add_option("--set", options->sets,
+                     "values of a parameter or an initial value of --problem, as an axis of the study")
         ->type_name("X=LIST");
-    command->add_option("--unknowns", options->words["--unknowns"], "unknowns of --problem; all without it")
+    command->add_option("--unknowns", options->words["--unknowns"], "unknowns of --problem (default all)")
         ->type_name("NAMES");
     command
         ->add_option("--columns", options->columns,
-                     "of the tables for LaTeX, and of the CSV on stdout, these columns alone: NAME,NAME,...")
+                     "only these columns in the tables for LaTeX and in the CSV on stdout: NAME,NAME,...")
         ->type_name("NAMES");
     command->add_option("--out", options->out, "write DIR/NAME/: tables, figures, provenance; without it CSV to stdout")
         ->type_name("DIR");
-    command->add_flag("--fresh", options->fresh,
-                      "compute all cells anew: without it DIR/NAME/NAME.journal has the rest");
+    command->add_flag("--fresh", options->fresh, "recompute all cells instead of using those in DIR/NAME/NAME.journal");
     command
         ->add_option("--shard", options->shard,
-                     "the I-th of N shares of the cells alone, into the journal of DIR: 'libration journal merge' "
+                     "only the I-th of N shares of the cells, into the journal of DIR: 'libration journal merge' "
                      "makes the tables of all")
         ->type_name("I/N");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");

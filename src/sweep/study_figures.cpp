@@ -36,7 +36,7 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-// NAME.gp beside NAME.cpp.
+// NAME.gp next to NAME.cpp.
 fs::path script_of(const study& what) {
     const std::string file = (what.script.empty() ? what.name : what.script) + ".gp";
     for (const auto& each : fs::recursive_directory_iterator(studies_folder())) {
@@ -58,7 +58,7 @@ std::vector<fs::path> figures_in(const std::string& folder) {
     return found;
 }
 
-// A folder for what stands between the tables and a drawing, gone when the drawing is there or not.
+// A directory for intermediate files of a drawing, removed in any case.
 class scratch_folder {
 public:
     explicit scratch_folder(fs::path path) : path_(std::move(path)) { fs::create_directory(path_); }
@@ -73,7 +73,7 @@ private:
     fs::path path_;
 };
 
-// In the folder itself, so that no character of its path means anything to the shell that asks the tables.
+// In the directory itself, so that no character of its path is special to the shell that reads the tables.
 void run_gnuplot(const study& what, const std::string& folder) {
     const fs::path script = script_of(what);
     const std::string scratch = ".points";
@@ -104,7 +104,7 @@ void finish(const fs::path& figure) {
     }
 }
 
-// Each figure in each of the three kinds.
+// Checks that each figure exists in all three formats.
 void require_all_kinds(const study& what, const std::vector<fs::path>& figures) {
     for (const std::string_view extension : figure_extensions) {
         const auto own = [&](const fs::path& each) { return each.extension() == extension; };

@@ -8,15 +8,16 @@
 
 namespace libration {
 
-/// Draws the figures of the tables NAME*.csv in a folder into that folder, SVG, PDF and PNG, whole and finished
-/// (sweep/image.hpp). Throws input_error when gnuplot is missing and std::runtime_error when a drawing fails or is cut
-/// short; then none of them is left there.
+/// Draws the figures of the tables NAME*.csv in a directory into that directory, SVG, PDF and PNG, complete and
+/// finished (sweep/image.hpp). Throws input_error if gnuplot is missing and std::runtime_error if a drawing fails or is
+/// cut short; then none of them is left there.
 void draw_figures(const study& what, const std::string& folder);
 
-/// Whether a file is one of those that a figure is drawn into.
+/// Whether a file has the name of a figure.
 bool is_figure(const std::string& file);
 
-/// The folder of the figure scripts and of the errata's outline: in the source tree, or beside an installed program.
+/// The directory of the figure scripts and of the errata's template: in the source tree, or next to an installed
+/// program.
 std::string studies_folder();
 
 }  // namespace libration

@@ -80,7 +80,7 @@ std::string content_of_file(const fs::path& path) {
     return content_of(file, path.string());
 }
 
-// Names and fingerprints of the files in a folder, without JSON and what is hidden.
+// Names and fingerprints of the files in a directory, without JSON and hidden files.
 std::map<std::string, std::string> fingerprints(const std::string& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -92,7 +92,7 @@ std::map<std::string, std::string> fingerprints(const std::string& folder) {
     return files;
 }
 
-// Whether a file of DIR/NAME is of the kind that a run leaves there. Files of other names are the user's.
+// Whether a file of DIR/NAME is one that a run may write there. Files of other names belong to the user.
 bool belongs_to(const study& what, const std::string& file) {
     const std::string stem = fs::path(file).stem().string();
     const std::string extension = fs::path(file).extension().string();
@@ -100,14 +100,14 @@ bool belongs_to(const study& what, const std::string& file) {
            (extension == ".csv" || extension == ".tex" || extension == ".json" || is_figure(file));
 }
 
-// The files in `made` take the place of those in `own` that `replaced` picks; the JSON goes first and comes last, so
-// that it never describes what is not there.
+// The files in `made` replace those in `own` that are selected by `replaced`; the JSON is removed first and added last,
+// so that it never describes missing files.
 template <class Pick>
 void take_places(const fs::path& made, const fs::path& own, const std::string& json, const Pick& replaced) {
     for (const auto& entry : fs::directory_iterator(made)) {
         if (fs::is_directory(own / entry.path().filename())) {
-            throw input_error("--out", (own / entry.path().filename()).string(), "is a folder in the way",
-                              "move it or name another --out");
+            throw input_error("--out", (own / entry.path().filename()).string(),
+                              "is a directory where a file is to be written", "move it or name another --out");
         }
     }
     const auto guard = at_ending_signal::uninterrupted();
@@ -129,13 +129,13 @@ void take_places(const fs::path& made, const fs::path& own, const std::string& j
     fs::rename(made / json, own / json);
 }
 
-// A folder of ours that cannot be made is one that may not be written.
+// If a directory of the program cannot be created, it is not writable.
 std::unique_ptr<working_folder> folder_within(const std::string& own) {
     try {
         return std::make_unique<working_folder>(own);
     } catch (const std::runtime_error& problem) {
         throw input_error("--out", own, fmt::format("cannot be written ({})", problem.what()),
-                          "choose a folder that you may write in");
+                          "choose a writable directory");
     }
 }
 
@@ -158,7 +158,7 @@ void write_into(const std::string& path, const std::string& content) {
         write_whole_file(path, content);
     } catch (const std::runtime_error& problem) {
         throw input_error("--out", path, fmt::format("cannot be written ({})", problem.what()),
-                          "choose a folder that you may write in");
+                          "choose a writable directory");
     }
 }
 
@@ -179,17 +179,18 @@ nlohmann::ordered_json described(const study& what, const std::string& folder) {
     const std::string again = "run 'libration study " + what.name + "' with the same --out first";
     const fs::path json = fs::path(folder) / what.name / (what.name + ".json");
     if (!fs::exists(json)) {
-        throw input_error("--out", folder, "holds no " + what.name + "/" + what.name + ".json", again);
+        throw input_error("--out", folder, "contains no " + what.name + "/" + what.name + ".json", again);
     }
     auto description = nlohmann::ordered_json::parse(content_of_file(json), nullptr, false);
     if (!description.is_object() || !description.contains("tables") || !description.contains("files")) {
         throw input_error("--out", folder,
-                          "has in " + what.name + ".json no files with their SHA-256: an older version made it", again);
+                          "has in " + what.name + ".json no files with their SHA-256: an older version wrote it",
+                          again);
     }
     return description;
 }
 
-// The tables that the JSON names, seen from the working folder.
+// The tables named in the JSON, linked into the working directory.
 void show_tables(const study& what, const nlohmann::ordered_json& description, const fs::path& own,
                  const fs::path& working) {
     for (const auto& part : description.at("tables")) {

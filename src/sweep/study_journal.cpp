@@ -24,11 +24,11 @@ void require_own_stamp(const journal& cells, const journal_stamp& own, const std
         throw input_error(
             option, cells.path().string(),
             found->study != own.study
-                ? "holds cells of the study " + found->study
+                ? "contains cells of the study " + found->study
                 : fmt::format(
-                      "holds cells of libration {}, version {} of the study, and this is libration {}, version {}",
+                      "contains cells of libration {}, version {} of the study, and this is libration {}, version {}",
                       found->library, found->version, own.library, own.version),
-            "add --fresh to compute all cells anew, or name another --out");
+            "add --fresh to recompute all cells, or name another --out");
     }
 }
 
@@ -59,18 +59,18 @@ journal open_study_journal(const study_cells& of, const std::string& command, co
 void refuse_journal(const journal_error& problem, const std::string& option) {
     switch (problem.kind()) {
         case journal_error::fault::in_use:
-            throw input_error(option, problem.path(), problem.reason(), "wait until it ends, or name another folder");
+            throw input_error(option, problem.path(), problem.reason(),
+                              "wait until it ends, or name another directory");
         case journal_error::fault::damaged:
             throw input_error(option, problem.path(), problem.reason(),
-                              "add --fresh to 'libration study' to compute its cells anew");
+                              "add --fresh to 'libration study' to recompute its cells");
         case journal_error::fault::unbegun:
             throw input_error(
                 option, problem.path(), problem.reason(),
-                "look again when its study has run for a second; if it was killed, the same command goes on");
+                "try again when its study has run for a second; if it was killed, rerun the same command to resume");
         case journal_error::fault::unwritable: break;
     }
-    throw input_error(option, problem.path(), problem.reason(),
-                      "choose a folder that you may write in, with room on its disk");
+    throw input_error(option, problem.path(), problem.reason(), "choose a writable directory with free disk space");
 }
 
 }  // namespace libration

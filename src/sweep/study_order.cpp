@@ -24,7 +24,7 @@ constexpr std::string_view typed_ending = "_typed";
 
 void require_digits(const exact& digits) {
     if (digits.coefficient < 1) {
-        throw error(error_kind::argument, "list", "", "asks for less than one digit");
+        throw error(error_kind::argument, "list", "", "is less than one digit");
     }
 }
 
@@ -34,7 +34,7 @@ void require_step(const exact& step) {
     }
 }
 
-// The items of an axis; words between commas of an axis of words.
+// The items of an axis; for an axis of words, the words between commas.
 std::vector<grid_item> items_of(const axis& along, const std::string& words) {
     if (along.form == axis_form::one_number) {
         return {{{read_exact(words)}, false}};
@@ -51,13 +51,13 @@ std::vector<grid_item> items_of(const axis& along, const std::string& words) {
     return items;
 }
 
-// What the words of one axis come to.
+// The values of one axis.
 struct axis_reading {
     std::vector<exact> kept;
     std::map<std::string, std::string> left_out;  // the values by reason
 };
 
-// A value without an answer is left out of a range; by itself it is refused.
+// A value without a result is left out of a range; as a single item it is an error.
 axis_reading without_excluded(const study& what, const axis& along, const std::vector<grid_item>& items) {
     axis_reading result;
     for (const grid_item& item : items) {
@@ -80,7 +80,8 @@ axis_reading without_excluded(const study& what, const axis& along, const std::v
     return result;
 }
 
-// Smaller by value. Formulas that no precision tells apart stand as they were typed.
+// Smaller by value. Formulas that cannot be distinguished at any precision remain in the order in which they were
+// typed.
 bool comes_before(const exact& a, const exact& b) {
     try {
         return a.text != b.text && sign_of_exact(a - b) < 0;
@@ -89,7 +90,7 @@ bool comes_before(const exact& a, const exact& b) {
     }
 }
 
-// Every value once, by size, so that the tables do not follow from the order in which they were typed. Times of which
+// Every value once, by size, so that the tables do not depend on the order in which they were typed. Times of which
 // some are multiples of T and some are not have no order before a motion is chosen, and words have none at all.
 void put_in_order(const axis& along, std::vector<exact>& values) {
     const auto in_periods = [](const exact& value) { return value.has_periods(); };
@@ -116,7 +117,7 @@ axis_reading read_axis(const study& what, const axis& along, const std::string& 
     });
     axis_reading result = without_excluded(what, along, items);
     if (result.kept.empty()) {
-        throw input_error(along.option, words, "has no value where " + what.name + " has an answer", along.remedy);
+        throw input_error(along.option, words, "has no value for which " + what.name + " is defined", along.remedy);
     }
     put_in_order(along, result.kept);
     return result;
@@ -144,7 +145,7 @@ void require_own(const study& what, const study_words& words) {
         const bool own = std::any_of(what.parameters.begin(), what.parameters.end(),
                                      [&name = option](const study_parameter& p) { return p.option == name; });
         if (!own) {
-            throw input_error(option, value, "is no parameter of the study " + what.name, "leave it out");
+            throw input_error(option, value, "is not a parameter of the study " + what.name, "leave it out");
         }
     }
 }
@@ -154,7 +155,7 @@ std::string scalars_offered(arithmetics offered) {
                                             : "double, long-double, quad, mpfr:DIGITS or ball:DIGITS (proved)";
 }
 
-// Whether something was said for the coordinate of this axis.
+// Whether an argument was given for the coordinate of this axis.
 bool coordinate_chosen(const study& what, const axis& along, const study_words& words) {
     return std::any_of(words.begin(), words.end(), [&](const auto& said) {
         return said.first != scalar_option && axis_of(what, said.first).coordinate == along.coordinate;
@@ -172,7 +173,7 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
     const study& what = *order.what;
     const auto said = words.find(own.option);
     if (own.option == scalar_option) {
-        // What a study does where no scalar is said is its own affair.
+        // Without a scalar, the study chooses.
         if (said != words.end()) {
             order.request.scalar = reading(own.option, said->second, "write " + scalars_offered(what.offers),
                                            [&] { return read_scalar(said->second, what.offers); });
@@ -194,7 +195,7 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
 const std::vector<axis>& study_axes() {
     static const std::vector<axis> all{{.name = "order",
                                         .option = "--orders",
-                                        .help = "orders N: LIST or a:b:count, whole numbers",
+                                        .help = "orders N: LIST or a:b:count, integers",
                                         .unit = "",
                                         .form = axis_form::whole,
                                         .remedy = "write orders such as 5,10,20 or 5:40:8",
@@ -259,7 +260,7 @@ int jobs_of(const std::optional<std::string>& words) {
     const char* const remedy = "write the number of threads, 1 or more";
     const int jobs = reading("--jobs", *words, remedy, [&] { return read_count(*words, most_jobs); });
     if (jobs == 0) {
-        throw input_error("--jobs", *words, "is no thread at all", remedy);
+        throw input_error("--jobs", *words, "is less than one thread", remedy);
     }
     return jobs;
 }
@@ -300,8 +301,8 @@ own_columns::own_columns(const std::vector<column>& columns) : columns_(columns.
     }
 }
 
-// A cell repeats others that is empty, that of the other column, or, where there is none, a decimal, which was kept
-// exactly.
+// A cell repeats others if it is empty, if it equals that of the other column, or, if there is none, if it is a
+// decimal, which was kept exactly.
 void own_columns::see(const table_row_cells& row) {
     for (typed_column& each : typed_) {
         const cell& said = row[each.place];

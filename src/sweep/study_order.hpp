@@ -1,4 +1,4 @@
-// From the words of the command line to a study's parameters.
+// Converts the arguments of the command line to a study's parameters.
 #pragma once
 
 #include <memory>
@@ -28,26 +28,25 @@ struct study_order {
     const study* what;
     study_request request;
     std::string command;
-    /// The values of ranges that were left out because the study has no answer there, with the reasons: "2 of
-    /// --energies, where the period is infinite"; empty where all were kept.
+    /// The values of ranges that were left out because the study has no result there, with the reasons: "2 of
+    /// --energies, where the period is infinite"; empty if all were kept.
     std::string left_out;
-    /// The columns of the tables for LaTeX, and of what goes to stdout: a,b,c; all where there is nothing. A table
-    /// without some of them has the others.
+    /// The columns of the tables for LaTeX, and of the output on stdout: a,b,c; std::nullopt: all. A table with only
+    /// some of them has these.
     std::optional<std::string> columns = {};
-    /// `what`, where it was made for an equation and lives with the order.
+    /// `what`, if it was made for an equation and is owned by the order.
     std::shared_ptr<const study> made = {};
 };
 
-/// Those of the columns a,b,c that a table has; the whole table where it has none of them.
+/// Those of the columns a,b,c that a table has; the whole table if it has none of them.
 table with_columns_of(const table& data, const std::optional<std::string>& names);
 
-/// The parsed order. Values of an axis put the usual ones of all axes of its coordinate aside. A value of a range
-/// without an answer is left out; one that was typed by itself is refused: error "has the energy 2, where
-/// ...". Throws input_error, also for an option that the study does not have.
+/// The parsed order. Values of an axis override the defaults of all axes of its coordinate. A value of a range without
+/// a result is left out; one that was typed as a single item throws error "has the energy 2, where ...". Throws
+/// input_error, also for an option that the study does not have.
 study_order order_of(const study& what, const study_words& words, int jobs);
 
-/// Which columns of a table say something of their own: a column NAME_typed that says nothing but what NAME says, in
-/// all rows, is left out.
+/// The columns of a table that are not redundant: a column NAME_typed that repeats NAME in all rows is left out.
 class own_columns {
 public:
     explicit own_columns(const std::vector<column>& columns);
@@ -58,7 +57,7 @@ public:
 private:
     struct typed_column {
         std::size_t place;
-        std::optional<std::size_t> plain;  // the column that is called as this one is without _typed
+        std::optional<std::size_t> plain;  // the column of this name without _typed
         bool repeats = true;
     };
     std::size_t columns_;
@@ -68,7 +67,7 @@ private:
 /// The tables with these columns alone, and without those that are not to be written.
 void without_repetitions(std::vector<study_table>& tables);
 
-/// The number of threads: the words of --jobs, or all cores. Throws input_error.
+/// The number of threads: the argument of --jobs, or all cores. Throws input_error.
 int jobs_of(const std::optional<std::string>& words);
 
 }  // namespace libration

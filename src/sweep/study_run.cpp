@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The command that goes on where this one ends; empty for a part of a larger work.
+// The command that resumes this run; empty for a part of a larger work.
 std::string command_again(const study_order& order, const std::string& folder, const study_run& how) {
     if (how.part_of_more) {
         return "";
@@ -36,7 +36,7 @@ void say_what_is_there(const cells_found& found, const journal& cells) {
     }
 }
 
-// Computes what the journal does not hold. A signal that ends the process finds all finished cells kept.
+// Computes the cells that the journal does not contain. If a signal ends the process, all finished cells are kept.
 void complete_journal(const study_cells& of, journal& cells, journal_store& store, const study_shard& shard,
                       const std::string& again) {
     const cells_found found = missing_cells(of, store, shard);
@@ -48,7 +48,7 @@ void complete_journal(const study_cells& of, journal& cells, journal_store& stor
             store.flush();
             cells.settle();
             if (!again.empty()) {
-                say_line(fmt::format("{} cells are kept in {}; what goes on is: {}", cells.counts().done,
+                say_line(fmt::format("interrupted: {} cells saved in {}; to resume, run: {}", cells.counts().done,
                                      cells.path().string(), again));
             }
         } catch (const std::exception& problem) {
@@ -59,7 +59,7 @@ void complete_journal(const study_cells& of, journal& cells, journal_store& stor
     cells.settle();
 }
 
-// Throws where a shard has not one answer.
+// Throws if no cell of a shard has a result.
 failures_found failures_of_shard(const study_cells& of, const journal_store& store, const study_shard& shard) {
     const cells_found left = missing_cells(of, store, shard);
     if (left.cells > 0 && left.to_compute == left.cells) {
@@ -77,19 +77,20 @@ failures_found run_with(const study_order& order, const study_cells& of, journal
         if (problem.kind() != journal_error::fault::unwritable) {
             throw;
         }
-        throw std::runtime_error(std::string(problem.what()) +
-                                 ": what is finished is kept, and with room on the disk the same command goes on");
+        throw std::runtime_error(
+            std::string(problem.what()) +
+            ": finished cells are saved; free some disk space and rerun the same command to resume");
     }
     if (!how.shard) {
         return make_tables(order, of, store, folder);
     }
     auto failures = failures_of_shard(of, store, shard);
-    say_line(fmt::format("wrote {}, shard {} of {}: 'libration journal merge' makes the tables of all of them",
+    say_line(fmt::format("wrote {}, shard {} of {}: 'libration journal merge' makes the tables of all shards",
                          cells.path().string(), shard.index + 1, shard.count));
     return failures;
 }
 
-// A journal that was made for a run without one answer goes with it.
+// A journal created for a run without any result is removed.
 failures_found run_into(const study_order& order, const study_cells& of, const std::string& folder,
                         const study_run& how) {
     const fs::path path = journal_path(folder, order.what->name);
@@ -113,7 +114,7 @@ failures_found run_into(const study_order& order, const study_cells& of, const s
 
 failures_found make_study(const study_order& order, const std::string& folder, const study_run& how) {
     if (folder.empty()) {
-        throw input_error("--out", folder, "is no folder", "name one");
+        throw input_error("--out", folder, "is not a directory", "name one");
     }
     const study_cells of(order);
     require_columns(of.plan().tables, order.columns);

@@ -137,9 +137,9 @@ TEST_CASE("Ctrl-C ends a study within a second and says what is kept and what go
     const std::string said = text_of_file(folder.path() / "err");
     const long kept = cells_in(path);
     CHECK(kept > 0);
-    CHECK_THAT(said, Contains(std::to_string(kept) +
-                              " cells are kept in out/error_norm/error_norm.journal; what goes "
-                              "on is: " +
+    CHECK_THAT(said, Contains("interrupted: " + std::to_string(kept) +
+                              " cells saved in out/error_norm/error_norm.journal; to resume, "
+                              "run: " +
                               command_line(order) + " --out out"));
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("shards that are merged make the tables of the whole run", "[command][
     }
     const auto lacking = run_libration({"journal", "merge", "s1", "s3", "--out", "two"}, folder.path());
     CHECK(lacking.exit_code == 1);
-    CHECK_THAT(lacking.err, Contains("of 16 cells of radius_map are in none of the journals") &&
+    CHECK_THAT(lacking.err, Contains("of 16 cells of radius_map are missing from the journals") &&
                                 Contains(command_line(order) + " --out two"));
     // A shard of another split overlaps with these.
     REQUIRE(run_libration(order + words{"--shard", "1/2", "--out", "half"}, folder.path()).exit_code == 0);
@@ -242,7 +242,7 @@ TEST_CASE("a disk that is full ends a study with one line, and what was finished
     const std::string said = text_of_file(folder.path() / "err");
     INFO(said);
     CHECK(lines_of(said).size() == 1);
-    CHECK_THAT(said, Contains("error_norm.journal cannot be written") && Contains("goes on"));
+    CHECK_THAT(said, Contains("error_norm.journal cannot be written") && Contains("to resume"));
     CHECK_FALSE(std::filesystem::exists(folder.path() / "out" / "error_norm" / "error_norm.csv"));
     REQUIRE(run_libration(order + words{"--out", "out"}, folder.path()).exit_code == 0);
     CHECK(csv_in(folder, "out") == output_of(order));
@@ -266,7 +266,7 @@ TEST_CASE("journals are listed, checked, exported and dropped", "[command][journ
 
     const auto good = run_libration({"journal", "a", "--check", "100%"}, folder.path());
     CHECK(good.exit_code == 0);
-    CHECK(good.out == "a/error_norm/error_norm.journal: 6 cells computed again, all the same\n");
+    CHECK(good.out == "a/error_norm/error_norm.journal: 6 cells recomputed, all equal\n");
 
     REQUIRE(run_libration({"journal", "a", "--export", "cells.jsonl"}, folder.path()).exit_code == 0);
     const auto lines = lines_of(text_of_file(folder.path() / "cells.jsonl"));
@@ -287,7 +287,7 @@ TEST_CASE("journals are listed, checked, exported and dropped", "[command][journ
     }
     const auto bad = run_libration({"journal", "a", "--check", "100%"}, folder.path());
     CHECK(bad.exit_code == 1);
-    CHECK_THAT(bad.out, Contains("1 are different"));
+    CHECK_THAT(bad.out, Contains("1 differ"));
 
     CHECK(run_libration({"journal", "a", "--drop"}, folder.path()).exit_code == 0);
     CHECK_FALSE(std::filesystem::exists(journal_in(folder, "a")));

@@ -436,7 +436,7 @@ TEST_CASE("trajectories tell of approximants, and of invariants", "[command][pro
     CHECK(by("blasius", "series")[0].at("f_error") == "0");
     CHECK(by("sir", "asymptotic")[1].contains("S_error"));
     check_refused({"trajectory", "--problem", "lorenz", "--method", "asymptotic", "--order", "9", "--times", "1"},
-                  {"asymptotic", "far behaviour", "blasius"});
+                  {"asymptotic", "asymptotic behaviour", "blasius"});
     check_refused({"trajectory", "--problem", "lorenz", "--method", "pade", "--times", "1"}, {"--order"});
     check_refused({"trajectory", "--problem", "lorenz", "--method", "series", "--order", "9", "--times", "1",
                    "--scalar", "ball:20"},

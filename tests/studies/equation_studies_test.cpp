@@ -52,7 +52,7 @@ TEST_CASE("a study without --problem and with it is one of the registry", "[stud
     CHECK(order.what->script == study_named("study", "error_norm").name);
     CHECK_THROWS_WITH(order_asked("study", "coefficients", std::nullopt, {}, 1), Catch::Contains("add --problem P"));
     CHECK_THROWS_WITH(order_asked("study", "surface", equation_words{"lorenz", {}}, {}, 1),
-                      Catch::Contains("is nothing for the study surface"));
+                      Catch::Contains("is not supported by the study surface"));
 }
 
 TEST_CASE("each study of any equation makes tables that depend on its inputs alone", "[studies][equation]") {
