@@ -1,4 +1,4 @@
-// Do asymptotic approximants converge, and what do the systems lose from which they are computed?
+// Do asymptotic approximants converge, and how many digits are lost in the systems from which they are computed?
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -33,7 +33,7 @@ const column_list<norm_row>& columns() {
     return all;
 }
 
-// What double loses in the published form of the exponential approximants.
+// The digits that double loses in the published form of the exponential approximants.
 struct loss_row {
     std::string problem;
     int terms;
@@ -63,7 +63,7 @@ const column_list<loss_row>& loss_columns() {
     return all;
 }
 
-// A printed number and ours.
+// A printed number and the computed one.
 struct verdict_row {
     published_number number;
     mpfr ours;
@@ -115,7 +115,7 @@ ode::equation_system system_of(const std::string& problem, const std::vector<std
     return system;
 }
 
-// The sum of exponentials in double beside the same polynomial exactly, both of f or of limit/f.
+// The sum of exponentials in double compared with the same polynomial exactly, both of f or of limit/f.
 loss_row loss_of(const solved_problem& of, int order) {
     power_series<mpfr> g = of.f.truncated(order);
     mpfr limit = of.far.line[0];
@@ -202,7 +202,7 @@ study_plan plan(const study_request& request) {
     }
     std::vector<int> orders = request.orders();
     if (orders.front() < 1) {
-        throw input_error("--orders", "0", "is no order of an approximant", "write orders from 1 on");
+        throw input_error("--orders", "0", "is not an order of an approximant", "write orders from 1 on");
     }
     const auto all_digits = request.digits();
     const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(all_digits.begin(), all_digits.end())};
@@ -236,7 +236,7 @@ const problem& problems_of_study() {
                           names += (names.empty() ? "" : ", ") + name;
                       }
                       throw error(error_kind::argument, "list", "",
-                                  "has '" + each.text + "', whose far behaviour is not known: it is of " + names);
+                                  "has '" + each.text + "', whose far behaviour is not known: choose among " + names);
                   }
               },
           .coordinate = "problem",
@@ -259,7 +259,7 @@ const column_list<norm_row>& columns() {
     return all;
 }
 
-// A number that belongs to the far behaviour.
+// A number of the asymptotic behaviour.
 struct value_row {
     std::string quantity;
     mpfr value;
@@ -286,7 +286,7 @@ ode::equation_system changed_system(const swept_problem& of, const cell_inputs& 
     return system;
 }
 
-// Falkner and Skan's first guess of the wall shear belongs to one b: from there in steps, each the guess of the next.
+// The first guess of the wall shear of Falkner and Skan is for one b only: continue from there in steps of b.
 ode::equation_system with_near_guess(const swept_problem& of, ode::equation_system system) {
     constexpr int steps_a_unit = 16;
     constexpr long rough = 8;
@@ -340,7 +340,7 @@ void require_far_behaviour(const swept_problem& of) {
 study_plan plan(const study_request& request) {
     require_far_behaviour(*request.equation);
     const auto sweep = equation_sweep_of(request);
-    const auto orders = orders_from(request, 1, "is no order of an approximant");
+    const auto orders = orders_from(request, 1, "is not an order of an approximant");
     const auto all_digits = request.digits();
     const long digits = *std::ranges::max_element(all_digits);
     const scalar_spec scalar{scalar_kind::arbitrary, digits};

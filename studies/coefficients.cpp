@@ -1,4 +1,4 @@
-// How do the coefficients of the series of any equation fall, and is that the radius that the tests see?
+// How fast do the coefficients of the series of an equation decrease, and do they agree with the radius from the tests?
 #include <algorithm>
 #include <optional>
 
@@ -63,7 +63,7 @@ std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, con
     return rows;
 }
 
-// Both tables of one combination.
+// Both tables for one combination of the parameters.
 std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
                              const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + guard_of_lists);

@@ -1,4 +1,4 @@
-// What becomes of the series about the bottom of the trajectory over one period? [paper fig:series]
+// How does the series about the bottom of the trajectory behave over one period? [paper fig:series]
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -91,7 +91,7 @@ std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& ord
     for (const int order : orders) {
         for (std::size_t i = 0; i < times.size(); ++i) {
             const mpfr theta = bottom.partial_sum(order, times[i]);
-            // At the bottom itself the sum is exact, and so is its error.
+            // At the bottom itself the sum is exact, and its error 0.
             const mpfr error = instants[i].is_zero() ? mpfr(0) : mpfr(abs(theta - truth[i]));
             sums.push_back({at, digits, order, times[i], bottom.period(), theta, truth[i], error});
         }

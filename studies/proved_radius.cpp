@@ -1,4 +1,4 @@
-// How does the proved radius of convergence of any equation depend on its parameters, and what does a digit cost?
+// How does the proved radius of convergence of an equation depend on its parameters, and what does a digit cost?
 #include <algorithm>
 #include <chrono>
 

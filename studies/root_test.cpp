@@ -20,7 +20,7 @@ namespace {
 constexpr long guard_digits = 15;
 constexpr int least_order = 4;
 
-// The roots of one coefficient, in radii.
+// The roots of one coefficient, in units of the radius.
 struct root_row {
     const sweep_energy& at;
     const exact& point;
@@ -55,7 +55,7 @@ const column_list<root_row>& columns() {
     return all;
 }
 
-// Whether the table of estimates shows a test: those by size alone, and what is better.
+// Whether the table of estimates shows a test: those by size alone, and the verdict.
 bool by_size(const std::string& method) {
     const auto tests = all_radius_tests<double>();
     return method == "verdict" || std::any_of(tests.begin(), tests.end(), [&](const radius_test<double>& test) {
@@ -119,7 +119,7 @@ const column_list<root_row>& columns() {
     return all;
 }
 
-// Whether the table of estimates shows a test: those by size alone, and what is better.
+// Whether the table of estimates shows a test: those by size alone, and the verdict.
 bool by_size(const std::string& method) {
     const auto tests = convergence::all_radius_tests<double>();
     return is_verdict(method) || std::ranges::any_of(tests, [&](const convergence::radius_test<double>& test) {

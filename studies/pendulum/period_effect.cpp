@@ -1,4 +1,4 @@
-// What becomes of the extended resummation when T* is not exact? [paper fig:period]
+// How does an inexact T* affect the extended resummation? [paper fig:period]
 #include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
 #include "numerical_points.hpp"
@@ -12,7 +12,7 @@ using namespace pendulum;
 
 namespace {
 
-// A value of one curve at a time, with the T* that it was folded by.
+// A value of one curve at a time, with the T* used for folding.
 struct effect_row {
     const sweep_energy& at;
     cell period_by, order, period, period_error;

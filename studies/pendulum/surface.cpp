@@ -22,7 +22,7 @@ namespace {
 
 motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }
 
-// (critical) is exact: beyond the digits of the arithmetic it has no error.
+// (critical) is exact: its only error is that of the arithmetic.
 std::vector<value_with_error> by_critical_formula(const motion& m, const std::vector<exact>& times,
                                                   const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + 2 * guard_digits);

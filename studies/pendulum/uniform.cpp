@@ -21,7 +21,7 @@ namespace {
 constexpr long printed_digits = 12;
 constexpr long digits_below_double = 17 + 2 * printed_digits;
 
-// The norm with one number of coefficients.
+// The norm for one number of coefficients.
 struct uniform_row {
     const sweep_energy& at;
     int count;
@@ -67,12 +67,12 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
     const int parity = parity_from_top(m.regime());
     std::vector<uniform_row> in_mpfr;
     std::vector<uniform_row> in_double;
-    // What double is measured by, once for all counts: below its rounding by twice the printed digits.
+    // The reference for double, once for all counts: accurate to twice the printed digits below its rounding error.
     const auto truth = [&] {
         const precision_scope scope(digits_below_double);
         return std::make_unique<arc_errors>(m);
     }();
-    // One truth for all counts in mpfr, too, in the digits that the smallest error asks for.
+    // One reference for all counts in mpfr, too, with the digits that the smallest error requires.
     long below = 0;
     for (const int count : counts) {
         below = std::max(below, uniform_digits_below(m, 2 * count - parity));
