@@ -315,7 +315,7 @@ void add_gsl(std::vector<bench::contender>& all, const solved_problem& of, const
 }
 #endif
 
-// Adds nothing if Python or mpmath is missing.
+// Skipped if Python or mpmath is missing.
 void add_mpmath(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked) {
     constexpr int digits = 27;
     std::string input = fmt::format("{} {} {} {}\n", of.problem.name, digits, of.problem.end, of.problem.start.size());

@@ -223,7 +223,7 @@ const problem& problems_of_study() {
         "problems with a known far behaviour",
         {{.name = "problem",
           .option = "--problems",
-          .help = "problems of the catalogue whose far behaviour is known: LIST",
+          .help = "problems of the catalogue with a known asymptotic behaviour: LIST",
           .unit = "",
           .form = axis_form::words,
           .remedy = "write names such as blasius,sir",
@@ -235,8 +235,9 @@ const problem& problems_of_study() {
                       for (const std::string& name : known) {
                           names += (names.empty() ? "" : ", ") + name;
                       }
-                      throw error(error_kind::argument, "list", "",
-                                  "has '" + each.text + "', whose far behaviour is not known: choose among " + names);
+                      throw error(
+                          error_kind::argument, "list", "",
+                          "has '" + each.text + "', whose asymptotic behaviour is not known: choose among " + names);
                   }
               },
           .coordinate = "problem",
@@ -333,7 +334,7 @@ void require_far_behaviour(const swept_problem& of) {
         for (const std::string& each : known) {
             names += (names.empty() ? "" : ", ") + each;
         }
-        throw input_error("--problem", of.said, "has no known far behaviour", "choose one of " + names);
+        throw input_error("--problem", of.said, "has no known asymptotic behaviour", "choose one of " + names);
     }
 }
 
@@ -389,7 +390,7 @@ const study& approximants() {
         .parameters = {{"--problems", "blasius,falkner_skan,flierl_petviashvili,rayleigh,sakiadis,seir,sir,sir_japan",
                         "problems of the catalogue"},
                        {"--orders", "4:60:15,80:200:7", "N, last power of the series"},
-                       {"--digits", "24", "digits of the solution; of a list the largest"}},
+                       {"--digits", "24", "digits of the solution; the largest of a list"}},
         .quick = {{"--problems", "rayleigh,sir", ""}, {"--orders", "4,10,20", ""}, {"--digits", "12", ""}},
         .seconds = 16,
         .excluded = {},
@@ -403,7 +404,7 @@ const study& approximants() {
                        "approximants and of the series. A free start, as the wall shear of Falkner and Skan, is the "
                        "one that meets the condition at infinity: the second table has it.",
             .parameters = {{"--orders", "4:60:15", "N, last power of the series"},
-                           {"--digits", "20", "digits of the solution; of a list the largest"}},
+                           {"--digits", "20", "digits of the solution; the largest of a list"}},
             .example = {"falkner_skan", {"b=0,1/2,1"}},
             .quick = {{"--orders", "4,10"}, {"--digits", "10"}},
             .seconds = 10}};

@@ -108,8 +108,8 @@ const study& coefficients() {
             "distance beat, and follow the line where there is one.",
         .plan = plan,
         .any_equation = equation_form{
-            .parameters = {{"--orders", "200", "N, last powers of the lists judged; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged, and their digits"}},
+            .parameters = {{"--orders", "200", "N, last powers of the lists under test; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test, and their digits"}},
             .example = {"painleve_1", {}},
             .quick = {{"--orders", "30"}},
             .seconds = 1}};

@@ -328,8 +328,8 @@ const study& domb_sykes() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
                        {"--orders", "20,40,60,80,120,160,200",
-                        "N, last powers of the lists judged; the largest is drawn"},
-                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                        "N, last powers of the lists under test; the largest is drawn"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no ratios", "T* is infinite"),
@@ -340,8 +340,9 @@ const study& domb_sykes() {
                 "singularity makes a straight line whose intercept is its place to that power, and whose slope its "
                 "exponent; the grey lines are plus and minus the verdict of all tests. A pair of singularities "
                 "scatters the ratios for ever. The second table holds what each test answers.",
-            .parameters = {{"--orders", "20,50,100,200", "N, last powers of the lists judged; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .parameters = {{"--orders", "20,50,100,200",
+                            "N, last powers of the lists under test; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},
             .quick = {{"--orders", "20"}},
             .seconds = 1}};

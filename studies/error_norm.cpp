@@ -464,7 +464,7 @@ const study& error_norm() {
         .parameters = {{"--energies", "1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26", "energies E, in m g l"},
                        {"--gaps", "1e-2:1e-10:17log,-1e-2:-1e-10:17log", "energies as 2 - E"},
                        {"--orders", "5,10,20,40,80", "N, last power of the series; last index of the resummed series"},
-                       {"--step", "1e-5", "dt of the Runge-Kutta march at E = 2, dimensionless time"},
+                       {"--step", "1e-5", "dt of the Runge-Kutta integration at E = 2, dimensionless time"},
                        {"--scalar", "ball:50, and double, long-double, quad for their floors", "arithmetic"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6", ""}, {"--step", "1e-3", ""}},
         .seconds = 9,

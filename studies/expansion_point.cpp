@@ -264,8 +264,8 @@ const study& expansion_point() {
                        "interval. Below 1, the line, a single series covers it; the best point is where the factor is "
                        "least.",
             .parameters = {{"--times", "", "expansion points; the first and the last are the ends of the interval"},
-                           {"--orders", "80", "N, last powers of the lists judged"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                           {"--orders", "80", "N, last powers of the lists under test"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},
             .example_words = {{"--times", "0:6:25"}},
             .quick = {{"--times", "0:2:3"}, {"--orders", "20"}},

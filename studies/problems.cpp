@@ -196,7 +196,7 @@ const study& problems() {
             "tests, whose uncertainty stands in the third table.",
         .of = &catalogue_as_problem(),
         .parameters = {{"--problems", "all", "names of the catalogue"},
-                       {"--orders", "80", "N, last power of the lists; the largest is taken"}},
+                       {"--orders", "80", "N, last power of the lists; the largest is used"}},
         .quick = {{"--problems", "blasius,riccati,thomas_fermi", ""}, {"--orders", "20", ""}},
         .seconds = 30,
         .excluded = {},

@@ -306,8 +306,8 @@ const study& radius_map() {
         .parameters = {{"--energies", "0.5,1,1.71,1.9998,2.02,3", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0:1:21", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
-                       {"--orders", "20,60", "N, last powers of the lists judged"},
-                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                       {"--orders", "20,60", "N, last powers of the lists under test"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
         .seconds = 4,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
@@ -318,8 +318,8 @@ const study& radius_map() {
             .reading = "The radius that radius tests read from N coefficients about the start, and how certain they "
                        "are of it, over one parameter, or over the plane of two. Where the nearest singularities "
                        "change places the radius has a corner, and near it the tests are least certain.",
-            .parameters = {{"--orders", "100", "N, last powers of the lists judged"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .parameters = {{"--orders", "100", "N, last powers of the lists under test"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"sir", {"r=0.01:0.05:9"}},
             .quick = {{"--orders", "20,30"}},
             .seconds = 2}};

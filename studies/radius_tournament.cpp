@@ -609,9 +609,9 @@ const study& radius_tournament() {
                 "covering of the disc and a loop round the nearest singularity prove. Where they do not (the column "
                 "truth says so) it is measured from the verdict on a list half as long again with more digits, and "
                 "shows which tests agree with what all of them say later.",
-            .parameters = {{"--orders", "10:100:10", "N, last powers of the lists judged"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"},
-                           {"--digits", "20", "D, to which the radius is proved; 0: it is not"}},
+            .parameters = {{"--orders", "10:100:10", "N, last powers of the lists under test"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"},
+                           {"--digits", "20", "D, digits to which the radius is proved; 0: no proof"}},
             .example = {"rayleigh", {}},
             .quick = {{"--orders", "12,20"}, {"--digits", "5"}},
             .seconds = 3}};

@@ -188,8 +188,8 @@ const study& root_test() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
                        {"--orders", "20,40,60,80,120,160,240,400",
-                        "N, last powers of the lists judged; roots are drawn up to the largest"},
-                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                        "N, last powers of the lists under test; roots are drawn up to the largest"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no finite radius", "T* is infinite"),
@@ -199,8 +199,9 @@ const study& root_test() {
                 "Roots of the coefficients over 1/n: |a_n|^(-1/n), and |n a_n|^(-1/n), which knows how the "
                 "coefficients of a logarithm fall. Both creep towards the radius, the grey line of the verdict, like "
                 "ln n over n: more coefficients help less than a test that fits where they come from.",
-            .parameters = {{"--orders", "20,50,100,200", "N, last powers of the lists judged; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .parameters = {{"--orders", "20,50,100,200",
+                            "N, last powers of the lists under test; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},
             .quick = {{"--orders", "20"}},
             .seconds = 1}};

@@ -189,7 +189,7 @@ const study& all_time() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--periods", "1,10,1e2,1e3,1e4,1e5,1e6,1e7,1e8,1e9",
                         "p, whole periods before the one looked at"},
-                       {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "ways to T*"}},
+                       {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "methods for T*"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--periods", "1,1e6", ""}, {"--period-by", "resummed:10", ""}},
         .seconds = 2,
         .excluded = without_period(),

@@ -106,7 +106,7 @@ const study& period_effect() {
                        {"--orders", "20", "N, last index of the resummed series"},
                        {"--times", "0:3T:401",
                         "times since the bottom: multiples of the exact T, or dimensionless numbers"},
-                       {"--period-by", "agm,series:100,resummed:1,resummed:10", "ways to T*"},
+                       {"--period-by", "agm,series:100,resummed:1,resummed:10", "methods for T*"},
                        {"--step", "1e-5", "step of the Runge-Kutta method, dimensionless"},
                        {"--scalar", "mpfr:40", "arithmetic of the resummation; the numerical solution is in double"}},
         .quick = {{"--energies", "1.9998,2.0002", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},

@@ -203,7 +203,7 @@ const study& resummations() {
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},
-                       {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of coefficients that are not 0"}},
+                       {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of nonzero coefficients"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "4,6", ""}},
         .seconds = 6.5,
         .excluded = no_answer_at_limits("theta is constant", "the period is infinite"),

@@ -214,7 +214,7 @@ const study& singularities() {
         .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "20,40,80", "N, last power of the series whose Pade approximants are drawn"},
-                       {"--digits", "40", "correct digits of the coordinates; of several numbers the largest"}},
+                       {"--digits", "40", "correct digits of the coordinates; the largest of a list"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,
         .excluded = no_answer_at_limits("theta is constant and has no singularity",

@@ -129,7 +129,7 @@ const study& uniform() {
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "1e-20:1e-1:20log,0.5,1,1.5,10:1e4:7log", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-100:34log,-1e-1:-1e-100:34log,-0.5,-1,-2", "energies as 2 - E"},
-                       {"--orders", "8,16,32", "numbers of coefficients that are not 0"}},
+                       {"--orders", "8,16,32", "numbers of nonzero coefficients"}},
         .quick = {{"--energies", "1.71,1e-20", ""}, {"--gaps", "1e-12,-1e-30", ""}, {"--orders", "4,16", ""}},
         .seconds = 5,
         .excluded = no_answer_at_limits("the columns of singularities are infinitely many", "the period is infinite"),
