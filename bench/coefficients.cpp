@@ -1,14 +1,14 @@
-// The coefficients of E = 1.71 to order N: how many times faster than the recurrence that the paper prints,
+// The coefficients of E = 1.71 to order N: how many times faster than the recurrence printed in the paper,
 // (pendseries), in the same arithmetic to the same digits? About the top, where every second coefficient vanishes, and
 // about T*/2, where none does; in mpfr and on balls, and in double and quad. All in one run on one thread, the
 // repetitions interleaved at random; medians with their spread.
 //
 //   ./run bench coefficients
 //
-// The printed recurrence is the one of taylor_by_sine_cosine without parity: two full Cauchy products, in mpfr, its
-// sums fused, which favours it; in mpfr its start is given to it, while ours begins with the typed energy; in double
-// and quad, where the start is a large part, both begin there. At 1000 digits it is timed up to N = 1000 and scaled by
-// N^2. Ends with 1 where the two sides disagree.
+// The printed recurrence is taylor_by_sine_cosine without parity: two full Cauchy products, with fused sums in mpfr,
+// which favours it; in mpfr its initial values are given, while Libration begins with the typed energy; in double and
+// quad, where computing the initial values is a large part, both begin there. At 1000 digits it is timed up to N = 1000
+// and scaled by N^2. Exits with status 1 if the two sides disagree.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -36,8 +36,8 @@ struct problem {
     std::string at;
     int order;
     long digits;
-    int timed;  // the printed recurrence runs to this power
-    int asked;  // the ratio that was aimed at
+    int timed;  // the printed recurrence is timed up to this power
+    int asked;  // the target ratio
 
     std::string name(const char* route) const { return fmt::format("{} {} {} {}", route, at, order, digits); }
 };
@@ -51,7 +51,7 @@ const std::vector<problem>& problems() {
     return all;
 }
 
-// In a fixed scalar the printed recurrence always runs to the end.
+// In a fixed scalar the printed recurrence always runs to the last order.
 struct fixed_problem {
     std::string at;
     int order;
@@ -91,7 +91,7 @@ power_series<T> printed(const printed_start<T>& from, int order) {
     return taylor_by_sine_cosine(from.start, order, from.scale);
 }
 
-// Throws std::runtime_error where the sides differ by 10^-digits of 8/n, or where a ball does not contain ours to that.
+// Throws std::runtime_error if the sides differ by 10^-digits of 8/n, or if a ball misses the mpfr value by that.
 void compare(const problem& asked) {
     const precision_scope scope(asked.digits + guard);
     const auto found = ours<mpfr>(asked.at, asked.order);
@@ -110,7 +110,7 @@ void compare(const problem& asked) {
     }
 }
 
-// Throws std::runtime_error where the sides differ by 4 ulps of the start and one a power, of 8/n.
+// Throws std::runtime_error if the sides differ by 4 ulps of the initial value plus one per power, of 8/n.
 template <fixed_scalar T>
 void compare(const fixed_problem& asked) {
     using std::abs;
@@ -124,7 +124,7 @@ void compare(const fixed_problem& asked) {
     }
 }
 
-// One benchmark in a scope of so many digits: prepare() once, work(prepared) in the loop.
+// One benchmark in a scope of this many digits: prepare() once, work(prepared) in the loop.
 template <class Prepare, class Work>
 void add(const std::string& name, long digits, int repetitions, const Prepare& prepare, const Work& work) {
     const auto body = [digits, prepare, work](benchmark::State& state) {
@@ -181,7 +181,7 @@ void print_table(const time_keeper& times) {
     fmt::print("{:>4} {:>6} {:>7} {:>18} {:>15} {:>15} {:>13} {:>13} {:>6}\n", "at", "order", "digits", "(pendseries)",
                "mpfr", "ball, proved", "ratio mpfr", "ratio ball", "aim");
     for (const problem& at : problems()) {
-        // The part that was timed is the same for both orders of 1000 digits.
+        // The timed part is the same for both orders of 1000 digits.
         problem part = at;
         part.order = at.timed == at.order ? at.order : 4000;
         const double times_longer = static_cast<double>(at.order) / at.timed;

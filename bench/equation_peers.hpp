@@ -1,4 +1,4 @@
-// Initial value problems that others solve too: as text for ours, as functions for theirs.
+// Initial value problems that other libraries solve too: as text for Libration, as functions for the others.
 #pragma once
 
 #include <cmath>
@@ -10,14 +10,14 @@ namespace libration::bench {
 
 /// A problem with the state x1, x1', x2, x2', ... of its unknowns in this order.
 struct initial_value_problem {
-    std::string name;  ///< as the peers know it
+    std::string name;  ///< the name used by the peers
     std::string equations;
     std::vector<std::string> unknowns;
     int order;  ///< of all of them
     std::vector<std::string> start;
     std::string end;
 
-    /// The equations with their starts, as text.
+    /// The equations with their initial values, as text.
     std::string text() const {
         std::string all = equations;
         for (std::size_t i = 0; i < start.size(); ++i) {
@@ -70,7 +70,7 @@ inline std::vector<initial_value_problem> problems_with_peers() {
          "3"}};
 }
 
-/// The slope of a state, for solvers of first order.
+/// The derivative of a state, for solvers of first-order systems.
 template <class T>
 using slope_function = void (*)(const std::vector<T>& x, std::vector<T>& slope, const T& t);
 

@@ -1,10 +1,11 @@
-// The tape of any equation beside recurrences written by hand for one, 100 coefficients in mpfr of 50 digits; then
-// solutions to an end beside those of Boost.odeint, GSL and mpmath. Each of the others is given the largest tolerance
-// 10^-k with which it reaches the error that is asked, 1e-25 in mpfr of 50 digits and 1e-13 in double, relative to the
-// largest component at the end, against a value with more digits by two marches that agree; ours the least accuracy of
-// a step, 2^-k, that does. The errors that were reached stand beside the times. GSL, which may not be linked
-// here, and mpmath time themselves in programs of their own. Ends with 1 where a side does not reach its error.
-// Ours go by the tape, in double side by side in lanes where a right side does the same often enough.
+// The tape of any equation compared with hand-written recurrences, 100 coefficients in mpfr of 50 digits; then
+// solutions to an end time compared with Boost.odeint, GSL and mpmath. Each of the others gets the largest tolerance
+// 10^-k with which it attains the requested error, 1e-25 in mpfr of 50 digits and 1e-13 in double, relative to the
+// largest component at the end, against a value with more digits from two integrations that agree; Libration the least
+// step accuracy, 2^-k, that does. The attained errors are printed next to the times. GSL, which may not be linked here,
+// and mpmath time themselves in separate programs. Exits with status 1 if a side does not attain its error. Libration
+// uses the tape, in double with several equal operations in vector lanes if a right-hand side repeats them often
+// enough.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@
 #include "rounds.hpp"
 #include "run/child_program.hpp"
 
-// A number of Boost.Multiprecision has a value_type of its own, which odeint takes for that of the state.
+// A number of Boost.Multiprecision has a member value_type, which odeint takes for that of the state.
 template <>
 struct boost::numeric::odeint::norm_result_type<std::vector<libration::mpfr>, void> {
     using type = libration::mpfr;
@@ -206,7 +207,7 @@ solved_problem solve(const bench::initial_value_problem& problem) {
     return result;
 }
 
-// Adds a way to the end, whose error has to be at most what is asked.
+// Adds a method of integration to the end time, whose error must be at most the requested one.
 void add(std::vector<bench::contender>& all, const std::string& name, std::function<double()> pass, const mpfr& error,
          const mpfr& asked) {
     if (!(error <= asked)) {
@@ -215,7 +216,7 @@ void add(std::vector<bench::contender>& all, const std::string& name, std::funct
     all.push_back({name, std::move(pass), to_decimal(error, 2)});
 }
 
-// The largest 10^-k or 2^-k, first <= k <= last, with which the error is at most what is asked.
+// The largest 10^-k or 2^-k, first <= k <= last, with which the error is at most the requested one.
 template <class Error>
 int least_tolerance(int first, int last, const mpfr& asked, const Error& error) {
     for (int k = first; k < last; ++k) {
@@ -226,8 +227,8 @@ int least_tolerance(int first, int last, const mpfr& asked, const Error& error) 
     return last;
 }
 
-// In steps of 2^-bits. The tape and the arrays are made once, and each pass starts over; a pass makes them too where
-// `anew`.
+// In steps of accuracy 2^-bits. The tape and the arrays are constructed once, and each pass starts over; with `anew` a
+// pass constructs them too.
 template <class T>
 void add_ours(std::vector<bench::contender>& all, const std::string& name, const solved_problem& of, const mpfr& asked,
               int first, int last, bool anew) {
@@ -257,7 +258,7 @@ std::vector<T> by_odeint(const solved_problem& of, const T& tolerance) {
     for (const std::string& each : of.problem.start) {
         x.push_back(value_of<T>(each));
     }
-    static const plain stepper;  // static: GCC warns of the state that copies copy
+    static const plain stepper;  // static: GCC warns about the state that copies copy
     const auto controlled = odeint::make_controlled(tolerance, tolerance, stepper);
     odeint::integrate_adaptive(controlled, bench::slope_of<T>(of.problem.name), x, T(0), value_of<T>(of.problem.end),
                                value_of<T>("0.001"));
@@ -274,7 +275,7 @@ void add_odeint(std::vector<bench::contender>& all, const solved_problem& of, co
     add(all, fmt::format("Boost.odeint RKF78, tolerance 1e-{}", k), std::move(pass), error, asked);
 }
 
-// What a program of its own measured, and its values.
+// The time measured by a separate program, and its values.
 template <class T>
 struct peer_answer {
     double nanoseconds = 0;
@@ -314,7 +315,7 @@ void add_gsl(std::vector<bench::contender>& all, const solved_problem& of, const
 }
 #endif
 
-// Where Python or mpmath is missing, nothing.
+// Skipped if Python or mpmath is missing.
 void add_mpmath(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked) {
     constexpr int digits = 27;
     std::string input = fmt::format("{} {} {} {}\n", of.problem.name, digits, of.problem.end, of.problem.start.size());

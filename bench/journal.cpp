@@ -1,12 +1,12 @@
-// What the engine of studies and its journal cost a cell, apart from what the cell computes, and for how many cores one
-// writer is enough.
+// The cost per cell of the engine of studies and its journal, without the computation of the cell, and the number of
+// cores for which one writer suffices.
 //
 //   ./run bench journal                   10^6 empty cells through the engine
 //   ./run bench journal --cells 100000
 //   ./run bench journal --model FILE.csv  the same, and the table of docs/pictures/one_writer.gp into FILE.csv
 //
-// An empty cell is one row of its two inputs. Memory is what the system says that the process holds, after a tenth of
-// the cells and after all of them.
+// An empty cell is one row of its two inputs. Memory is the resident size reported by the system, after a tenth of the
+// cells and after all of them.
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ double seconds_since(clock_type::time_point start) {
     return std::chrono::duration<double>(clock_type::now() - start).count();
 }
 
-// Megabytes that the process holds now.
+// The resident size of the process in megabytes.
 double resident_megabytes() {
     std::ifstream file("/proc/self/statm");
     long total = 0;
@@ -54,7 +54,7 @@ const column_list<empty_row>& empty_columns() {
     return all;
 }
 
-// Groups of so many cells that compute nothing.
+// Groups of this many cells that compute nothing.
 study empty_cells(std::size_t cells, std::size_t in_group) {
     study result{.name = "empty",
                  .title = "Empty cells",
@@ -91,8 +91,8 @@ study empty_cells(std::size_t cells, std::size_t in_group) {
 }
 
 struct measured_engine {
-    double microseconds;  // a cell
-    double bytes;         // of the journal, a cell
+    double microseconds;  // per cell
+    double bytes;         // of the journal, per cell
     double early_megabytes, late_megabytes;
 };
 
@@ -131,7 +131,7 @@ measured_engine run_engine(const std::filesystem::path& folder, std::size_t cell
     return result;
 }
 
-// What rank 0 does for a cell: the record out of its text, and into the journal. Microseconds.
+// The work of rank 0 per cell: parsing the record, and writing it into the journal. Microseconds.
 struct writer_cost {
     double message, write;
 };
@@ -159,7 +159,7 @@ writer_cost measure_writer(const std::filesystem::path& folder) {
     return {message, seconds_since(writing) * 1e6 / count};
 }
 
-// Cells a second on so many cores, by the time that a cell takes, where one writer keeps all of them.
+// Cells per second on so many cores, against the time per cell, if one writer stores all of them.
 void write_model(const std::string& path, const writer_cost& writer) {
     std::string csv = "cores,cell_seconds,cells_a_second,writer_limit\n";
     const double limit = 1e6 / (writer.message + writer.write);
@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
         } else if (option == "--model") {
             model = argv[i + 1];
         } else {
-            fmt::print(stderr, "bench journal: '{}' is not understood: write --cells N or --model FILE\n", option);
+            fmt::print(stderr, "bench journal: '{}' is not an option: write --cells N or --model FILE\n", option);
             return 2;
         }
     }

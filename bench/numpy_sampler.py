@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""theta and omega on an array of NumPy: the sampler of the package beside scipy.special.ellipj with arcsin.
+"""theta and omega on an array of NumPy: the sampler of the package compared with scipy.special.ellipj with arcsin.
 
     ./run python && PYTHON bench/numpy_sampler.py
 
-where PYTHON has the wheel, NumPy and SciPy. Both sides in turns in one process on one thread; medians of nine. Each
-compares with the other first: SciPy loses some digits, but no more than 10^-12 here.
+where PYTHON has the wheel, NumPy and SciPy. Both sides in turns in one process on one thread; medians of nine. The
+two are compared first: SciPy loses some digits, but no more than 10^-12 here.
 """
 
 import statistics

@@ -1,5 +1,5 @@
-// Proved trajectories of any equation beside the same digits unproved, by two marches in mpfr that agree; and what else
-// is proved: periodic orbits, an unknown at infinity.
+// Proved trajectories of any equation compared with the same digits unproved, by two integrations in mpfr that agree;
+// and other proved results: periodic orbits, an unknown at infinity.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -37,7 +37,7 @@ void two_marches(benchmark::State& state, const std::string& problem, int time, 
     }
 }
 
-// The work of one enclosure at so many bits, as a comparison with other programs has it.
+// The cost of one enclosure at this many bits, for comparison with other programs.
 void march_in_bits(benchmark::State& state, const std::string& problem, int time, long bits) {
     const ode::explicit_system system(ode::parse(text_of(problem)));
     for (auto _ : state) {

@@ -1,5 +1,5 @@
-// What the benchmarks share: a reporter of Google Benchmark that keeps the CPU time of every repetition, for ratios of
-// medians, how it is started, and how a benchmark ends.
+// Common code of the benchmarks: a reporter of Google Benchmark that stores the CPU time of every repetition, for
+// ratios of medians, and functions that start and end a benchmark.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -22,7 +22,7 @@ struct typical_time {
     double spread;
 };
 
-/// Keeps times by the name of the benchmark and says nothing itself, but for benchmarks that failed.
+/// Stores times by the name of the benchmark and prints only benchmarks that failed.
 class time_keeper : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(const Context& /*context*/) override { return true; }
@@ -38,7 +38,7 @@ public:
 
     bool knows(const std::string& name) const { return times_.contains(name); }
 
-    /// Throws std::out_of_range for a benchmark that did not run.
+    /// Throws std::out_of_range for a benchmark that was not run.
     typical_time of(const std::string& name) const {
         std::vector<double> sorted = times_.at(name);
         std::sort(sorted.begin(), sorted.end());
@@ -51,13 +51,13 @@ private:
     std::map<std::string, std::vector<double>> times_;
 };
 
-/// The median times `factor`, in microseconds where that is 1, and the spread.
+/// The median times `factor`, in microseconds if that is 1, and the spread.
 inline std::string shown(const typical_time& time, double factor = 1) {
     return fmt::format("{:.2f} +-{:.0f}%", time.microseconds * factor, time.spread * 100);
 }
 
-/// Starts Google Benchmark with the words of a command line, the repetitions interleaved at random. False where one of
-/// them is none of its own.
+/// Starts Google Benchmark with the arguments of a command line, the repetitions interleaved at random. False if one of
+/// them is not a valid option.
 inline bool initialized(std::vector<char*> words) {
     static std::string interleaved = "--benchmark_enable_random_interleaving=true";
     words.insert(words.begin() + 1, interleaved.data());
@@ -67,7 +67,7 @@ inline bool initialized(std::vector<char*> words) {
     return !benchmark::ReportUnrecognizedArguments(left, words.data());
 }
 
-/// What run() says as the exit code of a program; 1, with the reason on stderr, where it throws.
+/// The result of run() as the exit code of a program; 1, with the reason on stderr, if it throws.
 template <class Run>
 int exit_code_of(const char* name, const Run& run) {
     try {

@@ -3,8 +3,8 @@
 //
 //   ./run bench reference [--long]      16 to 10^4 digits; --long adds 10^5, there without Boost.Math
 //
-// Each route works with the least guard digits that give the digits asked: a ball of radius below one unit of the last
-// digit, for Boost.Math a value that misses the proved one by less. Ends with 1 where the routes disagree.
+// Each route uses the fewest guard digits that give the requested digits: a ball of radius below one unit of the last
+// digit, for Boost.Math a value that differs from the proved one by less. Exits with 1 if the routes disagree.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -35,10 +35,10 @@ struct guards {
     long digits;
     long ours;
     long arb;
-    long boost;  // 0: left out
+    long boost;  // 0: omitted
 };
 
-// The least guard digits with which enough() holds.
+// The least guard digits for which enough() is true.
 template <class Enough>
 long least_guard(const char* route, long digits, const Enough& enough) {
     for (long guard = 1; guard <= most_guard; ++guard) {
@@ -50,7 +50,7 @@ long least_guard(const char* route, long digits, const Enough& enough) {
     throw std::runtime_error(fmt::format("{} does not reach {} digits with {} more", route, digits, most_guard));
 }
 
-// Finds the guard digits, and compares the values. Throws std::runtime_error where they disagree.
+// Finds the guard digits, and compares the values. Throws std::runtime_error if they disagree.
 guards compared(long digits) {
     guards found{digits, 0, 0, 0};
     found.ours = least_guard("ours", digits, [&] { return to_proved_decimal(by_landen(asked()), digits).has_value(); });
@@ -59,7 +59,7 @@ guards compared(long digits) {
     const precision_scope wide(digits + 2 * most_guard);
     const ball proved = by_landen(asked());
     if (!overlaps(proved, by_arb_theta(asked()))) {
-        throw std::runtime_error(fmt::format("ours and Arb's theta functions disagree at {} digits", digits));
+        throw std::runtime_error(fmt::format("Libration and Arb's theta functions disagree at {} digits", digits));
     }
     if (digits <= boost_until) {
         const ball unit = pow(ball(10), 1 - digits);  // theta is between 1 and 10
@@ -74,7 +74,7 @@ guards compared(long digits) {
 
 std::string name_of(const char* route, long digits) { return fmt::format("{} {}", route, digits); }
 
-// One benchmark: work() in a scope of so many digits.
+// One benchmark: work() in a scope of this many digits.
 template <class Work>
 void add(const char* route, long digits, long guard, const Work& work) {
     const auto body = [digits, guard, work](benchmark::State& state) {
@@ -96,7 +96,7 @@ void add_all(const guards& with) {
     if (with.boost != 0) {
         add("boost", digits, with.boost, [] { return by_boost(asked()); });
     }
-    // What further times of one energy cost, and the conversion to text, which is the same for all.
+    // The cost of further times of one energy, and of the conversion to text, which is the same for all.
     const auto state = [digits, guard = with.ours](benchmark::State& loop) {
         const precision_scope scope(digits + guard);
         const exact_question exact(asked());
@@ -141,7 +141,7 @@ void print_table(const time_keeper& times, const std::vector<guards>& all) {
     }
 }
 
-// Our own option, taken out of the words for Google Benchmark.
+// Removes Libration's option from the arguments for Google Benchmark.
 bool take_long(std::vector<char*>& words) { return std::erase(words, std::string("--long")) != 0; }
 
 int run(std::vector<char*> words) {

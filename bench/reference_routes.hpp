@@ -18,13 +18,13 @@
 
 namespace libration::bench {
 
-/// What is asked, as it is typed.
+/// The input as it is typed.
 struct question {
     std::string energy;
     std::string time;
 };
 
-/// The question as fractions: the same reader for both proved routes.
+/// The input as fractions: the same reader for both proved routes.
 struct exact_question {
     explicit exact_question(const question& asked)
         : energy(read_exact(asked.energy).coefficient), gap(2 - energy), time(read_exact(asked.time).coefficient) {}
@@ -34,7 +34,7 @@ struct exact_question {
     rational time;
 };
 
-/// Ours: a few Landen steps, a short theta series, and back.
+/// Libration: a few Landen steps, a short theta series, and back.
 inline ball by_landen(const question& asked) {
     exact_question exact(asked);
     const pendulum::proved_canonical motion(std::move(exact.energy), std::move(exact.gap));
@@ -57,7 +57,7 @@ private:
     acb_t value_;
 };
 
-/// The peer: sqrt(k) theta_2/theta_3 by one call of acb_modular_theta at z = t/(2K), tau = i K'/K, K and K' by AGM.
+/// Arb: sqrt(k) theta_2/theta_3 by one call of acb_modular_theta at z = t/(2K), tau = i K'/K, K and K' by AGM.
 inline ball by_arb_theta(const question& asked) {
     const exact_question exact(asked);
     const slong bits = ball::working_bits();
@@ -83,7 +83,7 @@ inline ball by_arb_theta(const question& asked) {
     return asin(sqrt(k) * quotient) * 2;
 }
 
-/// The peer that people have: 2 asin(k cd(t, k)) with Boost.Math on mpfr, which proves nothing.
+/// The most common alternative: 2 asin(k cd(t, k)) with Boost.Math on mpfr, without proved digits.
 inline mpfr by_boost(const question& asked) {
     const mpfr k = sqrt(mpfr(mpfr(asked.energy) / 2));
     const mpfr cd = boost::math::jacobi_cd(k, mpfr(asked.time));

@@ -1,4 +1,4 @@
-// Works that are timed in turns, so that what else the machine does falls on all of them alike, and a table of them.
+// Computations that are timed in turns, so that other load of the machine affects all alike, and a table of them.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ inline double cpu_nanoseconds() {
     return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-/// One way to an answer. pass() does it for all outputs and returns nanoseconds an output, its own measurement where
-/// the work is another program's; error is what its values are off, as the benchmark counts it.
+/// One method. pass() computes all outputs and returns nanoseconds per output, as measured by itself if the work is
+/// done by another program; error is the error of its values, as defined by the benchmark.
 struct contender {
     std::string name;
     std::function<double()> pass;
@@ -43,7 +43,7 @@ struct contender {
     }
 };
 
-/// Passes over `outputs` outputs, timed here: as many as take 5 ms, for a quick one would mostly fetch memory.
+/// Passes over `outputs` outputs, timed here, repeated for 5 ms, because a single quick one would mostly fetch memory.
 template <class Work>
 std::function<double()> timed(std::size_t outputs, Work work) {
     return [outputs, work = std::move(work)] {
@@ -59,7 +59,7 @@ std::function<double()> timed(std::size_t outputs, Work work) {
     };
 }
 
-/// Every contender once a round, in an order that changes.
+/// Every contender once per round, in varying order.
 inline void run_rounds(std::vector<contender>& all, int rounds) {
     std::vector<std::size_t> order(all.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -74,7 +74,7 @@ inline void run_rounds(std::vector<contender>& all, int rounds) {
     }
 }
 
-/// Medians, spreads, and how many times longer than the first one they take.
+/// Medians, spreads, and ratios to the first one.
 inline void print_ratios(const std::string& title, const std::string& error, const std::vector<contender>& all) {
     fmt::print("{}\n{:<52} {:>16} {:>9}  {}\n", title, "", "ns an output", "ratio", error);
     for (const contender& each : all) {

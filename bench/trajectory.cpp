@@ -1,14 +1,14 @@
-// theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of
-// Boost.Math in double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run
-// on one thread, in turns, the sampler also with each set of vector instructions that the processor has; medians of
-// CPU time with their spread. GSL, which may not be linked here, times itself in a program of its own.
+// theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of Boost.Math
+// in double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run on one thread,
+// in turns, the sampler also with each available set of vector instructions; medians of CPU time with their spread.
+// GSL, which may not be linked here, times itself in a separate program.
 //
 //   ./run bench trajectory
 //
-// Every route is compared with proved values: ours has to keep its bound of 4 units of the last place of max(1,
+// Every route is compared with proved values: Libration must keep its bound of 4 units of the last place of max(1,
 // |theta|), the others in double 1000 (k is rounded, and the time is ten times the period), Boost.Math in quad 10^7
 // (its dn is a quotient of two cosines that vanish together at the quarters, and 2000 times come within 10^-3 of some;
-// in double it computes in long double), the integration 10^-8. Ends with 1 where one does not.
+// in double it computes in long double), the integration 10^-8. Exits with status 1 if one does not.
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/numeric/odeint.hpp>
 
@@ -59,8 +59,8 @@ mpfr unit_of(const mpfr& x) {
     return ldexp(widen(epsilon<T>()), static_cast<int>(binary_exponent(size)) - 1);
 }
 
-// The largest error of theta and omega at 200 of the times, in units of the last place of max(1, |theta|), and of 1 or
-// what omega may be at most.
+// The largest error of theta and omega at 200 of the times, in units of the last place of max(1, |theta|) and of max(1,
+// max |omega|).
 template <class T>
 double worst_units(const motion& m, const trajectory<T>& found) {
     const precision_scope scope(80);
@@ -79,7 +79,7 @@ double worst_units(const motion& m, const trajectory<T>& found) {
     return static_cast<double>(worst);
 }
 
-// Throws std::runtime_error for a route that is off by more than it may be.
+// Throws std::runtime_error for a route whose error exceeds the allowed one.
 std::string allowed_units(const std::string& route, double units, double allowed) {
     if (!(units <= allowed)) {
         throw std::runtime_error(
@@ -88,7 +88,7 @@ std::string allowed_units(const std::string& route, double units, double allowed
     return fmt::format("{:.1f}", units);
 }
 
-// Adds a route: runs it once, compares, and keeps it for the rounds.
+// Adds a route: runs it once, compares, and stores it for the rounds.
 template <class T, class Work>
 void add(std::vector<contender>& all, const std::string& name, double allowed, const motion& m, trajectory<T>& in,
          Work work) {
@@ -98,7 +98,7 @@ void add(std::vector<contender>& all, const std::string& name, double allowed, c
         {name, timed(in.times.size(), [&in, work] { work(in); }), allowed_units(name, worst_units(m, in), allowed)});
 }
 
-// Times in ten periods of either sign, in no order.
+// Times in ten periods of either sign, in random order.
 template <class T>
 std::vector<T> random_times(const motion& m, std::size_t count) {
     const precision_scope scope(60);
@@ -126,7 +126,7 @@ void by_boost(const modulus<T>& m, trajectory<T>& in) {
 }
 
 #ifdef LIBRATION_GSL_TRAJECTORY
-// GSL's own measurement; the values go to `in`.
+// GSL's own timing; the values are stored in `in`.
 double by_gsl(const modulus<double>& m, const std::string& times, trajectory<double>& in) {
     const std::string input = fmt::format("{:a} {:a} 1 {}\n", m.k, m.complement, in.times.size()) + times;
     std::istringstream answer(output_of_program(LIBRATION_GSL_TRAJECTORY, input));
@@ -154,7 +154,7 @@ void add_gsl(std::vector<contender>& all, const modulus<double>& shape, const mo
 }
 #endif
 
-// One libration, double against GSL and Boost.Math.
+// One libration, double compared with GSL and Boost.Math.
 void compare_in_double(const exact& energy, std::size_t count) {
     const motion m = motion::of_energy(energy.coefficient);
     const modulus<double> shape = energy_level_of<double>(m).modulus;
@@ -211,7 +211,7 @@ using pendulum_pair = std::array<double, 2>;
 void by_odeint(double theta0, trajectory<double>& in) {
     namespace odeint = boost::numeric::odeint;
     static const odeint::runge_kutta_fehlberg78<pendulum_pair>
-        plain;  // static: GCC warns of the state that copies copy
+        plain;  // static: GCC warns about the state that copies copy
     const auto stepper = odeint::make_controlled(1e-15, 1e-15, plain);
     pendulum_pair state{theta0, 0};
     std::size_t i = 0;
@@ -250,7 +250,7 @@ void compare_with_integration() {
     print_ratios(fmt::format("from rest at {} to t = 10^4, {} outputs", theta0, count), "error/ulp", all);
 }
 
-// Where the others lose their digits: next to E = 2, at it, above it, and a thousand million periods away.
+// Where the others lose their digits: near E = 2, at it, above it, and 10^9 periods away.
 void show_other_motions() {
     const auto near_two = [](const char* gap) { return motion::of_energy(rational(2 - read_exact(gap).coefficient)); };
     struct question {
@@ -285,7 +285,7 @@ void show_other_motions() {
     print_ratios("libration sampler<double>, arrays, at 100000 times in 20 periods", "error/ulp", all);
 }
 
-// The time to make a sampler, in ns; an output is a sampler here.
+// The time for constructing a sampler, in ns; an output is a sampler here.
 void show_set_up() {
     std::vector<contender> all;
     const auto make = [&all](const std::string& name, const motion& m) {

@@ -1,12 +1,12 @@
-// From which power on the routes of taylor/pole_reach.hpp cost less than the recurrence, measured here: the constants
-// of pendulum/taylor/tuning.hpp, which decide costs and no result beyond rounding.
+// The powers from which the routes of taylor/pole_reach.hpp cost less than the recurrence, measured here: the constants
+// of pendulum/taylor/tuning.hpp, which affect costs and results only up to rounding.
 //
 //   ./run bench tuning                                                    the measurements, and the header
 //   ./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp the header into the tree
 //
 // All about the top of E = 1.71, where every second coefficient vanishes, in one run on one thread; recurrence and
 // other route in turns, medians. A number in the header is the one of a coarse grid (powers of two for the fixed
-// scalars) that loses least time over all that was measured, so that two runs on one machine seldom differ.
+// scalars) that minimizes the total loss of time over all measurements, so that two runs on one machine seldom differ.
 #include <sys/utsname.h>
 
 #include <fmt/chrono.h>
@@ -38,10 +38,10 @@ using namespace libration::pendulum;
 
 constexpr int rounds = 5;
 
-// Sums are right to a few units in the last place, where the recurrence has lost digits: they may cost a quarter more.
+// Sums are correct to a few ulps where the recurrence has lost digits: they may cost a quarter more.
 constexpr double worth_of_sums = 1.25;
 
-/// What both routes took, in nanoseconds, where they were measured.
+/// The times of both routes, in nanoseconds, and the size at which they were measured.
 struct crossing {
     long power;
     long bits;
@@ -77,7 +77,7 @@ std::vector<crossing> thetas_against_recurrence() {
         const start<T> from;
         for (const int order : {64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048}) {
             if (order * digits10 > 800'000) {
-                continue;  // decided long before
+                continue;  // decided at smaller orders
             }
             all.push_back(timed_in_turns(
                 order, digits<T>(), [&] { from.by_recurrence(order); },
@@ -87,7 +87,7 @@ std::vector<crossing> thetas_against_recurrence() {
     return all;
 }
 
-/// The powers p .. 3p/2 by sums over the singularities and those before by the recurrence, or all by that.
+/// The powers p .. 3p/2 by sums over the singularities and those before by the recurrence, or all by the recurrence.
 template <fixed_scalar T>
 std::vector<crossing> sums_against_recurrence() {
     std::vector<crossing> all;
@@ -104,7 +104,7 @@ std::vector<crossing> sums_against_recurrence() {
     return all;
 }
 
-/// Of rules "the other route from so many on" the one that loses least: by the sum of log(time taken/shortest).
+/// The loss of a rule "the other route from this size on": the sum of log(time taken/shortest).
 template <class Rule>
 double loss(const std::vector<crossing>& measured, const Rule& takes_other) {
     double sum = 0;
@@ -202,7 +202,7 @@ std::string header(const constants& found) {
         found.in_mpfr.bits, found.in_double, found.in_long_double, found.in_quad);
 }
 
-/// Whole or not at all: beside it, then renamed.
+/// Writes the whole file or nothing: to a draft in the same directory, then renamed.
 void write(const std::filesystem::path& path, const std::string& text) {
     auto draft = path;
     draft += ".draft";
@@ -216,7 +216,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 int run(const std::vector<std::string>& words) {
     if (!words.empty() && (words.size() != 2 || words.front() != "--out")) {
-        fmt::print(stderr, "bench tuning: write nothing, or --out FILE\n");
+        fmt::print(stderr, "bench tuning: write no argument, or --out FILE\n");
         return 2;
     }
     const auto balls = thetas_against_recurrence<ball>();

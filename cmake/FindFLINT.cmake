@@ -3,7 +3,7 @@
 
 find_path(FLINT_INCLUDE_DIR flint/flint.h)
 find_library(FLINT_LIBRARY flint)
-# Arb was a library of its own before FLINT 3; Debian calls it flint-arb.
+# Arb was a separate library before FLINT 3; Debian calls it flint-arb.
 find_path(FLINT_ARB_INCLUDE_DIR NAMES flint/arb.h arb.h HINTS ${FLINT_INCLUDE_DIR})
 if(FLINT_ARB_INCLUDE_DIR AND EXISTS ${FLINT_ARB_INCLUDE_DIR}/flint/arb.h)
     set(FLINT_ARB_LIBRARY ${FLINT_LIBRARY})

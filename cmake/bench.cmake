@@ -1,4 +1,4 @@
-# The benchmarks, one program a question; ours and its peers stand side by side in its table. None is part of `all`.
+# The benchmarks, one program per question, with Libration and its peers in one table. None is part of `all`.
 
 find_package(benchmark REQUIRED)
 find_package(fmt REQUIRED)
@@ -11,7 +11,7 @@ foreach(source IN LISTS bench_sources)
         PRIVATE libration::ball benchmark::benchmark fmt::fmt libration-warnings)
 endforeach()
 
-# The one that starts a peer of its own, and whose Boost.Math in float128 asks for the literals of GNU's C++.
+# Starts a separate peer program; its Boost.Math in float128 requires the literals of GNU C++.
 set_target_properties(libration-bench-trajectory PROPERTIES CXX_EXTENSIONS ON)
 target_sources(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/run/child_program.cpp)
 target_include_directories(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src)
@@ -21,7 +21,7 @@ if(TARGET libration-gsl-trajectory)
         LIBRATION_GSL_TRAJECTORY="$<TARGET_FILE:libration-gsl-trajectory>")
 endif()
 
-# The one whose peers solve differential equations, GSL's and mpmath's in programs of their own.
+# Its peers solve differential equations, those of GSL and mpmath in separate programs.
 target_sources(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/run/child_program.cpp)
 target_include_directories(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_compile_definitions(libration-bench-equations PRIVATE
@@ -32,5 +32,5 @@ if(TARGET libration-gsl-equations)
         LIBRATION_GSL_EQUATIONS="$<TARGET_FILE:libration-gsl-equations>")
 endif()
 
-# The one that runs the engine of the studies.
+# Runs the engine of the studies.
 target_link_libraries(libration-bench-journal PRIVATE libration-studies libration-sweep)

@@ -1,5 +1,5 @@
-# The C interface, include/libration.h: a shared library of what the static ones have, whose only symbols are those of
-# that header. Its number is that of the interface, which only grows, and not the version of the project.
+# The C interface, include/libration.h: a shared library with the contents of the static ones that exports only the
+# symbols of that header. Its version is that of the interface, which is only extended, not that of the project.
 
 file(GLOB c_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/c/*.cpp)
 add_library(libration-c SHARED ${c_sources})
@@ -19,7 +19,7 @@ target_link_options(libration-c PRIVATE
     LINKER:--no-undefined)
 set_property(TARGET libration-c APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/c/symbols.map)
 
-# Its symbols, for the test that compares them with the header.
+# The exported symbols, for the test that compares them with the header.
 set(c_symbols ${PROJECT_BINARY_DIR}/libration.symbols)
 add_custom_command(TARGET libration-c POST_BUILD
     COMMAND ${CMAKE_NM} -D --defined-only $<TARGET_FILE:libration-c> > ${c_symbols}

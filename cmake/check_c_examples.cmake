@@ -1,6 +1,6 @@
 # cmake -D PREFIX= -D EXAMPLES= -D EXPECTED= -D WORK= [-D FLAGS=] -P check_c_examples.cmake
-# Compiles the examples for C and for Fortran against what is installed, as pkg-config says, runs them, and compares what
-# they print with independent values. Fortran is left out with a word where there is no gfortran.
+# Compiles the examples for C and Fortran against the installed library with the flags of pkg-config, runs them, and
+# compares their output with independent values. Fortran is skipped with a message if gfortran is not installed.
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
@@ -19,7 +19,8 @@ separate_arguments(FLAGS)
 string(REGEX REPLACE "^.*-L([^;]+).*$" "\\1" libraries "${libs}")
 string(REGEX REPLACE "^.*-I([^;]+).*$" "\\1" include "${cflags}")
 
-# Each row of the expected values is of a program: a line that begins with the word, and how a number in it begins.
+# Each row of the expected values: a program, the word with which a line begins, and the leading digits of a number in
+# it.
 function(check program)
     execute_process(COMMAND ${program} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
     cmake_path(GET program FILENAME name)
@@ -38,7 +39,7 @@ function(check program)
             endif()
         endforeach()
         if(NOT found)
-            message(FATAL_ERROR "${name} did not print ${value} behind ${word}, but\n${printed}")
+            message(FATAL_ERROR "${name} did not print ${value} after ${word}, but\n${printed}")
         endif()
     endforeach()
     message("${printed}")
@@ -53,7 +54,7 @@ check(${WORK}/in_c)
 
 find_program(FORTRAN gfortran)
 if(NOT FORTRAN)
-    message("Fortran is left out: gfortran is not installed")
+    message("Fortran is skipped: gfortran is not installed")
     return()
 endif()
 execute_process(

@@ -1,8 +1,8 @@
 # cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README= | -D PROGRAM= -D SCALARS=]
 #     [-D WITHOUT_FLINT=ON] [-D FLAGS=] -P check_consumer.cmake
-# Configures, builds and runs the project that finds libration in PREFIX, as on a machine without FLINT where told so.
-# With README its program is the file's first ```cpp block, and it has to print exactly the ```text block that comes
-# next.
+# Configures, builds and runs the project that finds libration in PREFIX, if requested as on a machine without FLINT.
+# With README its program is the file's first ```cpp block, and its output must be exactly the ```text block that
+# follows.
 
 set(arguments "")
 if(README)
@@ -14,7 +14,7 @@ if(README)
     math(EXPR begin "${begin} + 8")
     string(SUBSTRING "${text}" ${begin} -1 text)
     string(FIND "${text}" "\n```\n" end)
-    math(EXPR end "${end} + 1") # the block keeps its last newline
+    math(EXPR end "${end} + 1") # the block includes its last newline
     string(SUBSTRING "${text}" 0 ${end} program)
     file(WRITE ${BUILD}/readme.cpp "${program}")
     list(APPEND arguments -D PROGRAM=${BUILD}/readme.cpp)
@@ -24,7 +24,7 @@ if(README)
     string(FIND "${text}" "```" begin)
     string(FIND "${text}" "```text\n" begin_text)
     if(begin_text EQUAL -1 OR NOT begin EQUAL begin_text)
-        message(FATAL_ERROR "${README}: the \`\`\`cpp block is not followed by the \`\`\`text block of what it prints")
+        message(FATAL_ERROR "${README}: the \`\`\`cpp block is not followed by a \`\`\`text block with its output")
     endif()
     math(EXPR begin "${begin} + 8")
     string(SUBSTRING "${text}" ${begin} -1 text)
@@ -54,6 +54,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD}/build --clean-first CO
 execute_process(COMMAND ${BUILD}/build/consumer OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 
 if(README AND NOT printed STREQUAL expected)
-    message(FATAL_ERROR "${README} says that its program prints\n${expected}but it prints\n${printed}")
+    message(FATAL_ERROR "${README}: the program should print\n${expected}but it prints\n${printed}")
 endif()
 message("${printed}")

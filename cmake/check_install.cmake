@@ -1,5 +1,5 @@
 # cmake -D BUILD= -D CONFIG= -D PREFIX= [-D PROGRAM=bin/libration] -P check_install.cmake
-# Installs the build into an emptied PREFIX, as a user would, and starts the installed program.
+# Installs the build into an emptied PREFIX, as a user would, and runs the installed program.
 
 unset(ENV{DESTDIR})
 file(REMOVE_RECURSE ${PREFIX})
@@ -27,12 +27,12 @@ foreach(needed IN ITEMS share/libration/studies/style.gp share/libration/studies
     endif()
 endforeach()
 
-# Where manual pages were made, each subcommand has one.
+# If manual pages were generated, each subcommand has one.
 if(EXISTS ${BUILD}/manual AND NOT EXISTS ${PREFIX}/share/man/man1/libration-period.1)
     message(FATAL_ERROR "the manual pages are not installed")
 endif()
 
-# It makes a study, its figures and a report, and asks its peer where that was built, with what is installed alone.
+# The installed files alone suffice for a study, its figures, a report, and its peer if that was built.
 set(work ${PREFIX}/work)
 file(MAKE_DIRECTORY ${work})
 set(quick study period_error --energies 0.5,1.5 --orders 2)
@@ -41,14 +41,14 @@ execute_process(COMMAND ${PREFIX}/${PROGRAM} ${quick} --out out
 execute_process(COMMAND ${PREFIX}/${PROGRAM} reproduce --only period_error
     WORKING_DIRECTORY ${work} ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
 if(NOT EXISTS ${work}/out/period_error/period_error.svg OR NOT EXISTS ${work}/reproduced/index.html)
-    message(FATAL_ERROR "the installed program makes no figure or no report")
+    message(FATAL_ERROR "the installed program does not produce a figure and a report")
 endif()
 if(EXISTS ${BUILD}/libration-gsl-theta)
     execute_process(COMMAND ${PREFIX}/${PROGRAM} study audit_gsl --gaps 1e-3 --times 1
         OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
-# Without its own scripts it draws nothing: it does not look into the tree it came from.
+# Without its scripts it draws nothing: it does not use the source tree.
 file(RENAME ${PREFIX}/share/libration ${PREFIX}/share/hidden)
 execute_process(COMMAND ${PREFIX}/${PROGRAM} figure period_error --out out
     WORKING_DIRECTORY ${work} ERROR_QUIET RESULT_VARIABLE code)

@@ -1,7 +1,7 @@
 # cmake -D LIBRATION= -D READER= -D WORK= -P check_reader.cmake
-# The Python reader of the docs gives back the digits of a table, which no double holds.
+# The Python reader of the docs returns all digits of a table, more than double precision.
 
-# Debian's own interpreter first: the package python3-mpmath belongs to it.
+# Debian's interpreter first, because the package python3-mpmath belongs to it.
 find_program(PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(PYTHON python3 REQUIRED)
 set(table ${WORK}/read_table.csv)

@@ -1,9 +1,9 @@
 # cmake -D LIBRATION= -D READERS= -D WORK= -P check_reference_readers.cmake
-# The readers of reference values give back what stands in the files: Python and C all digits, Fortran 33, Octave 16.
-# One whose tool is not installed is left out with a word.
+# The readers of reference values return the values in the files: Python and C all digits, Fortran 33, Octave 16. A
+# reader whose tool is not installed is skipped with a message.
 
 set(folder ${WORK}/reference_readers)
-file(REMOVE_RECURSE ${folder}) # cells of another version would be refused
+file(REMOVE_RECURSE ${folder}) # cells of another version would be rejected
 execute_process(
     COMMAND ${LIBRATION} study reference_problems --problems logistic --scalar ball:30 --out ${folder}
     OUTPUT_QUIET ERROR_QUIET
@@ -15,10 +15,10 @@ string(REPLACE " " ";" row "${row}")
 list(GET row 0 time)
 list(GET row 1 value)
 
-# The last number of what a reader printed is the value of the last row, as far as so many characters.
+# The last number printed by a reader equals the value of the last row up to this number of characters.
 function(expect reader printed characters)
     string(SUBSTRING "${value}" 0 ${characters} digits)
-    # 0.99... or 9.9...E-001: the digits without their point.
+    # 0.99... or 9.9...E-001: the digits without the decimal point.
     string(REGEX REPLACE "^0\\.0*" "" digits "${digits}")
     string(REPLACE "." "" found "${printed}")
     if(NOT found MATCHES "${digits}")
@@ -35,7 +35,7 @@ if(PYTHON)
         COMMAND_ERROR_IS_FATAL ANY)
     expect(read_reference.py "${printed}" 32)
 else()
-    message("read_reference.py is left out: python3 is not installed")
+    message("read_reference.py is skipped: python3 is not installed")
 endif()
 
 find_program(OCTAVE octave-cli)
@@ -46,7 +46,7 @@ if(OCTAVE)
         COMMAND_ERROR_IS_FATAL ANY)
     expect(read_reference.m "${printed}" 16)
 else()
-    message("read_reference.m is left out: octave is not installed")
+    message("read_reference.m is skipped: octave is not installed")
 endif()
 
 find_program(CC NAMES gcc cc)
@@ -61,7 +61,7 @@ if(CC)
         COMMAND_ERROR_IS_FATAL ANY)
     expect(read_reference.c "${printed}" 32)
 else()
-    message("read_reference.c is left out: no C compiler is installed")
+    message("read_reference.c is skipped: no C compiler is installed")
 endif()
 
 find_program(FORTRAN gfortran)
@@ -76,5 +76,5 @@ if(FORTRAN)
         COMMAND_ERROR_IS_FATAL ANY)
     expect(read_reference.f90 "${printed}" 32)
 else()
-    message("read_reference.f90 is left out: gfortran is not installed")
+    message("read_reference.f90 is skipped: gfortran is not installed")
 endif()

@@ -1,5 +1,6 @@
 # cmake -D SOURCE=FOLDER -P check_versions.cmake
-# The version stands in five files: all agree with CMakeLists.txt, or it says which do not. Prints the version.
+# The version is given in five files: checks that all agree with CMakeLists.txt, or fails with those that do not. Prints
+# it.
 
 function(first_match file pattern variable)
     file(STRINGS ${SOURCE}/${file} lines REGEX "${pattern}" LIMIT_COUNT 1)
@@ -25,6 +26,6 @@ check(pyproject.toml "^version = \"${number}\"$")
 check(debian/changelog "^libration [(]([^)]*)[)] ")
 check(CHANGELOG.md "^## (.*)$")
 if(others)
-    message(FATAL_ERROR "CMakeLists.txt has version ${version}, but there is${others}")
+    message(FATAL_ERROR "CMakeLists.txt has version ${version}, but other files differ:${others}")
 endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -E echo ${version})

@@ -1,4 +1,4 @@
-# The command `libration`, in the order of the house: what studies stand on first, the subcommands on top.
+# The command `libration`, in the order of the modules: those on which studies depend first, the subcommands last.
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
@@ -14,7 +14,7 @@ include(cmake/peers.cmake)
 
 set(generated_dir ${PROJECT_BINARY_DIR}/generated)
 
-# version.hpp is made anew in every build, because a commit changes no source; it is rewritten only on change.
+# version.hpp is generated in every build, because a commit changes no source; it is rewritten only if it changes.
 add_custom_target(libration-version
     COMMAND ${CMAKE_COMMAND}
         -D SOURCE_DIR=${PROJECT_SOURCE_DIR}
@@ -26,7 +26,8 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: NAME.cpp in studies/ or a folder of it defines libration::studies::NAME(), and nothing else names a study.
+# The registry: NAME.cpp in studies/ or a subdirectory defines libration::studies::NAME(), and nothing else lists
+# studies.
 file(GLOB_RECURSE study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.cpp)
 set(study_declarations "")
 set(study_entries "")
@@ -48,9 +49,9 @@ file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
 file(GLOB claim_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/claims/*.cpp)
 file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${command_rooms})
 
-# Libraries of their own, so that tests can run a study or a sweep without starting the program. A clean build compiles
-# several sources as one, the preset `dev` each by itself: both build, so no name depends on what stands beside it.
-# Half of the time of -O2: what takes long in a run is in the library, which is compiled with it.
+# Separate libraries, so that tests can run a study or a sweep without starting the program. A clean build compiles
+# several sources as one, the preset `dev` each by itself: both must compile, so no name may depend on other sources of
+# a batch. Half of the compile time of -O2: the time-consuming code is in the library, which is compiled with -O2.
 add_library(libration-sweep STATIC ${sweep_sources})
 add_library(libration-studies OBJECT ${study_sources} ${generated_dir}/registry.cpp)
 add_library(libration-claims OBJECT ${claim_sources})
@@ -71,13 +72,13 @@ target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/prec
 target_precompile_headers(libration-studies REUSE_FROM libration-sweep)
 target_precompile_headers(libration-claims REUSE_FROM libration-sweep)
 
-# Where the figure scripts are: in the source tree, and as seen from the folder of an installed program.
+# The location of the figure scripts: in the source tree, and relative to the directory of an installed program.
 set(installed_studies_dir ${CMAKE_INSTALL_DATADIR}/libration/studies)
 file(RELATIVE_PATH studies_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_studies_dir})
 target_compile_definitions(libration-sweep PUBLIC
     LIBRATION_STUDIES_DIR="${PROJECT_SOURCE_DIR}/studies"
     LIBRATION_INSTALLED_STUDIES_DIR="${studies_from_program}")
-# Programs that ours starts stand beside it in the build folder, and where they are installed.
+# Programs started by libration are in the same directory in the build tree, and in libexec after installation.
 set(installed_peers_dir ${CMAKE_INSTALL_LIBEXECDIR}/libration)
 file(RELATIVE_PATH peers_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_peers_dir})
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/run/program_files.cpp PROPERTIES
@@ -95,12 +96,12 @@ add_executable(libration-command ${PROJECT_SOURCE_DIR}/src/main.cpp)
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
 target_link_libraries(libration-command
     PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings)
-# GMP and MPFR inside the program, where their archives are installed: calls between the two, and to what MPFR keeps for
-# each thread, then go through no dynamic linker, which took a tenth of the time of a study. The whole archives, so that
-# FLINT, which is shared, finds the same copy: the linker exports what a shared library that it is given needs, and the
-# dynamic linker takes the program's before that of libmpfr.so, which FLINT loads too and nobody calls. One MPFR is used,
-# with one range of exponents and one set of constants for each thread (tests/command/product_bound_test.cpp). The
-# libraries link the shared ones, and so do their tests.
+# GMP and MPFR are linked statically, if their archives are installed: calls between the two, and to the thread-local
+# data of MPFR, then bypass the dynamic linker, which took a tenth of the time of a study. The whole archives, so that
+# FLINT, which is shared, finds the same copy: the linker exports the symbols that a given shared library needs, and the
+# dynamic linker prefers those of the program to those of libmpfr.so, which FLINT loads too and nobody calls. Only one
+# MPFR is used, with one range of exponents and one set of constants per thread (tests/command/product_bound_test.cpp).
+# The libraries link the shared ones, and so do their tests.
 if(LIBRATION_STATIC_ARITHMETIC)
     find_library(LIBRATION_MPFR_ARCHIVE NAMES libmpfr.a HINTS ${mpfr_LIBRARY_DIRS} ${mpfr_LIBDIR})
     find_library(LIBRATION_GMP_ARCHIVE NAMES libgmp.a HINTS ${gmp_LIBRARY_DIRS} ${gmp_LIBDIR})
@@ -109,7 +110,8 @@ if(LIBRATION_STATIC_ARITHMETIC)
     endif()
 endif()
 
-# The library before all others: of what it and cold code both instantiate, a linker keeps the first.
+# The library before all others: of code that it and non-critical sources both instantiate, a linker keeps the first
+# copy.
 set(library_first
     LINKER:--whole-archive $<TARGET_FILE:libration> $<TARGET_FILE:libration-proved> ${arithmetic_archives}
     LINKER:--no-whole-archive)
@@ -119,7 +121,7 @@ if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
 endif()
 
-# The same program on many machines: ./run --mpi. Its packages are installed by that alone.
+# The same program on many machines: ./run --mpi. Its packages are installed only for that command.
 if(LIBRATION_BUILD_MPI)
     enable_language(C)  # for MPI's plain C interface
     find_package(MPI REQUIRED COMPONENTS C)
@@ -146,13 +148,13 @@ endif()
 install(TARGETS ${solver_peers} RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 install(PROGRAMS peers/scipy_solvers.py peers/mpmath_solvers.py DESTINATION ${installed_peers_dir} COMPONENT peers)
 install(FILES peers/equation_code.py DESTINATION ${installed_peers_dir} COMPONENT peers)
-# The documentation, with the readers of tables.
+# The documentation, including the readers of tables.
 install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR}
     COMPONENT documents)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents PATTERN site EXCLUDE)
 
-# What `cmake --install` takes: `./run install` builds that much.
+# Everything that `cmake --install` installs: `./run install` builds this target.
 add_custom_target(libration-installable DEPENDS libration libration-proved libration-c libration-command)
 if(LIBRATION_BUILD_MANUAL)
     include(cmake/manual.cmake)

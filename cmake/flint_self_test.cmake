@@ -1,6 +1,6 @@
-# Whether the FLINT found multiplies integer polynomials rightly at the bound of its transform: the self-test that each
-# process makes again (scalar/ball/product_self_test.hpp), for the library at run time may be another one. The result
-# stands in the cache as LIBRATION_FLINT_PRODUCTS. A cross build without an emulator leaves it to the processes.
+# Tests whether the FLINT found multiplies integer polynomials correctly at the bound of its transform. Each process
+# repeats this self-test (scalar/ball/product_self_test.hpp), since the library at run time may be another one. The
+# result is cached as LIBRATION_FLINT_PRODUCTS. A cross build without an emulator leaves it to the processes.
 
 if(NOT DEFINED LIBRATION_FLINT_PRODUCTS)
     set(tested "not tested: cross build")
@@ -22,7 +22,7 @@ if(NOT DEFINED LIBRATION_FLINT_PRODUCTS)
             message(WARNING "FLINT ${FLINT_VERSION}: products of integer polynomials are wrong (${tested})")
         endif()
     endif()
-    set(LIBRATION_FLINT_PRODUCTS "${tested}" CACHE STRING "What the self-test of FLINT's products found")
+    set(LIBRATION_FLINT_PRODUCTS "${tested}" CACHE STRING "Result of the self-test of FLINT's products")
     mark_as_advanced(LIBRATION_FLINT_PRODUCTS)
     message(STATUS "FLINT ${FLINT_VERSION}, products of integer polynomials: ${LIBRATION_FLINT_PRODUCTS}")
 endif()

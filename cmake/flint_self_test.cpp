@@ -1,4 +1,4 @@
-// What the self-test of the FLINT here finds, when the project is configured (flint_self_test.cmake).
+// Runs the self-test of the installed FLINT when the project is configured (flint_self_test.cmake).
 #include <cstdio>
 
 #include "libration/scalar/ball/product_self_test.hpp"

@@ -1,8 +1,8 @@
 # The library, here and for find_package(libration) after `cmake --install`:
-#   libration::headers    the templates alone, nothing to link but MPFR and GMP
-#   libration::libration  with what needs no template, compiled once; no FLINT, also at link time
-#   libration::proved     with proved arithmetic, where FLINT is (libration::ball is its other name)
-# Sources stand in src/libration/ROOM as their headers do in include/libration/ROOM.
+#   libration::headers    the templates alone, linking only MPFR and GMP
+#   libration::libration  with the non-template parts, compiled once; no FLINT, also at link time
+#   libration::proved     with proved arithmetic, if FLINT is available (alias: libration::ball)
+# Sources are in src/libration/MODULE, their headers in include/libration/MODULE.
 
 find_package(Boost 1.81 REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
@@ -18,12 +18,12 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/librat
 set(proved_headers ${headers})
 list(FILTER proved_headers INCLUDE REGEX "/(ball|proved|rigorous)/|/proved\\.hpp$")
 list(FILTER headers EXCLUDE REGEX "/(ball|proved|rigorous)/|/proved\\.hpp$")
-# Each header of a set compiles alone, which the target all_verify_interface_header_sets of the preset `lint` shows.
+# Each header of a set compiles alone, as checked by the target all_verify_interface_header_sets of the preset `lint`.
 target_sources(libration-headers INTERFACE
     FILE_SET headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${headers})
 target_link_libraries(libration-headers INTERFACE Boost::headers PkgConfig::mpfr PkgConfig::gmp)
 
-# quad is __float128 where GCC brings libquadmath (not on every processor); the header finds out by itself through
+# quad is __float128 if GCC provides libquadmath (not on every processor); the header detects it by
 # __has_include(<quadmath.h>), so a user who compiles with clang gets the portable type and no library.
 include(CheckCXXSourceCompiles)
 block()
@@ -39,7 +39,7 @@ endif()
 
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/libration/*.cpp)
 set(proved_sources ${library_sources})
-# The facts known of problems and their solutions need FLINT behind a header that does not.
+# The known facts about problems and their solutions need FLINT behind a header that does not.
 set(proved_folders "/(ball|proved|rigorous)/|/problem/(known|solution)/")
 list(FILTER proved_sources INCLUDE REGEX "${proved_folders}")
 list(FILTER library_sources EXCLUDE REGEX "${proved_folders}")
@@ -61,10 +61,10 @@ configure_file(cmake/catalogue.cpp.in ${PROJECT_BINARY_DIR}/generated/catalogue.
 
 add_library(libration STATIC ${library_sources} ${PROJECT_BINARY_DIR}/generated/catalogue.cpp)
 add_library(libration::libration ALIAS libration)
-# The templates that it compiles once (scalar/compiled.hpp) are declared to its users.
+# The templates that it compiles once (scalar/compiled.hpp) are declared extern to its users.
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
-# Both static libraries are also the inside of a shared one (c_interface.cmake): hidden names keep calls as direct as
-# they are in a program.
+# Both static libraries are also linked into a shared one (c_interface.cmake): hidden symbols keep calls as direct as in
+# a program.
 set_target_properties(libration PROPERTIES
     UNITY_BUILD_BATCH_SIZE 9
     POSITION_INDEPENDENT_CODE ON
@@ -73,11 +73,11 @@ target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/
 target_link_libraries(libration
     PUBLIC libration-headers
     PRIVATE $<LINK_ONLY:PkgConfig::hwy> $<BUILD_INTERFACE:libration-warnings>)
-# A new kind of node, function or operation does not compile until each switch names it.
+# A new kind of node, function or operation causes a compile error until each switch handles it.
 set(switches_name_all $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wswitch-enum>)
 target_compile_options(libration PRIVATE ${switches_name_all})
 
-# The sources that use Highway, which compiles them once for each set of vector instructions, by themselves.
+# The sources that use Highway, which compiles them once per set of vector instructions, separately.
 add_library(libration-vectors OBJECT ${vector_sources})
 set_target_properties(libration-vectors PROPERTIES
     POSITION_INDEPENDENT_CODE ON
@@ -86,14 +86,14 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/libration/ode/lane_vectors
     COMPILE_OPTIONS -ffp-contract=off)
 target_include_directories(libration-vectors PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(libration-vectors PRIVATE cxx_std_20)
-# Vectors whose length only the processor knows would need other loops; what has them has NEON as well.
+# Vectors of a length known only at run time would need other loops; processors with them also have NEON.
 target_compile_definitions(libration-vectors PRIVATE
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 target_link_libraries(libration-vectors PRIVATE PkgConfig::hwy libration-warnings)
 target_compile_options(libration-vectors PRIVATE ${switches_name_all})
 target_sources(libration PRIVATE $<TARGET_OBJECTS:libration-vectors>)
 
-# Proved arithmetic is a target of its own, there where FLINT is: a program that stops at mpfr needs no FLINT.
+# Proved arithmetic is a separate target, if FLINT is available: a program that uses only mpfr does not need FLINT.
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_package(FLINT 2.9 QUIET)
 if(FLINT_FOUND)
@@ -123,14 +123,14 @@ configure_package_config_file(cmake/libration-config.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/libration-config-version.cmake
     COMPATIBILITY SameMinorVersion)
 
-# Component "headers": what a C++ project needs. Component "command": the program and its figure scripts.
+# Component "headers": for C++ projects. Component "command": the program and its figure scripts.
 install(TARGETS libration-headers libration
     EXPORT libration-targets
     ARCHIVE COMPONENT headers
     FILE_SET headers COMPONENT headers)
 install(EXPORT libration-targets NAMESPACE libration:: DESTINATION ${package_dir} COMPONENT headers)
 if(TARGET libration-proved)
-    # In a file of its own, which is read only where FLINT is found.
+    # In a separate file, which is included only if FLINT is found.
     install(TARGETS libration-proved
         EXPORT libration-proved-targets
         ARCHIVE COMPONENT headers

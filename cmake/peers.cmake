@@ -1,5 +1,5 @@
-# Programs around other people's libraries that libration may not be linked with (GSL is under the GPL): each is a
-# process of its own, which a study starts. Where the library is missing, the study says so.
+# Programs around third-party libraries that may not be linked into libration (GSL is under the GPL): each is a separate
+# process started by a study. If the library is missing, the study reports it.
 
 pkg_check_modules(gsl QUIET IMPORTED_TARGET gsl)
 if(gsl_FOUND)

@@ -1,5 +1,6 @@
-# The compiled half of the Python package, on the C interface: pyproject.toml and python/ have the rest. A wheel is the
-# component `python`, with the shared library beside the module, and the component `command` in its folder `program`.
+# The compiled part of the Python package, based on the C interface; the rest is in pyproject.toml and python/. A wheel
+# consists of the component `python`, with the shared library next to the module, and the component `command` in its
+# directory `program`.
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 set(PYBIND11_FINDPYTHON OFF)
@@ -15,7 +16,7 @@ target_link_libraries(libration-python PRIVATE libration-c libration-warnings)
 
 add_custom_target(libration-wheel DEPENDS libration-python libration-command)
 install(TARGETS libration-python LIBRARY DESTINATION . COMPONENT python EXCLUDE_FROM_ALL)
-# By the name that the module asks for: a wheel holds no links.
+# Under the name that the module loads: a wheel cannot contain links.
 install(FILES $<TARGET_FILE:libration-c>
     DESTINATION .
     RENAME $<TARGET_SONAME_FILE_NAME:libration-c>

@@ -1,4 +1,4 @@
-# The tests: one Catch2 program over all *_test.cpp, and tests of the house that need a compiler or an installed tree.
+# The tests: one Catch2 program for all *_test.cpp, and tests that need a compiler or an installed tree.
 
 find_package(Catch2 REQUIRED)
 include(Catch)
@@ -17,10 +17,10 @@ if(NOT TARGET libration::ball)
     message(FATAL_ERROR "the tests need FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
 endif()
 target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2WithMain libration-warnings)
-# The C interface, as a program of its own would link it.
+# The C interface, linked as by a separate program.
 target_link_libraries(libration-tests PRIVATE libration-c)
 target_compile_definitions(libration-tests PRIVATE LIBRATION_SYMBOLS="${c_symbols}")
-# What asks it while memory fails, by an allocation of its own.
+# Calls it while memory allocation fails, by replacing the allocator.
 if(NOT LIBRATION_SANITIZE)
     add_executable(libration-failing-memory ${PROJECT_SOURCE_DIR}/tests/c/failing_memory.cpp)
     set_target_properties(libration-failing-memory PROPERTIES UNITY_BUILD OFF)
@@ -29,11 +29,11 @@ if(NOT LIBRATION_SANITIZE)
         LIBRATION_FAILING_MEMORY="$<TARGET_FILE:libration-failing-memory>")
     add_dependencies(libration-tests libration-failing-memory)
 endif()
-# MPFI, under Boost's intervals: a type that the library does not know.
+# MPFI, under Boost's intervals: a type for which the library has no special support.
 target_link_libraries(libration-tests PRIVATE mpfi)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
-# Half of the time of -O2; the command, which many of the tests start, is compiled as it is installed. Catch's macros
-# without a handler for each assertion, whose exceptions then end the test case: a quarter of the text.
+# Half of the compile time of -O2; the command, which many of the tests start, is compiled as it is installed. Catch's
+# macros without a handler per assertion, so that exceptions end the test case: a quarter of the code size.
 target_compile_options(libration-tests PRIVATE $<$<CONFIG:Release>:-Og>)
 target_compile_definitions(libration-tests PRIVATE
     CATCH_CONFIG_FAST_COMPILE
@@ -43,13 +43,13 @@ if(LIBRATION_BUILD_COMMAND)
     target_link_libraries(libration-tests PRIVATE libration-studies libration-claims libration-sweep)
     target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
     add_dependencies(libration-tests libration-command)
-    # The tables for C++ are compiled as their users do.
+    # The tables for C++ are compiled as by their users.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/table_test.cpp PROPERTIES
         COMPILE_DEFINITIONS LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
-# Random statements against independent truth: some here, and many in tests/long.sh.
+# Random statements compared with independent true values: some here, and many in tests/long.sh.
 find_package(fmt REQUIRED)
 file(GLOB_RECURSE attack_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/attack/*.cpp)
 add_executable(libration-attack ${attack_sources} ${PROJECT_SOURCE_DIR}/src/table/elliptic_values.cpp)
@@ -62,9 +62,9 @@ if(LIBRATION_BUILD_COMMAND)
     set_tests_properties(attack PROPERTIES TIMEOUT 600)
 endif()
 
-# The installed tree: it is complete, find_package(libration) works on it, and so does the first program of docs/cpp.md.
+# The installed tree: complete, usable by find_package(libration), and sufficient for the first program of docs/cpp.md.
 set(installed ${PROJECT_BINARY_DIR}/installed)
-list(JOIN sanitizer_options " " consumer_flags) # what links our archives has the sanitizers too
+list(JOIN sanitizer_options " " consumer_flags) # linking our archives requires the sanitizers too
 set(consumer ${CMAKE_COMMAND}
     -D FLAGS=${consumer_flags}
     -D PREFIX=${installed}
@@ -100,7 +100,7 @@ add_test(NAME equations_example
         -D BUILD=${PROJECT_BINARY_DIR}/equations
         -D README=${PROJECT_SOURCE_DIR}/docs/equations.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
-# The examples for C and Fortran, compiled with what is installed alone.
+# The examples for C and Fortran, compiled with the installed files alone.
 add_test(NAME c_examples
     COMMAND ${CMAKE_COMMAND}
         -D PREFIX=${installed}
@@ -116,8 +116,8 @@ set_tests_properties(consumer consumer_of_balls cpp_example equations_example PR
 add_test(NAME versions
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)
 
-# The documents are free of the expressions in tests/words/banned.txt. When the messages, the comments or the studies have been
-# rewritten, their directories are added here.
+# The documents do not contain the expressions in tests/words/banned.txt. When the messages, the comments or the studies
+# have been rewritten, their directories are added here.
 set(worded
     README.md
     docs
@@ -136,7 +136,7 @@ if(words_python)
     set_tests_properties(words PROPERTIES TIMEOUT 20)
 endif()
 
-# The readers of our tables in docs/ whose tools Debian has.
+# The readers of tables in docs/ whose tools are in Debian.
 if(LIBRATION_BUILD_COMMAND)
     add_test(NAME completion COMMAND ${PROJECT_SOURCE_DIR}/tests/completion/check $<TARGET_FILE:libration-command>)
     add_test(NAME python_reader

@@ -1,6 +1,6 @@
 # Writes OUTPUT (version.hpp) for the sources in SOURCE_DIR. Run in every build; see command.cmake.
 
-# The commit tells which program made a result. So only what the program is made of makes it dirty: neither a
+# The commit identifies the program that produced a result. So only the sources of the program make it dirty: neither a
 # regenerated results/ nor an edited README does.
 set(program_sources include src studies cmake CMakeLists.txt CMakePresets.json)
 
@@ -13,7 +13,7 @@ if(GIT)
         COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --show-toplevel
         OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     file(REAL_PATH "${SOURCE_DIR}" source_dir)
-    # An unpacked archive inside somebody else's repository is not at that repository's commit.
+    # An archive unpacked inside another repository is not at that repository's commit.
     if(top STREQUAL source_dir)
         execute_process(
             COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --quiet --verify --short=10 HEAD
@@ -29,7 +29,7 @@ if(GIT)
             set(COMMIT ${head})
             if(changes)
                 string(APPEND COMMIT -dirty)
-                # What is not committed has no name but its content.
+                # Uncommitted changes are identified by a hash of their content.
                 execute_process(
                     COMMAND ${GIT} -C ${SOURCE_DIR} diff HEAD -- ${program_sources}
                     OUTPUT_VARIABLE difference ERROR_QUIET)
@@ -44,7 +44,7 @@ if(GIT)
     endif()
 endif()
 
-# `git archive` writes its commit and the day of that into archive.txt, which is what an unpacked archive knows.
+# `git archive` writes the commit and its date into archive.txt, the only source for an unpacked archive.
 if(COMMIT STREQUAL unknown)
     file(READ ${CMAKE_CURRENT_LIST_DIR}/archive.txt archived)
     if(archived MATCHES "^([0-9a-f]+) ([0-9]+)-")
@@ -53,5 +53,5 @@ if(COMMIT STREQUAL unknown)
     endif()
 endif()
 
-# configure_file leaves a file alone whose content would stay the same.
+# configure_file does not touch a file whose content would not change.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.hpp.in ${OUTPUT} @ONLY)

@@ -1,6 +1,6 @@
 # cmake -D LIBRATION= -D EXAMPLES= -D HELP2MAN= -D OUTPUT= -P write_manual.cmake
-# Writes the manual pages into the emptied folder OUTPUT: what LIBRATION says with --help, and the lines of the file
-# EXAMPLES that begin with ./run NAME.
+# Writes the manual pages into the emptied directory OUTPUT, from the output of LIBRATION --help and the lines of the
+# file EXAMPLES that begin with ./run NAME.
 
 file(REMOVE_RECURSE ${OUTPUT})
 file(MAKE_DIRECTORY ${OUTPUT})
@@ -12,7 +12,7 @@ function(ask variable)
     set(${variable} "${said}" PARENT_SCOPE)
 endfunction()
 
-# A page of the sections [examples], ... in the file `added` and of the program's help.
+# A page from the sections [examples], ... in the file `added` and the program's help.
 function(write page description help)
     execute_process(
         COMMAND ${HELP2MAN} --no-info --section=1 "--name=${description}" "--help-option=${help}"
@@ -59,7 +59,7 @@ foreach(line IN LISTS commands)
 endforeach()
 
 string(REGEX REPLACE ",\n$" "\n" pages "${pages}")
-file(WRITE ${added} "[exit status]\n0: done; 1: it failed, or what was to be checked does not hold; 2: bad input or wrong usage.\n
+file(WRITE ${added} "[exit status]\n0: success; 1: failure, or a check did not pass; 2: invalid input or wrong usage.\n
 [see also]\n${pages}")
-write(libration "exact motions of the pendulum, and any differential equations, in proved digits" --help)
+write(libration "motions of the pendulum and solutions of differential equations with proved digits" --help)
 file(REMOVE ${added})

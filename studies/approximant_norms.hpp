@@ -1,5 +1,5 @@
-// How large the errors of a series, of its Pade approximants and of the asymptotic approximant are, up to where the
-// solution is its far behaviour.
+// The errors of a series, of its Pade approximants and of the asymptotic approximant, up to where the solution agrees
+// with its asymptotic behaviour.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using series::power_series;
 
 inline constexpr int points = 401;
 
-/// A norm on [0, end] of one way to go on from a series.
+/// A norm on [0, end] of one approximation computed from a series.
 struct norm_row {
     std::string problem, unknown;
     int order;
@@ -30,7 +30,7 @@ struct norm_row {
     std::optional<mpfr> predicted;
 };
 
-// A problem with its truth at the points and its series, in the precision of the scope.
+// A problem with reference values of its solution at the points and its series, in the precision of the scope.
 struct solved_problem {
     far_behaviour far;
     std::vector<mpfr> times, truth;
@@ -72,7 +72,7 @@ inline norm_at<mpfr> norm_of(const solved_problem& of, const function_of_time& m
     return largest;
 }
 
-// The series whose radius decides: that of the bracket in t, or of the polynomial in 1 - e^(-rate t).
+// The series whose radius is decisive: the bracket in t, or the polynomial in 1 - e^(-rate t).
 inline std::optional<power_series<mpfr>> deciding_series(const solved_problem& of) {
     switch (of.far.form) {
         case far_form::power: return bracket_of_power(of.f, of.far.line, mpfr(-1));
@@ -86,8 +86,8 @@ inline std::optional<power_series<mpfr>> deciding_series(const solved_problem& o
     }
 }
 
-// The radius of convergence from the slope of log |a_n| between the largest coefficients of the middle and of
-// the last third, a phase of complex singularities aside: some per cent off, nothing is known of the singularities
+// The radius of convergence from the slope of log |a_n| between the largest coefficients of the middle and of the last
+// third, ignoring a phase of complex singularities: correct to some per cent; the singularities are assumed unknown
 // here.
 inline mpfr radius_of(const power_series<mpfr>& a, int count) {
     const auto log_of = [&](int n) { return a[n] == 0 ? mpfr(-1'000'000) : mpfr(log(mpfr(abs(a[n])))); };
@@ -104,7 +104,7 @@ inline mpfr radius_of(const power_series<mpfr>& a, int count) {
     return exp(mpfr((log_of(lower) - log_of(upper)) / std::max(upper - lower, 1)));
 }
 
-// The solution at a time between two of its points, on the line between their logarithms.
+// The distance of the solution from its asymptotic behaviour at a time between two points, linear in its logarithm.
 inline mpfr distance_from_far_at(const solved_problem& of, const mpfr& t) {
     for (std::size_t i = 1; i < of.times.size(); ++i) {
         if (of.times[i] >= t) {
@@ -118,7 +118,7 @@ inline mpfr distance_from_far_at(const solved_problem& of, const mpfr& t) {
     return 0;
 }
 
-// Of each order; empty where the form says nothing.
+// The predicted norm as a function of the order; empty if the form gives no prediction.
 inline std::function<std::optional<mpfr>(int)> prediction(const solved_problem& of) {
     if (of.far.form == far_form::branch) {
         return [](int order) { return std::optional(mpfr(exp(mpfr(log(mpfr(order)) * -8 / 5)))); };
@@ -129,7 +129,7 @@ inline std::function<std::optional<mpfr>(int)> prediction(const solved_problem& 
     }
     int count = decides->order();
     while (of.far.form != far_form::power && count > 0 && abs((*decides)[count]) < pow(mpfr(10), -20)) {
-        --count;  // below is the rounding of the start
+        --count;  // coefficients below this are dominated by rounding errors of the initial value
     }
     const mpfr radius = radius_of(*decides, count);
     if (of.far.form == far_form::power) {
@@ -138,7 +138,7 @@ inline std::function<std::optional<mpfr>(int)> prediction(const solved_problem& 
     return [radius](int order) { return std::optional(mpfr(pow(radius, -order))); };
 }
 
-// [N - m, m] with the largest m <= N/2 for which there is one: gaps of the series leave some out.
+// [N - m, m] with the largest m <= N/2 for which it exists: gaps of the series exclude some.
 inline std::optional<pade_approximant<mpfr>> largest_pade(const power_series<mpfr>& f) {
     for (int m = f.order() / 2; m >= 0; --m) {
         if (auto found = pade(f, f.order() - m, m)) {
@@ -171,10 +171,10 @@ inline std::vector<norm_row> norms_of(const solved_problem& of, const std::vecto
     return rows;
 }
 
-/// Significant digits of norms, and of what stands beside them.
+/// Significant digits of norms and of the quantities in the same rows.
 inline constexpr long norm_digits = 12;
 
-/// The columns of norms between those that say of what they are.
+/// The columns of norms, without those that identify the problem and unknown.
 inline const column_list<norm_row>& columns_of_norms() {
     using row = norm_row;
     static const column_list<row> all{

@@ -1,4 +1,4 @@
-// Do asymptotic approximants converge, and what do the systems lose from which they are computed?
+// Do asymptotic approximants converge, and how many digits are lost in the systems from which they are computed?
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -33,7 +33,7 @@ const column_list<norm_row>& columns() {
     return all;
 }
 
-// What double loses in the published form of the exponential approximants.
+// The digits that double loses in the published form of the exponential approximants.
 struct loss_row {
     std::string problem;
     int terms;
@@ -63,7 +63,7 @@ const column_list<loss_row>& loss_columns() {
     return all;
 }
 
-// A printed number and ours.
+// A printed number and the computed one.
 struct verdict_row {
     published_number number;
     mpfr ours;
@@ -115,7 +115,7 @@ ode::equation_system system_of(const std::string& problem, const std::vector<std
     return system;
 }
 
-// The sum of exponentials in double beside the same polynomial exactly, both of f or of limit/f.
+// The sum of exponentials in double compared with the same polynomial exactly, both of f or of limit/f.
 loss_row loss_of(const solved_problem& of, int order) {
     power_series<mpfr> g = of.f.truncated(order);
     mpfr limit = of.far.line[0];
@@ -202,7 +202,7 @@ study_plan plan(const study_request& request) {
     }
     std::vector<int> orders = request.orders();
     if (orders.front() < 1) {
-        throw input_error("--orders", "0", "is no order of an approximant", "write orders from 1 on");
+        throw input_error("--orders", "0", "is not an order of an approximant", "write orders from 1 on");
     }
     const auto all_digits = request.digits();
     const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(all_digits.begin(), all_digits.end())};
@@ -223,7 +223,7 @@ const problem& problems_of_study() {
         "problems with a known far behaviour",
         {{.name = "problem",
           .option = "--problems",
-          .help = "problems of the catalogue whose far behaviour is known: LIST",
+          .help = "problems of the catalogue with a known asymptotic behaviour: LIST",
           .unit = "",
           .form = axis_form::words,
           .remedy = "write names such as blasius,sir",
@@ -235,8 +235,9 @@ const problem& problems_of_study() {
                       for (const std::string& name : known) {
                           names += (names.empty() ? "" : ", ") + name;
                       }
-                      throw error(error_kind::argument, "list", "",
-                                  "has '" + each.text + "', whose far behaviour is not known: it is of " + names);
+                      throw error(
+                          error_kind::argument, "list", "",
+                          "has '" + each.text + "', whose asymptotic behaviour is not known: choose among " + names);
                   }
               },
           .coordinate = "problem",
@@ -259,7 +260,7 @@ const column_list<norm_row>& columns() {
     return all;
 }
 
-// A number that belongs to the far behaviour.
+// A number of the asymptotic behaviour.
 struct value_row {
     std::string quantity;
     mpfr value;
@@ -286,7 +287,7 @@ ode::equation_system changed_system(const swept_problem& of, const cell_inputs& 
     return system;
 }
 
-// Falkner and Skan's first guess of the wall shear belongs to one b: from there in steps, each the guess of the next.
+// The first guess of the wall shear of Falkner and Skan is for one b only: continue from there in steps of b.
 ode::equation_system with_near_guess(const swept_problem& of, ode::equation_system system) {
     constexpr int steps_a_unit = 16;
     constexpr long rough = 8;
@@ -333,14 +334,14 @@ void require_far_behaviour(const swept_problem& of) {
         for (const std::string& each : known) {
             names += (names.empty() ? "" : ", ") + each;
         }
-        throw input_error("--problem", of.said, "has no known far behaviour", "choose one of " + names);
+        throw input_error("--problem", of.said, "has no known asymptotic behaviour", "choose one of " + names);
     }
 }
 
 study_plan plan(const study_request& request) {
     require_far_behaviour(*request.equation);
     const auto sweep = equation_sweep_of(request);
-    const auto orders = orders_from(request, 1, "is no order of an approximant");
+    const auto orders = orders_from(request, 1, "is not an order of an approximant");
     const auto all_digits = request.digits();
     const long digits = *std::ranges::max_element(all_digits);
     const scalar_spec scalar{scalar_kind::arbitrary, digits};
@@ -389,7 +390,7 @@ const study& approximants() {
         .parameters = {{"--problems", "blasius,falkner_skan,flierl_petviashvili,rayleigh,sakiadis,seir,sir,sir_japan",
                         "problems of the catalogue"},
                        {"--orders", "4:60:15,80:200:7", "N, last power of the series"},
-                       {"--digits", "24", "digits of the solution; of a list the largest"}},
+                       {"--digits", "24", "digits of the solution; the largest of a list"}},
         .quick = {{"--problems", "rayleigh,sir", ""}, {"--orders", "4,10,20", ""}, {"--digits", "12", ""}},
         .seconds = 16,
         .excluded = {},
@@ -403,7 +404,7 @@ const study& approximants() {
                        "approximants and of the series. A free start, as the wall shear of Falkner and Skan, is the "
                        "one that meets the condition at infinity: the second table has it.",
             .parameters = {{"--orders", "4:60:15", "N, last power of the series"},
-                           {"--digits", "20", "digits of the solution; of a list the largest"}},
+                           {"--digits", "20", "digits of the solution; the largest of a list"}},
             .example = {"falkner_skan", {"b=0,1/2,1"}},
             .quick = {{"--orders", "4,10"}, {"--digits", "10"}},
             .seconds = 10}};

@@ -1,11 +1,12 @@
-# approximants: error of asymptotic approximants against the order, one panel a problem; last the digits that the
+# approximants: error of asymptotic approximants against the order, one panel per problem; last the digits that the
 # Vandermonde system loses. Columns: problem,order,method,norm,time_of_maximum,log10_norm,rigour,predicted,
 # log10_predicted,unknown; of _digits: problem,terms,log10_condition,log10_amplitudes,log10_vandermonde,log10_decay,
 # lost_digits.
 #
-# approximants of any equation with a known far behaviour: left the error over the order, a curve for each combination
-# of the parameters; right the least error of all orders over the parameter with the most values, a curve for each
-# method. Columns: <axes>,order,method,norm,time_of_maximum,log10_norm,rigour,predicted,log10_predicted,unknown.
+# approximants of any equation with a known asymptotic behaviour: left the error against the order, one curve per
+# combination of the parameters; right the least error of all orders against the parameter with the most values, one
+# curve per method. Columns:
+# <axes>,order,method,norm,time_of_maximum,log10_norm,rigour,predicted,log10_predicted,unknown.
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 

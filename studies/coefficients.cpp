@@ -1,4 +1,4 @@
-// How do the coefficients of the series of any equation fall, and is that the radius that the tests see?
+// How fast do the coefficients of the series of an equation decrease, and do they agree with the radius from the tests?
 #include <algorithm>
 #include <optional>
 
@@ -63,7 +63,7 @@ std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, con
     return rows;
 }
 
-// Both tables of one combination.
+// Both tables for one combination of the parameters.
 std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
                              const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + guard_of_lists);
@@ -108,8 +108,8 @@ const study& coefficients() {
             "distance beat, and follow the line where there is one.",
         .plan = plan,
         .any_equation = equation_form{
-            .parameters = {{"--orders", "200", "N, last powers of the lists judged; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged, and their digits"}},
+            .parameters = {{"--orders", "200", "N, last powers of the lists under test; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test, and their digits"}},
             .example = {"painleve_1", {}},
             .quick = {{"--orders", "30"}},
             .seconds = 1}};

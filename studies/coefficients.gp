@@ -1,6 +1,6 @@
-# coefficients of any equation: their size over n, a panel for each unknown, a colour for each combination of the
-# parameters; lines are what radius and exponent of the radius tests make of it.
-# Columns: <axes>,n,coefficient,log10_abs,log10_fitted,power,unknown; in _radius the answers of the tests.
+# coefficients of any equation: their size against n, one panel per unknown, one colour per combination of the
+# parameters; the lines follow from the radius and exponent of the radius tests.
+# Columns: <axes>,n,coefficient,log10_abs,log10_fitted,power,unknown; in _radius the results of the tests.
 load scripts.'/shared/panels.gp'
 
 k = place(main, 'n') - 1

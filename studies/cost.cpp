@@ -1,4 +1,4 @@
-// What do the coefficients of the series and of its resummation cost, by each way to them? [paper sec:A1, sec:series]
+// What do the coefficients of the series and of its resummation cost, by each method? [paper sec:A1, sec:series]
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -72,7 +72,7 @@ const std::string& meaning_of_routes() {
     return text;
 }
 
-// What every route starts from: the top with its symmetry, R, T*, and for the resummation a_n T*^n and both ends.
+// The input of every route: the top with its symmetry, R, T*, and for the resummation a_n T*^n and both ends.
 template <class T>
 struct given {
     taylor_start<T> top;
@@ -125,7 +125,7 @@ power_series<T> by(route which, const given<T>& from, int order) {
     }
 }
 
-// Why a route does not exist here.
+// The reason why a route does not exist here.
 std::optional<std::string> refusal(route which, const given<mpfr>& from) {
     try {
         by(which, from, 2);
@@ -135,7 +135,7 @@ std::optional<std::string> refusal(route which, const given<mpfr>& from) {
     return std::nullopt;
 }
 
-// The coefficients of (1-x)^2 h plus the two at the end: the polynomial that alpha and beta make at once.
+// The coefficients of (1-x)^2 h plus the two at the end: the polynomial that alpha and beta give directly.
 power_series<mpfr> as_polynomial(const power_series<mpfr>& inner, const std::vector<mpfr>& endpoint) {
     auto result = power_series<mpfr>::zero(inner.order() + 2);
     for (int n = 0; n <= inner.order(); ++n) {
@@ -149,7 +149,7 @@ power_series<mpfr> as_polynomial(const power_series<mpfr>& inner, const std::vec
     return result;
 }
 
-// What the routes should find; computed in the precision in force, before that of the routes is set.
+// The expected results of the routes; computed in the precision in force, before that of the routes is set.
 struct expected_results {
     power_series<mpfr> coefficients;
     power_series<mpfr> inner;
@@ -178,7 +178,7 @@ cell difference_cell(const named_route& r, const power_series<T>& found, const p
     return largest == 0 ? number_cell("-inf") : decimal_cell(mpfr(log10(mpfr(largest / scale))), 4);
 }
 
-// The median time of `runs` runs, each of as many repetitions as make it longer than the clock's step.
+// The median time of `runs` runs, each of enough repetitions to take longer than the clock's resolution.
 template <class T>
 double seconds_of(route which, const given<T>& from, int order) {
     using clock = std::chrono::steady_clock;
@@ -200,7 +200,7 @@ cell ratio_cell(const Number& value, const Number& unit) {
     return decimal_cell(mpfr(mpfr(value) / mpfr(unit)), 4);
 }
 
-// What a route counts and how exact it is; the reason where it does not exist.
+// The operation counts and the accuracy of a route; the reason if it does not exist.
 struct count_row {
     const sweep_energy& at;
     int order;
@@ -285,7 +285,7 @@ std::vector<table> tables_at(const sweep_energy& at, int order, const scalar_spe
     std::vector<count_row> counts;
     std::vector<time_row> times;
     with_scalar(scalar, guard_digits, [&]<class T>() {
-        energies<T>(motion::of_energy(at.value));  // refuses what T cannot hold
+        energies<T>(motion::of_energy(at.value));  // throws for what T cannot represent
         const given<T> own = in<T>(exact);
         const auto operations = [&](route which) { return count_operations([&] { by(which, tally, order); }); };
         const long direct_products = operations(route::direct).multiplications;
@@ -305,7 +305,7 @@ std::vector<table> tables_at(const sweep_energy& at, int order, const scalar_spe
     return {make_table(columns(), counts), make_table(time_columns(), times)};
 }
 
-// One step after the other, whatever the number of jobs: times taken side by side would measure the company.
+// One step after the other, whatever the number of jobs: concurrent runs would disturb the timings.
 study_plan plan(const study_request& request) {
     const auto sweep = sweep_of(request);
     const auto orders = request.orders();

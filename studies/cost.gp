@@ -2,7 +2,7 @@
 # Columns: route,order,energy,multiplications,nonzero_multiplications,divisions,additions,by_integers,ratio,
 # log10_difference,expected_growth,note. cost_time: route,order,energy,seconds,ratio.
 #
-# Of any equation: multiplications and seconds over the order, of the first combination of the parameters.
+# For any equation: multiplications and seconds against the order, for the first combination of the parameters.
 # Columns: <axes>,order,route,multiplications,nonzero_multiplications,...; in _time order,route,scalar,seconds,...
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
@@ -51,13 +51,13 @@ load scripts.'/style.gp'
 file = data.'/cost.csv'
 timed = data.'/cost_time.csv'
 routes = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | awk '!seen[$0]++'", file))
-# The energy with the most routes, and the first of those.
+# The energy with the most routes, the first if there are several.
 energy = ask(sprintf("awk -F, 'NR > 1 && $4 != \"\" { if (!($3 in n)) e[++k] = $3; ++n[$3] } END { b = e[1]; for (i = 2; i <= k; ++i) if (n[e[i]] > n[b]) b = e[i]; print b }' '%s'", file))
 first = real(ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | head -n 1", file)))
 last = real(ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -n | tail -n 1", file)))
 present = ask(sprintf("awk -F, '$3 == \"%s\" && $4 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
 orders = ask(sprintf("tail -n +2 '%s' | cut -d, -f2 | sort -nu", file))
-# At most eight numbers at the axis.
+# At most eight numbers on the axis.
 at_axis = ''
 stride = (words(orders) + 7) / 8
 do for [i=1:words(orders):stride] { at_axis = at_axis.(i > 1 ? ', ' : '').word(orders, i) }
@@ -66,7 +66,7 @@ right = last > 1 ? last * 1.3 : 2
 of(r, y) = (strcol(1) eq r && strcol(3) eq energy) ? y : NaN
 positive(y) = y > 0 ? y : NaN
 with_products = ask(sprintf("awk -F, '$3 == \"%s\" && $4 > 0 { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
-# Products of each route in units of N^2.
+# Number of products of each route in units of N^2.
 constant(r) = r eq 'direct' ? 1 : r eq 'direct_parity' ? 0.5 : r eq 'arcsine' ? 1.5 : r eq 'arcsine_parity' ? 0.375 : r eq 'convolution' ? 0.5 : (r eq 'speed' || r eq 'symmetric_squares') ? 0.1875 : NaN
 hue(r) = r[1:6] eq 'direct' ? shade[4] : r[1:7] eq 'arcsine' ? shade[2] : r eq 'speed' ? shade[3] : r eq 'symmetric_squares' ? shade[5] : r eq 'convolution' ? shade[1] : shade[6]
 dash(r) = (strstrt(r, 'parity') || r eq 'running_sums') ? 2 : 1
@@ -105,7 +105,7 @@ do for [kind in terminals] {
     unset output
 }
 
-# Do the routes agree?
+# Differences between the routes.
 eval restart
 unstable = ask(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
 do for [kind in terminals] {

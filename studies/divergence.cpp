@@ -1,4 +1,4 @@
-// What becomes of the series about the bottom of the trajectory over one period? [paper fig:series]
+// How does the series about the bottom of the trajectory behave over one period? [paper fig:series]
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -91,7 +91,7 @@ std::vector<table> tables_at(const sweep_energy& at, const std::vector<int>& ord
     for (const int order : orders) {
         for (std::size_t i = 0; i < times.size(); ++i) {
             const mpfr theta = bottom.partial_sum(order, times[i]);
-            // At the bottom itself the sum is exact, and so is its error.
+            // At the bottom itself the sum is exact, and its error 0.
             const mpfr error = instants[i].is_zero() ? mpfr(0) : mpfr(abs(theta - truth[i]));
             sums.push_back({at, digits, order, times[i], bottom.period(), theta, truth[i], error});
         }
@@ -254,7 +254,7 @@ const study& divergence() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "10,100,1000", "N, last power of the series"},
                        {"--times", "0:T:401", "dimensionless times since the bottom"},
-                       {"--digits", "40", "digits of every number; of a list the largest"}},
+                       {"--digits", "40", "digits of every number; the largest of a list"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10,40", ""}, {"--times", "0:T:9", ""}},
         .seconds = 2.5,
         .excluded = no_answer_at_limits("the series is the constant 0", "the period is infinite"),
@@ -269,7 +269,7 @@ const study& divergence() {
                 "at a complex time.",
             .parameters = {{"--times", "", "times at which the sums are taken"},
                            {"--orders", "5,10,20,40,80", "N, last power of the series"},
-                           {"--digits", "20", "digits of every number; of a list the largest"}},
+                           {"--digits", "20", "digits of every number; the largest of a list"}},
             .example = {"blasius", {}},
             .example_words = {{"--times", "0:6:61"}},
             .quick = {{"--times", "0:5:6"}, {"--orders", "5,20"}},

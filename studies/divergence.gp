@@ -1,9 +1,9 @@
-# divergence: partial sums about the bottom against the exact angle (above) and their error (below), one column an
+# divergence: partial sums about the bottom against the exact angle (above) and their error (below), one column per
 # energy. Columns: energy,order,time,periods,theta,theta_exact,error,log10_error,log10_abs_theta,gap;
-# of _radius: energy,tstar,radius,period,radius_over_tstar,gap. Angles beyond 1e300 are kept away by their log10.
+# of _radius: energy,tstar,radius,period,radius_over_tstar,gap. Angles beyond 1e300 are excluded by their log10.
 #
-# Of any equation: the solution and its partial sums over time, a panel for each unknown, of the first
-# combination of the parameters; dotted lines at the radius of convergence on either side of the start.
+# For any equation: the solution and its partial sums against time, one panel per unknown, for the first combination of
+# the parameters; dotted lines at the radius of convergence on either side of the initial point.
 # Columns: <axes>,order,time,value,solution,error,log10_error,log10_abs_value,unknown; in _radius reach, radius, ...
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
@@ -61,7 +61,7 @@ columns = smaller(words(energies), 3)
 known(e, c) = number(first_of(of_radius, c, sprintf('$1 == "%s"', e)))
 rows_of(e) = count_of(main, sprintf('$1 == "%s" && $2 == %s', e, word(orders, 1)))
 
-# Energies are compared as they are written: 2 - 1e-20 is not 2.
+# Energies are compared as text: 2 - 1e-20 differs from 2.
 of(e, i) = e.','.word(orders, i)
 tame = '($9 == "-inf" || $9 + 0 < 2 ? $5 : $5 ~ /^-/ ? "-100" : "100")'
 dash(i) = n <= 6 ? i + 1 : 1

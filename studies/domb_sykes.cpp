@@ -1,4 +1,4 @@
-// Do the ratios of successive coefficients run straight to the radius of convergence? [paper sec:conclusions]
+// Do the ratios of successive coefficients lie on a straight line to the radius of convergence? [paper sec:conclusions]
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -24,7 +24,7 @@ namespace {
 constexpr long guard_digits = 15;
 constexpr int least_order = 4;
 
-// One list of coefficients, a_n R^n with what is 0 up to rounding set to 0.
+// One list of coefficients, a_n R^n with values that are 0 up to rounding set to 0.
 struct plotted {
     const sweep_energy& at;
     const exact& point;
@@ -46,7 +46,7 @@ plotted plotted_list(const sweep_energy& at, const exact& point, int order) {
     return {at, point, std::move(m), radius, std::move(list), pattern};
 }
 
-// The powers p that divide the stride of the list: 1, and 2 and 4 where symmetry leaves them.
+// The powers p that divide the stride of the list: 1, and 2 and 4 if symmetry permits them.
 std::vector<int> powers_of(const plotted& p) {
     std::vector<int> powers;
     for (int power = 1; power <= p.pattern.stride; power *= 2) {
@@ -125,7 +125,7 @@ std::vector<ratio_row> ratio_rows(const plot& drawn, long digits) {
     return all;
 }
 
-// The ratios of the second half of n by size; nothing where one of them is not defined.
+// The ratios of the second half of n by size; empty if one of them is undefined.
 std::vector<mpfr> late_ratios(const plot& drawn) {
     const int last = drawn.series.last();
     std::vector<mpfr> late;
@@ -141,7 +141,7 @@ std::vector<mpfr> late_ratios(const plot& drawn) {
     return late;
 }
 
-// What the plot of one list comes to.
+// Summary of the plot of one list.
 struct list_row {
     const sweep_energy& at;
     const exact& point;
@@ -194,7 +194,7 @@ list_row row_of(const plot& drawn, long digits) {
             p.pattern.text()};
 }
 
-// The tables of one list: its ratios, what they come to, and what the tests answer.
+// The tables of one list: its ratios, their summary, and the results of the tests.
 std::vector<table> plots_at(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
                             const scalar_spec& scalar) {
     table answers = answers_about(at, point, orders, scalar, [](const std::string&) { return true; });
@@ -251,7 +251,7 @@ const column_list<ratio_row>& columns() {
     return all;
 }
 
-// The ratios of one list in the power that its pattern leaves.
+// The ratios of one list in the power given by its pattern of zeros.
 std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, int root, long digits,
                                  const std::string& unknown) {
     const auto unit = convergence::unit_of(list);
@@ -328,8 +328,8 @@ const study& domb_sykes() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
                        {"--orders", "20,40,60,80,120,160,200",
-                        "N, last powers of the lists judged; the largest is drawn"},
-                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                        "N, last powers of the lists under test; the largest is drawn"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no ratios", "T* is infinite"),
@@ -340,8 +340,9 @@ const study& domb_sykes() {
                 "singularity makes a straight line whose intercept is its place to that power, and whose slope its "
                 "exponent; the grey lines are plus and minus the verdict of all tests. A pair of singularities "
                 "scatters the ratios for ever. The second table holds what each test answers.",
-            .parameters = {{"--orders", "20,50,100,200", "N, last powers of the lists judged; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .parameters = {{"--orders", "20,50,100,200",
+                            "N, last powers of the lists under test; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},
             .quick = {{"--orders", "20"}},
             .seconds = 1}};

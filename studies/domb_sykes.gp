@@ -1,12 +1,13 @@
-# domb_sykes: the plots in t and in the power of t that symmetry leaves, and what radius tests make of the same lists.
+# domb_sykes: the plots in t and in the power of t that symmetry leaves, and the results of radius tests for the same
+# lists.
 # Columns: energy,point,power,n,inverse_n,ratio,scaled_ratio,log10_scaled_ratio,line,gap. domb_sykes_lists:
 # energy,point,power,first,ratios,undefined,zero,least,largest,limit,radius,pattern. domb_sykes_intercepts:
 # energy,point,order,method,radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,
 # note.
 #
-# Of any equation: ratios of the coefficients over 1/n, a panel for each unknown, a colour for each
-# combination of the parameters; lines at plus and minus R^-p of the verdict of the longest list.
-# Columns: <axes>,power,n,inverse_n,ratio,log10_abs_ratio,unknown; in _intercepts the answers of the tests.
+# For any equation: ratios of the coefficients against 1/n, one panel per unknown, one colour per combination of the
+# parameters; lines at plus and minus R^-p of the verdict of the longest list.
+# Columns: <axes>,power,n,inverse_n,ratio,log10_abs_ratio,unknown; in _intercepts the results of the tests.
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
@@ -66,15 +67,15 @@ energy(j) = word(energies, j)
 named(j) = energy_name(energy(j), cell_at(file, 10, '1', energy(j), '1'))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
 down = smaller(words(points), 6)
-edge = 2.85               # ratios beyond it are drawn there
+edge = 2.85               # ratios beyond it are drawn at it
 widest = ask(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -n | tail -n 1", file)) >= 12 ? 0.21 : 0.55
 plot_of(e, p, k) = e.','.p.','.sprintf('%d', k)
-# The power that symmetry leaves at (e, p), and where theory has its intercept in t^power.
+# The power that symmetry leaves at (e, p), and the theoretical intercept in t^power.
 power(e, p) = or_0(cell_at(lists, 3, '1 2', e.','.p, '1'))
 limit(e, p, k) = or_0(cell_at(lists, 10, '1 2 3', plot_of(e, p, k), '1'))
 not_defined(e, p, k) = or_0(cell_at(lists, 6, '1 2 3', plot_of(e, p, k), '1'))
-# "1/n,ratio" of a plot, clipped to the edge. Of more than 60 ratios every second pair: they are close together at
-# 1/n = 0.
+# "1/n,ratio" of a plot, clipped to the edge. Of more than 60 ratios every second pair: they are close together near 1/n
+# = 0.
 thinned = '($4 <= 60 || int($4 / 4) * 2 == int($4 / 2))'
 clipped = sprintf('($8 !~ /inf/ && $8 + 0 > %g ? ($7 ~ /^-/ ? -%g : %g) : $7 + 0)', log10(edge), edge, edge)
 ratios(e, p, k) = parts_at(file, '$5', clipped, '1 2 3', plot_of(e, p, k), '$7 != "" && '.thinned)
@@ -133,7 +134,7 @@ do for [kind in terminals] {
     unset output
 }
 
-# What the tests make of the same lists: a row for each point, a column for each method.
+# The results of the tests for the same lists: one row per point, one column per method.
 eval restart
 answers = data.'/domb_sykes_intercepts.csv'
 present = ask(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))

@@ -24,7 +24,7 @@ namespace {
 
 constexpr long guard_digits = 15;
 
-// The bounds hold from the first omitted power 4, and from N = 1, on.
+// The bounds hold if the first omitted power is at least 4, and from N = 1.
 std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, arc_method method, int order) {
     if (method == arc_method::series) {
         return bounds.first_omitted(order) >= 4 ? std::optional(bounds.series_norm(order)) : std::nullopt;
@@ -32,13 +32,13 @@ std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, arc_method method, 
     return order >= 1 ? std::optional(bounds.resummation_norm(order)) : std::nullopt;
 }
 
-// Whether the second route finds the same norm to the digits printed.
+// Whether the second route gives the same norm to the printed digits.
 bool confirmed(const arc_errors& errors, arc_method method, int order, const norm_at<mpfr>& found, long digits) {
     const mpfr other = errors.second_opinion(method, order, found.place);
     return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
 }
 
-// One norm that is asked for.
+// One requested norm.
 struct asked_norm {
     const sweep_energy& at;
     int order;
@@ -215,7 +215,7 @@ struct march {
     scalar_spec scalar;
 };
 
-// The march of the paper, and those of 10 and 100 times its step, to t = 10.
+// The paper's Runge-Kutta integration, and those with 10 and 100 times its step, to t = 10.
 std::vector<march> marches_of(const rational& step) {
     const rational end = 10;
     std::vector<march> marches;
@@ -231,7 +231,7 @@ std::vector<march> marches_of(const rational& step) {
     return marches;
 }
 
-// A march against the closed solution.
+// A Runge-Kutta solution compared with the closed-form solution.
 struct march_row {
     march of;
     march_error found;
@@ -273,13 +273,13 @@ march_row row_of(const march& m) {
     return m.scalar.kind == scalar_kind::binary64 ? row_in<double>(m) : row_in<long double>(m);
 }
 
-// The march is of the paper's whole figure: a run in one scalar is one table.
+// The integration belongs to the paper's whole figure: a run in one scalar is one table.
 std::vector<march> marches_for(const study_request& request) {
     const bool asked = !request.scalar && request.step().coefficient > 0;
     return asked ? marches_of(request.step().coefficient) : std::vector<march>();
 }
 
-// The energies first, each with its orders as cells, and then the marches.
+// The energies first, each with its orders as cells, and then the integrations.
 cell_group group_of_march(const march& m, std::size_t table_of_marches) {
     return {{{{"step", decimal_of(m.step, 50)}, {"scalar", m.scalar.name()}}},
             [m, table_of_marches](const std::vector<std::size_t>& /*the only one*/) {
@@ -307,7 +307,7 @@ study_plan plan(const study_request& request) {
     plan.group = [of_energies = plan.group, energies = plan.groups, marches, place = scalars.size()](std::size_t i) {
         return i < energies ? of_energies(i) : group_of_march(marches[i - energies], place);
     };
-    // Seconds, roughly: the march of a million steps is the longest of all.
+    // Approximate seconds: the integration with a million steps takes longest.
     plan.cost = [energies = plan.groups, orders = request.orders().size(), marches](std::size_t i) {
         return i < energies ? 0.01 * static_cast<double>(orders)
                             : 2e-7 * static_cast<double>(marches[i - energies].steps);
@@ -323,7 +323,7 @@ namespace of_equation {
 
 namespace {
 
-// A norm as it is printed; empty where there is no such approximant.
+// A norm as it is printed; empty if there is no such approximant.
 struct norm_row {
     int order;
     approximation method;
@@ -464,7 +464,7 @@ const study& error_norm() {
         .parameters = {{"--energies", "1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26", "energies E, in m g l"},
                        {"--gaps", "1e-2:1e-10:17log,-1e-2:-1e-10:17log", "energies as 2 - E"},
                        {"--orders", "5,10,20,40,80", "N, last power of the series; last index of the resummed series"},
-                       {"--step", "1e-5", "dt of the Runge-Kutta march at E = 2, dimensionless time"},
+                       {"--step", "1e-5", "dt of the Runge-Kutta integration at E = 2, dimensionless time"},
                        {"--scalar", "ball:50, and double, long-double, quad for their floors", "arithmetic"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6", ""}, {"--step", "1e-3", ""}},
         .seconds = 9,

@@ -1,11 +1,11 @@
-# error_norm: with one energy, or few and many orders, how the norm falls with the order: THE convergence study, with
-# the rate, the bounds and the floors of the arithmetics. Otherwise the norm over the energy and towards the separatrix
-# on either side. And the floors of the scalars over the energy.
+# error_norm: for one energy, or few and many orders, the norm against the order: the main convergence study, with the
+# rate, the bounds and the floors of the arithmetics. Otherwise the norm against the energy and towards the separatrix
+# on either side. And the floors of the scalars against the energy.
 # Columns: energy,order,method,norm,time_of_maximum,scalar,rigour,gap,bound,log10_norm,log10_bound,log10_gap.
-# Lines are drawn from the log10 columns and the gap column: neither 1e-400 nor 2 - 1e-22 passes through a double.
+# Lines are drawn from the log10 columns and the gap column: neither 1e-400 nor 2 - 1e-22 is representable in double.
 #
-# Of any equation: the norms over the order, a panel for each unknown, a colour for each combination of the
-# parameters, marks for the methods; thin the rate reach/R of the radius that the coefficients show.
+# For any equation: the norms against the order, one panel per unknown, one colour per combination of the parameters,
+# marks for the methods; thin the rate reach/R of the radius estimated from the coefficients.
 # Columns: <axes>,order,method,norm,time_of_maximum,scalar,rigour,log10_norm,unknown; in _radius reach, rate, ...
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
@@ -83,7 +83,7 @@ rate_of(e, g) = number(ask("awk '".awk_v."function agm(a, b, c) { while (a - b >
 panel_h = 540
 if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
     series_colour = shade[5]; resummed_colour = shade[4]
-    rounded = '' # suffixes of their tables; the main table is read for none, as gnuplot runs a loop over nothing once
+    rounded = '' # suffixes of their tables; the main table if there are none, as gnuplot runs an empty loop once
     do for [s in arithmetics] { rounded = rounded.' _'.s }
     tone(m) = m eq 'series' ? series_colour : resummed_colour
     eval grid(words(energies), 2)
@@ -140,7 +140,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
         eval restart
     }
 } else {
-    # The Runge-Kutta march in double with the smallest step, where the table is there: "step log10_norm".
+    # The Runge-Kutta solution in double with the smallest step, if that table exists: "step log10_norm".
     march = file('_baseline')
     baseline = exists_file(march) ? ask(sprintf("grep ',double,' '%s' | tail -n 1 | cut -d, -f2,9 --output-delimiter=' '", march)) : ''
     near(side) = sprintf('$8 %s /^-/ && $12 < -0.9', side)
@@ -204,7 +204,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
         eval restart
     }
 
-    # The floors, where there are tables of the fixed scalars.
+    # The floors, if there are tables of the fixed scalars.
     if (words(arithmetics) > 0 && over_energy) {
         across = words(arithmetics); down = 1
         panel_w = 400; panel_h = 440

@@ -1,4 +1,4 @@
-// About which point of the way from the top to the bottom should the series be expanded? [paper sec:sing]
+// About which point between the top and the bottom should the series be expanded? [paper sec:sing]
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -85,7 +85,7 @@ std::optional<mpfr> measured_rate(const std::vector<int>& orders, const std::vec
     return mpfr(pow(mpfr(norms.back() / norms.front()), mpfr(1) / apart));
 }
 
-// Digits that the smallest norm of one energy lies below theta.
+// Digits by which the smallest norm of one energy is below theta.
 long digits_below(const motion& m, const std::vector<exact>& points, int order) {
     long below = 0;
     for (const exact& point : points) {
@@ -209,7 +209,7 @@ study_plan plan(const study_request& request) {
         {head_of(*sweep, "", scalar, columns())}, sweep->axes({"time"}), sweep->size() * points,
         [sweep, times, points](std::size_t i) {
             cell_inputs inputs = with_input(sweep->inputs(i / points), "time", times[i % points].text);
-            // The reach of a point follows from the ends.
+            // The reach of a point follows from the end points of the interval.
             inputs = with_input(std::move(inputs), "first", times.front().text);
             return with_input(std::move(inputs), "last", times.back().text);
         },
@@ -264,8 +264,8 @@ const study& expansion_point() {
                        "interval. Below 1, the line, a single series covers it; the best point is where the factor is "
                        "least.",
             .parameters = {{"--times", "", "expansion points; the first and the last are the ends of the interval"},
-                           {"--orders", "80", "N, last powers of the lists judged"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                           {"--orders", "80", "N, last powers of the lists under test"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},
             .example_words = {{"--times", "0:6:25"}},
             .quick = {{"--times", "0:2:3"}, {"--orders", "20"}},

@@ -1,9 +1,9 @@
-# expansion_point: radius of convergence and rate over the energy, and the rate over the expansion point.
+# expansion_point: radius of convergence and rate against the energy, and the rate against the expansion point.
 # Columns: energy,point,radius,tstar,covers,rate,measured_rate,height,scalar,gap.
 #
-# Of any equation: the radius about each time, how far from real times the nearest singularity is, and
-# the rate on the whole interval, a row of three panels for each unknown, a curve for each combination of the parameters
-# (of the largest order).
+# For any equation: the radius about each time, the distance of the nearest singularity from the real axis, and the rate
+# on the whole interval, one row of three panels per unknown, one curve per combination of the parameters (of the
+# largest order).
 # Columns: <axes>,time,order,radius,uncertainty,position_re,position_im,reach,rate,note,unknown.
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
@@ -64,7 +64,8 @@ n = words(points)
 of(p) = sprintf('$2 == "%s"', p)
 name(p) = p eq '0' ? '0 (top)' : p eq '1' ? '1 (bottom)' : p
 measured = count_of(file, '$7 != ""')
-# Over the distance from E = 2 where all energies are near it, else over the energy; a lone energy over the point.
+# Against the distance from E = 2 if all energies are near it, else against the energy; a single energy against the
+# point.
 near = greatest(file, '10', '1', 1) < 0.2 && least(file, '10', '1', 1) > 0
 x_of = near ? 'log(v($10)) / log(10)' : 'v($1)'
 curve(p, y) = parts_at(file, x_of, y, '2', p, '('.y.') != ""')
@@ -111,7 +112,7 @@ if (words(energies) > 1) {
     }
 }
 
-# Over the expansion point, for at most six of the energies.
+# Against the expansion point, for at most six of the energies.
 shown = smaller(words(energies), 6)
 energy(j) = pick(energies, shown, j)
 named(j) = energy_name(energy(j), first_of(file, 10, sprintf('$1 == "%s"', energy(j))))
@@ -119,7 +120,7 @@ aspect(e) = number(ask("awk -F, '$1 == \"".e."\" { printf \"%.9g\", $8 / $4; exi
 rate(x, k) = (x > 0.5 ? x : 1 - x) / sqrt((1 - x)**2 + k**2)
 array k[6]
 do for [j=1:shown] { k[j] = aspect(energy(j)) }
-own = words(energies) > 1 ? '_rate' : ''        # a lone energy has this figure alone
+own = words(energies) > 1 ? '_rate' : ''        # a single energy has this figure alone
 across = 1
 panel_w = 900
 foot = foot_for(shown + 2, 16)

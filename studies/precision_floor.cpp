@@ -1,4 +1,4 @@
-// What can each arithmetic reach before its rounding is larger than the error of the series? [paper fig:error]
+// What accuracy does each arithmetic reach before its rounding exceeds the error of the series? [paper fig:error]
 #include <algorithm>
 #include <utility>
 
@@ -22,8 +22,8 @@ struct floor_row {
     std::string method;
     const scalar_spec& scalar;
     mpfr norm, exact_norm, epsilon;
-    const sweep_energy* at;    // of the pendulum
-    std::string unknown = {};  // of another equation
+    const sweep_energy* at;    // for the pendulum
+    std::string unknown = {};  // for another equation
 };
 
 const column_list<floor_row>& columns() {
@@ -106,8 +106,8 @@ table rows_at(const sweep_energy& at, const std::vector<int>& orders, const std:
         digits = std::max(digits, scalar.digits);
     }
     const int highest = orders.empty() ? 0 : *std::max_element(orders.begin(), orders.end());
-    // Floors and exact norms are to have their printed digits, and the place of a norm, where theta is flat to the
-    // digits below it, all of the scalar's.
+    // Floors and exact norms have their printed digits correct, and the location of a norm, where theta is flat to the
+    // digits below it, all digits of the scalar.
     const precision_scope scope(digits + digits_below(m, highest) + guard_digits);
     arc_errors errors(m);
     std::vector<floor_row> rows;
@@ -153,7 +153,7 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
         return {read_scalar("double"), read_scalar("long-double"), read_scalar("quad")};
     }
     if (request.scalar->kind == scalar_kind::arbitrary) {
-        throw input_error("--scalar", request.scalar->name(), "rounds as its digits are chosen: there is no floor",
+        throw input_error("--scalar", request.scalar->name(), "has adjustable precision, so there is no floor",
                           "use double, long-double or quad");
     }
     return {*request.scalar};

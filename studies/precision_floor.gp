@@ -1,9 +1,9 @@
-# precision_floor: norm against the order for each arithmetic, one panel an energy.
+# precision_floor: norm against the order for each arithmetic, one panel per energy.
 # Columns: energy,order,method,scalar,norm,exact_norm,norm_in_epsilon,epsilon,floor,log10_norm,log10_exact_norm,
 # log10_epsilon,gap.
 #
-# Of any equation: the norms over the order in each arithmetic, a panel for each unknown, of the first
-# combination of the parameters; thin without rounding, short lines at the epsilon of each arithmetic.
+# For any equation: the norms against the order in each arithmetic, one panel per unknown, for the first combination of
+# the parameters; thin without rounding, short lines at the epsilon of each arithmetic.
 # Columns: <axes>,order,method,scalar,norm,exact_norm,epsilon,norm_in_epsilon,floor,log10_norm,log10_exact_norm,
 # log10_epsilon,unknown.
 if (equation ne '') {

@@ -1,4 +1,4 @@
-// What do the solutions of the catalogue look like, how fast do their series converge, and what is in their way?
+// What do the solutions of the catalogue look like, how fast do their series converge, and what limits them?
 #include <algorithm>
 #include <optional>
 
@@ -96,7 +96,7 @@ std::vector<nearest_row> nearest_in(const std::string& name, const problem_lists
     return rows;
 }
 
-// Five times the least radius; 10 where there is none.
+// Five times the least radius; 10 if there is none.
 rational length_for(const std::vector<nearest_row>& nearest) {
     constexpr int times = 5;
     std::optional<mpfr> least;
@@ -112,7 +112,7 @@ rational length_for(const std::vector<nearest_row>& nearest) {
     return rational(std::max(integer(1), nearest_integer(thousandths))) / 1000;
 }
 
-// Instants on [start, start + length] and the states there; shorter where the steps end before.
+// Times on [start, start + length] and the states there; shorter if the integration ends before.
 solution_on_interval march_over(const ode::explicit_system& system, rational length) {
     constexpr int attempts = 8;
     for (int attempt = 1;; ++attempt, length = length * 2 / 3) {
@@ -196,7 +196,7 @@ const study& problems() {
             "tests, whose uncertainty stands in the third table.",
         .of = &catalogue_as_problem(),
         .parameters = {{"--problems", "all", "names of the catalogue"},
-                       {"--orders", "80", "N, last power of the lists; the largest is taken"}},
+                       {"--orders", "80", "N, last power of the lists; the largest is used"}},
         .quick = {{"--problems", "blasius,riccati,thomas_fermi", ""}, {"--orders", "20", ""}},
         .seconds = 30,
         .excluded = {},

@@ -1,5 +1,5 @@
-# problems: small panels, one for each problem of the catalogue: its solution, the size of its coefficients, and its
-# nearest singularities around the start.
+# problems: small panels, one per problem of the catalogue: its solution, the size of its coefficients, and its nearest
+# singularities around the initial point.
 # Columns: problem,time,value,unknown; in _coefficients problem,n,log10_abs,unknown; in _singularities problem,radius,
 # uncertainty,log10_relative_uncertainty,position_re,position_im,kind,exponent,count,note,unknown.
 load scripts.'/style.gp'
@@ -18,7 +18,7 @@ panel_w = across < 3 ? 420 : 250
 panel_h = across < 3 ? 300 : 190
 foot = 26
 small = "set lmargin 6; set rmargin 1.5; set tmargin 1.8; set bmargin 2; unset key; set xtics font ',9'; set ytics font ',9'; set grid ytics"
-# At most six curves a panel.
+# At most six curves per panel.
 shown(list) = smaller(words(list), 6)
 
 do for [kind in terminals] {

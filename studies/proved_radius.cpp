@@ -1,4 +1,4 @@
-// How does the proved radius of convergence of any equation depend on its parameters, and what does a digit cost?
+// How does the proved radius of convergence of an equation depend on its parameters, and what does a digit cost?
 #include <algorithm>
 #include <chrono>
 
@@ -87,7 +87,7 @@ std::vector<int> digits_from(const study_request& request) {
     std::ranges::sort(digits);
     if (digits.front() < 1 || digits.back() > most_digits) {
         throw input_error("--digits", std::to_string(digits.front() < 1 ? digits.front() : digits.back()),
-                          "is no number of digits from 1 to 200", "write numbers such as 10,20,30");
+                          "is not a number of digits from 1 to 200", "write numbers such as 10,20,30");
     }
     return digits;
 }
@@ -121,7 +121,7 @@ const study& proved_radius() {
             "so that the time grows like a small power of D.",
         .plan = plan,
         .alone = true,
-        .any_equation = equation_form{.parameters = {{"--digits", "10", "D, to which the bounds agree"}},
+        .any_equation = equation_form{.parameters = {{"--digits", "10", "D, digits to which the bounds agree"}},
                                       .example = {"van_der_pol", {"m=1:4:4"}},
                                       .example_words = {{"--digits", "5,10,20"}},
                                       .quick = {{"--digits", "3"}},

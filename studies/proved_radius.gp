@@ -1,5 +1,5 @@
-# proved_radius of any equation: the radius over the parameter with the most values, a curve for each combination of the
-# others, and what a proof costs against its digits.
+# proved_radius of any equation: the radius against the parameter with the most values, one curve per combination of the
+# others, and the cost of a proof against its digits.
 # Columns: <axes>,digits,lower,upper,position_re,position_im,kind,unknown; in _cost <axes>,digits,discs,seconds,unknown.
 load scripts.'/shared/panels.gp'
 

@@ -1,4 +1,4 @@
-// Numbers that the literature prints about problems with asymptotic approximants, as they stand there.
+// Numbers that the literature prints about problems with asymptotic approximants, exactly as printed.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace libration::studies {
 
-/// A printed number: of which problem, with which changes of its text, under which name far_behaviour knows it.
+/// A printed number: its problem, the changes of the problem's text, and the name of the quantity in far_behaviour.
 struct published_number {
     std::string problem;
     std::vector<std::string> changes;
-    std::string free;  ///< the parameter that is sought, where it is not the start
+    std::string free;  ///< the unknown parameter, if it is not the initial value
     std::string quantity;
-    int known = 0;  ///< coefficients that the approximant uses to predict it; 0: it belongs to the solution
+    int known = 0;  ///< coefficients that the approximant uses to predict it; 0: of the solution itself
     std::string printed;
     std::string source;
 };

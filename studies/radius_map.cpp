@@ -21,14 +21,14 @@ namespace {
 
 constexpr int least_order = 4;
 
-// The verdict on one list against what is exact, all in a precision that holds more digits than the verdict.
+// The verdict on one list compared with the exact radius, in a precision with more digits than the verdict.
 struct judged_point {
     const exact& point;
     expansion_coverage<mpfr> cover;
     radius_estimate<mpfr> found;
 };
 
-// The verdicts about one point from each order.
+// The verdicts about one point for each order.
 std::vector<judged_point> judged_about(const motion& m, const exact& point, const std::vector<int>& orders,
                                        const scalar_spec& scalar) {
     std::vector<judged_point> all;
@@ -44,7 +44,7 @@ std::vector<judged_point> judged_about(const motion& m, const exact& point, cons
     return all;
 }
 
-// A verdict with its place against the truth.
+// A verdict with its position compared with the exact one.
 struct map_row {
     const sweep_energy& at;
     const exact& point;
@@ -100,8 +100,7 @@ const column_list<map_row>& columns() {
     return all;
 }
 
-// A row of the first table as the second one needs it: the numbers as they are printed, which are all the digits that
-// the verdicts have.
+// A row of the first table as needed for the second: the printed numbers, which are all the digits of the verdicts.
 struct seen_point {
     const table_row_cells* cells;
     mpfr exact_radius, exact_rate;
@@ -126,7 +125,7 @@ seen_point seen_in(const table_row_cells& cells) {
     return {&cells, radius, mpfr(reach / radius), number_in(cells, "radius"), number_in(cells, "rate")};
 }
 
-// The best points by the estimates, where there are any, and by the exact radii.
+// The best points by the estimates, if there are any, and by the exact radii.
 struct optimum_row {
     const table_row_cells* any;
     std::size_t seen;
@@ -136,7 +135,7 @@ struct optimum_row {
     const table_row_cells* exactly_fastest;
 };
 
-// The cell of a column of the first table, in one of the rows that an optimum names.
+// The cell of a column of the first table, in one of the rows referenced by an optimum.
 column_of<optimum_row> taken(std::string name, std::string meaning, const table_row_cells* optimum_row::*from,
                              const std::string& column) {
     return {std::move(name), std::move(meaning), [from, place = place_of(column)](const optimum_row& r) {
@@ -189,7 +188,7 @@ optimum_row optimum_of(const std::vector<seen_point>& points) {
             best(any, [](const auto& a, const auto& b) { return a.exact_rate < b.exact_rate; })};
 }
 
-// The second table from the first.
+// Computes the second table from the first.
 void derive_optimum(std::vector<study_table>& tables) {
     const precision_scope scope(tables[0].scalar.digits + digits_for_judging);
     const auto& rows = tables[0].data.rows();
@@ -230,7 +229,7 @@ study_plan plan(const study_request& request) {
     const std::vector<int> orders = orders_from(request, least_order, "is too short a list for a radius test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
     const std::size_t points = sweep->points.size();
-    // A cell for each order, those about one point from one list.
+    // A cell per order; those about one point share one list.
     study_plan plan = plan_of_values(
         {head_of("", scalar, columns()), head_of("optimum", scalar, optimum_columns())},
         {"energy", "gap", "point", "order"}, sweep->energies.size() * points,
@@ -307,8 +306,8 @@ const study& radius_map() {
         .parameters = {{"--energies", "0.5,1,1.71,1.9998,2.02,3", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0:1:21", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
-                       {"--orders", "20,60", "N, last powers of the lists judged"},
-                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                       {"--orders", "20,60", "N, last powers of the lists under test"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
         .seconds = 4,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
@@ -319,8 +318,8 @@ const study& radius_map() {
             .reading = "The radius that radius tests read from N coefficients about the start, and how certain they "
                        "are of it, over one parameter, or over the plane of two. Where the nearest singularities "
                        "change places the radius has a corner, and near it the tests are least certain.",
-            .parameters = {{"--orders", "100", "N, last powers of the lists judged"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .parameters = {{"--orders", "100", "N, last powers of the lists under test"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"sir", {"r=0.01:0.05:9"}},
             .quick = {{"--orders", "20,30"}},
             .seconds = 2}};

@@ -1,10 +1,10 @@
-# radius_map: estimated and exact radius over the expansion point, and the relative error of the verdicts.
+# radius_map: estimated and exact radius against the expansion point, and the relative error of the verdicts.
 # Columns: energy,point,order,radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,
 # position_re,position_im,position_error,log10_position_error,kind,count,rate,tstar,height,gap,log10_gap,note.
 #
-# Of any equation: over one parameter the radius and how certain it is, a row of panels for each unknown and
-# a curve for each order (and each combination of the other parameters); over two or more parameters the plane of the
-# first two of them, coloured by the radius of the largest order.
+# For any equation: against one parameter the radius and its relative uncertainty, one row of panels per unknown and one
+# curve per order (and combination of the other parameters); against two or more parameters the plane of the first two
+# of them, coloured by the radius of the largest order.
 # Columns: <axes>,order,radius,uncertainty,log10_relative_uncertainty,position_re,position_im,...,note,unknown.
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
@@ -14,11 +14,11 @@ if (equation ne '') {
     y = place(main, 'radius')
     e = place(main, 'log10_relative_uncertainty')
     values(i) = i <= k ? words(seen(main, i, '1')) : 1
-    # The axis with the most values lies along x; the others make curves.
+    # The axis with the most values is x; the others make curves.
     along = 1
     do for [i=2:k] { if (values(i) > values(along)) { along = i } }
     planar = k >= 2 && values(1) > 2 && values(2) > 2
-    # The combination of all axes but the one along x, and the order, as "a,-,c,N".
+    # The combination of all axes except that along x, and the order, as "a,-,c,N".
     others(j) = j == along ? '"-"' : sprintf('$%d', j)
     key_cells = ''
     do for [j=1:k] { key_cells = key_cells.(j > 1 ? ' "," ' : '').others(j) }
@@ -106,7 +106,7 @@ panels = smaller(words(orders), 3)
 energy(j) = word(energies, j)
 order(i) = pick(orders, 3, i)
 named(j) = energy_name(energy(j), first_of(file, 19, sprintf('$1 == "%s"', energy(j))))
-# "x,y" of an energy and an order where there is $k, y being an expression of awk.
+# "x,y" of an energy and an order if $k is not empty, where y is an expression of awk.
 at(e, n, k, y) = parts_at(file, 'v($2)', y, '1 3', e.','.n, sprintf('$%d != ""', k))
 height(e) = ask(sprintf("awk -F, '$1 == \"%s\" { printf \"%%.9g\", $18 / $17; exit }' '%s'", e, file)) + 0
 array k[shown]
@@ -121,7 +121,7 @@ do for [j=1:shown] { fastest = larger(fastest, larger(rate(0, k[j]), rate(1, k[j
 foot = 46
 head = 40
 
-# One row of panels for each order: radius, rate and error.
+# One row of panels per order: radius, rate and error.
 high = 350
 all = head + high * panels + foot + 0.0
 do for [kind in terminals] {

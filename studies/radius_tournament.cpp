@@ -1,4 +1,4 @@
-// Which radius test can be trusted, on series whose radius is known?
+// Which radius test is reliable, on series whose radius is known?
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -37,7 +37,7 @@ constexpr long digits_of_scores = digits_of_errors + guard_digits;
 // The problems in one precision.
 using problem_list = std::vector<known_series<mpfr>>;
 
-// A motion of the pendulum as a problem: named by its energy, or by its gap where that was typed.
+// A motion of the pendulum as a problem: named by its energy, or by its gap if that was given.
 std::string label_of(const sweep_energy& at, const exact& point) {
     const std::string energy = at.energy_typed.empty() ? "2-E=" + at.gap_typed : "E=" + at.energy_typed;
     return "pendulum " + energy + " x=" + point.text;
@@ -54,7 +54,7 @@ problem_list problems_of(const pendulum_sweep& sweep) {
     return all;
 }
 
-// One answer, judged.
+// One result and its error.
 struct judged_answer {
     std::string problem, half, method, scalar;
     int order;
@@ -126,7 +126,7 @@ const column_list<judged_answer>& columns() {
     return all;
 }
 
-// Digits of agreement, between 0 and the most that the scalar has.
+// Digits of agreement, between 0 and the maximum of the scalar.
 mpfr correct_digits(const mpfr& relative_error, long most) {
     const mpfr reached = relative_error == 0 ? mpfr(most) : mpfr(-log10(relative_error));
     return std::clamp(reached, mpfr(0), mpfr(most));
@@ -172,7 +172,7 @@ std::vector<judged_answer> answers_of(const known_series<mpfr>& problem, const s
     return answers;
 }
 
-// What an answer counts in the tables that follow from all answers.
+// The contribution of a result to the tables that are derived from all results.
 struct scored_answer {
     std::string half, scalar, method;
     int order;
@@ -181,7 +181,7 @@ struct scored_answer {
     std::optional<mpfr> ratio;
 };
 
-// The same as a row of its own table, with more digits than are printed.
+// The same as a row of a separate table, with more digits than are printed.
 const column_list<judged_answer>& score_columns() {
     using row = judged_answer;
     static const column_list<row> all{
@@ -210,7 +210,7 @@ scored_answer score_in(const table_row_cells& row) {
             row[8].is_empty() ? std::nullopt : std::optional(number(8))};
 }
 
-// What a group of answers comes to.
+// Statistics of a group of results.
 class score {
 public:
     void add(const scored_answer& answer) {
@@ -347,7 +347,7 @@ table coverage(const std::vector<scored_answer>& answers) {
     return make_table(coverage_columns(), all);
 }
 
-// The problems in the precision of each scalar, made once.
+// The problems in the precision of each scalar, computed once.
 std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, const pendulum_sweep& sweep) {
     std::vector<problem_list> all;
     for (const scalar_spec& scalar : scalars) {
@@ -369,7 +369,7 @@ void derive_rankings(std::vector<study_table>& tables) {
     tables[3].data = coverage(answers);
 }
 
-// What a plan's groups share.
+// The shared data of a plan's groups.
 struct tournament {
     std::vector<scalar_spec> scalars;
     std::vector<problem_list> problems;  // by scalar
@@ -418,7 +418,7 @@ study_plan plan(const study_request& request) {
     plan.axes = {"energy", "gap", "point", "order"};
     plan.groups = all->groups();
     plan.group = [all](std::size_t i) { return all->group(i); };
-    // A list costs like its arithmetic, some tens of times more where that has no registers for it.
+    // The cost of a list is that of its arithmetic, some tens of times more without hardware support.
     plan.cost = [all](std::size_t i) {
         const scalar_spec& scalar = all->scalars[i % all->scalars.size()];
         return scalar.kind == scalar_kind::arbitrary ? static_cast<double>(scalar.digits) : 1.0;
@@ -466,7 +466,7 @@ const column_list<judged_row>& columns() {
     return all;
 }
 
-// A list half as long again as the longest that is judged, with as many digits more.
+// A list half as long again as the longest one under test, with correspondingly more digits.
 struct reference_list {
     int order;
     scalar_spec scalar;
@@ -476,19 +476,19 @@ reference_list reference_for(const std::vector<int>& orders, const scalar_spec& 
     return {orders.back() * 3 / 2, {scalar_kind::arbitrary, scalar.digits + 20}};
 }
 
-// What the tests are measured by.
+// The reference radius of the tests.
 struct true_radius {
     std::optional<mpfr> radius;
     std::string by;
 };
 
-// A radius that a covering and a loop prove for one unknown, and from below for all.
+// A radius that a covering and a loop prove for one unknown, and a lower bound for all.
 struct proved_for_unknown {
     mpfr radius;
     std::string unknown;
 };
 
-// Nothing where there is no proof.
+// Returns std::nullopt if there is no proof.
 std::optional<proved_for_unknown> proved_radius_of(const ode::explicit_system& system, long digits) {
     if (digits == 0) {
         return std::nullopt;
@@ -502,12 +502,12 @@ std::optional<proved_for_unknown> proved_radius_of(const ode::explicit_system& s
         std::string name = ode::first_order_form(system).names[place];
         name.resize(name.find_last_not_of('\'') + 1);  // x' is singular where x is
         return proved_for_unknown{midpoint_of(proved.lower), name};
-    } catch (const error&) {  // no proof is undecided, a singular start refused
+    } catch (const error&) {  // a missing proof throws undecided, a singular initial point another error
         return std::nullopt;
     }
 }
 
-// The same singularity, as far as a verdict tells.
+// Whether the singularity is the same, to the accuracy of a verdict.
 bool agrees(const mpfr& verdict, const mpfr& proved) { return abs(mpfr(verdict / proved - 1)) * 1000 < 1; }
 
 true_radius truth_of(const std::string& unknown, const std::optional<mpfr>& verdict,
@@ -609,9 +609,9 @@ const study& radius_tournament() {
                 "covering of the disc and a loop round the nearest singularity prove. Where they do not (the column "
                 "truth says so) it is measured from the verdict on a list half as long again with more digits, and "
                 "shows which tests agree with what all of them say later.",
-            .parameters = {{"--orders", "10:100:10", "N, last powers of the lists judged"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"},
-                           {"--digits", "20", "D, to which the radius is proved; 0: it is not"}},
+            .parameters = {{"--orders", "10:100:10", "N, last powers of the lists under test"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"},
+                           {"--digits", "20", "D, digits to which the radius is proved; 0: no proof"}},
             .example = {"rayleigh", {}},
             .quick = {{"--orders", "12,20"}, {"--digits", "5"}},
             .seconds = 3}};

@@ -1,10 +1,11 @@
-# radius_tournament: correct digits by method, order and scalar, ranked; and how well the uncertainties cover the
-# errors. Columns: radius_tournament_ranking: order,scalar,rank,method,problems,answers,mean_digits,median_digits,
+# radius_tournament: correct digits by method, order and scalar, ranked; and the fraction of errors that are within the
+# uncertainties. Columns: radius_tournament_ranking:
+# order,scalar,rank,method,problems,answers,mean_digits,median_digits,
 # covered,median_uncertainty_over_error,false_answers; radius_tournament_coverage: half,scalar,method,answers,covered,
 # median_uncertainty_over_error.
 #
-# Of any equation: how far each test is from the proved radius, or from what all tests say of a longer
-# list, over the order; a panel for each unknown, of the first combination of the parameters.
+# For any equation: the distance of each test from the proved radius, or from the verdict for a longer list, against the
+# order; one panel per unknown, for the first combination of the parameters.
 # Columns: <axes>,order,method,radius,uncertainty,difference,log10_difference,note,truth,unknown.
 if (equation ne '') {
     load scripts.'/shared/panels.gp'

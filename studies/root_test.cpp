@@ -20,7 +20,7 @@ namespace {
 constexpr long guard_digits = 15;
 constexpr int least_order = 4;
 
-// The roots of one coefficient, in radii.
+// The roots of one coefficient, in units of the radius.
 struct root_row {
     const sweep_energy& at;
     const exact& point;
@@ -55,7 +55,7 @@ const column_list<root_row>& columns() {
     return all;
 }
 
-// Whether the table of estimates shows a test: those by size alone, and what is better.
+// Whether the table of estimates shows a test: those by size alone, and the verdict.
 bool by_size(const std::string& method) {
     const auto tests = all_radius_tests<double>();
     return method == "verdict" || std::any_of(tests.begin(), tests.end(), [&](const radius_test<double>& test) {
@@ -119,7 +119,7 @@ const column_list<root_row>& columns() {
     return all;
 }
 
-// Whether the table of estimates shows a test: those by size alone, and what is better.
+// Whether the table of estimates shows a test: those by size alone, and the verdict.
 bool by_size(const std::string& method) {
     const auto tests = convergence::all_radius_tests<double>();
     return is_verdict(method) || std::ranges::any_of(tests, [&](const convergence::radius_test<double>& test) {
@@ -188,8 +188,8 @@ const study& root_test() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--points", "0,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
                        {"--orders", "20,40,60,80,120,160,240,400",
-                        "N, last powers of the lists judged; roots are drawn up to the largest"},
-                       {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+                        "N, last powers of the lists under test; roots are drawn up to the largest"},
+                       {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no finite radius", "T* is infinite"),
@@ -199,8 +199,9 @@ const study& root_test() {
                 "Roots of the coefficients over 1/n: |a_n|^(-1/n), and |n a_n|^(-1/n), which knows how the "
                 "coefficients of a logarithm fall. Both creep towards the radius, the grey line of the verdict, like "
                 "ln n over n: more coefficients help less than a test that fits where they come from.",
-            .parameters = {{"--orders", "20,50,100,200", "N, last powers of the lists judged; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists that are judged"}},
+            .parameters = {{"--orders", "20,50,100,200",
+                            "N, last powers of the lists under test; the largest is drawn"},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},
             .quick = {{"--orders", "20"}},
             .seconds = 1}};

@@ -1,11 +1,11 @@
-# root_test: error of |a_n|^(-1/n) and of |n a_n|^(-1/n) over n, and what the tests by size answer.
+# root_test: error of |a_n|^(-1/n) and of |n a_n|^(-1/n) against n, and the results of the tests by size.
 # Columns: energy,point,n,root,corrected,exact,root_error,corrected_error,log10_root_error,log10_corrected_error,
 # amplitude,gap. root_test_estimates: energy,point,order,method,radius,uncertainty,exact,relative_error,
 # log10_relative_error,log10_relative_uncertainty,note.
 #
-# Of any equation: the roots of the coefficients over 1/n, a panel for each unknown, a colour for each
-# combination of the parameters; lines at the verdict of the longest list.
-# Columns: <axes>,n,inverse_n,root,corrected,unknown; in _estimates the answers of the tests.
+# For any equation: the roots of the coefficients against 1/n, one panel per unknown, one colour per combination of the
+# parameters; lines at the verdict of the longest list.
+# Columns: <axes>,n,inverse_n,root,corrected,unknown; in _estimates the results of the tests.
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
@@ -64,7 +64,7 @@ named(j) = energy_name(energy(j), cell_at(file, 12, '1', energy(j), '1'))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
 last = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", file)) + 0
 amplitude(p) = ask(sprintf("awk -F, '$2 == \"%s\" { print $11; exit }' '%s'", p, file)) + 0
-# "n,log10 error"; of n close together on the axis of log n the first is drawn.
+# "n,log10 error"; of several n that are close together on the axis of log n the first is drawn.
 sparse = '(b = int(60 * log($3))) != last[$1, $2] && ((last[$1, $2] = b) || 1)'
 errors(e, p, k) = parts_at(file, '$3', sprintf('$%d', k), '1 2', e.','.p, sprintf('$%d !~ /inf/ && ', k).sparse)
 log10_of(x) = x == 0 ? NaN : log10(abs(x))
@@ -106,15 +106,14 @@ do for [kind in terminals] {
     unset output
 }
 
-# What the tests by size answer: a row for each point, a column for each method; lines are errors, thin ones
-# uncertainties.
+# The results of the tests by size: one row per point, one column per method; lines are errors, thin ones uncertainties.
 eval restart
 answers = data.'/root_test_estimates.csv'
 methods = ''
 do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
 brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
 newest = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
-# Column k over the order, 0 drawn at the floor.
+# Column k against the order, 0 drawn at the floor.
 floor_of(which) = ask(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
 of_verdict = floor_of('$4 == "verdict"')
 of_sizes = floor_of('$4 != "verdict"')

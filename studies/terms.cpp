@@ -17,15 +17,15 @@ namespace {
 
 constexpr long printed_digits = 12;
 
-// The least order of one method for a number of digits; nothing where no order up to the highest does.
+// The least order of one method for a number of digits; std::nullopt if no order up to the highest suffices.
 struct terms_row {
     int digits;
     std::string method;
     std::optional<int> order;
     std::optional<mpfr> norm, before, predicted;
-    int terms, proved;  // of the pendulum, as `at`
+    int terms, proved;  // for the pendulum, as `at`
     const sweep_energy* at;
-    std::string unknown = {};  // of another equation
+    std::string unknown = {};  // for another equation
 };
 
 const column_list<terms_row>& columns() {
@@ -76,7 +76,7 @@ const column_list<terms_row>& own_columns() {
     return all;
 }
 
-// Coefficients that are not 0: every second one, and pi in rotation.
+// Nonzero coefficients: every second one, and pi in rotation.
 int terms_of(const top_bounds<mpfr>& bounds, arc_method method, int order) {
     const int of_series = bounds.parity == 0 ? order / 2 + 1 : (order + 1) / 2 + 1;
     return of_series + (method == arc_method::resummed ? 2 : 0);
@@ -104,7 +104,7 @@ std::vector<int> falling_digits(std::vector<int> digits) {
     std::sort(digits.begin(), digits.end(), std::greater<>());
     digits.erase(std::unique(digits.begin(), digits.end()), digits.end());
     if (!digits.empty() && digits.front() > arc_orders::most_digits) {
-        throw input_error("--digits", std::to_string(digits.front()), "is more than this search takes",
+        throw input_error("--digits", std::to_string(digits.front()), "is more than the search supports",
                           "write at most " + std::to_string(arc_orders::most_digits));
     }
     return digits;
@@ -133,7 +133,7 @@ const column_list<terms_row>& own_columns() {
     return all;
 }
 
-// The norms of all orders of one method, by growing ones, until a quarter of them is below the bound.
+// The norms of all orders of one method, in increasing order, until a quarter of them is below the bound.
 std::vector<mpfr> norms_until(const unknown_on_interval<mpfr>& of, approximation method, const mpfr& bound) {
     std::vector<mpfr> norms;
     int below = 0;
@@ -200,7 +200,7 @@ study_plan plan(const study_request& request) {
     const auto times = times_of(request, 2);
     const auto digits = request.digits();
     if (digits.back() > most_digits_searched) {
-        throw input_error("--digits", std::to_string(digits.back()), "is more than this search takes",
+        throw input_error("--digits", std::to_string(digits.back()), "is more than the search supports",
                           "write at most " + std::to_string(most_digits_searched));
     }
     const scalar_spec scalar{scalar_kind::arbitrary, digits.back()};
@@ -253,7 +253,7 @@ const study& terms() {
                 "the interval ends near the circle of convergence every digit costs many terms, and beyond it no "
                 "number is enough.",
             .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
-                           {"--digits", "5:50:10", "D, digits behind the point"}},
+                           {"--digits", "5:50:10", "D, digits after the decimal point"}},
             .example = {"blasius", {"k=0.1,0.332,1"}},
             .example_words = {{"--times", "0:3:31"}},
             .quick = {{"--times", "0:1:3"}, {"--digits", "5,10"}},

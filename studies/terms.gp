@@ -1,8 +1,8 @@
-# terms: the least order for D digits against the distance of E from 2, on either side; with one energy or two against
-# D. Columns: energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap.
+# terms: the least order for D digits against the distance of E from 2, on either side; for one energy or two against D.
+# Columns: energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap.
 #
-# Of any equation: the least order over the number of digits, a panel for each unknown, a colour for each
-# combination of the parameters; thin what the rate of the series predicts.
+# For any equation: the least order against the number of digits, one panel per unknown, one colour per combination of
+# the parameters; thin the prediction from the rate of the series.
 # Columns: <axes>,digits,method,order,predicted,norm,norm_before,log10_norm,unknown; in _radius reach, radius, rate, ...
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
@@ -69,7 +69,7 @@ do for [kind in terminals] {
     set logscale y
     low = least(file, '5', '$5 > 0', 3) / 1.6; high = greatest(file, '5 8', '1', 10) * 1.6
     set yrange [low:high]
-    if (high < 30 * low) { eval 'set ytics ('.one_two_five.')' } # where powers of ten would be one or two tics
+    if (high < 30 * low) { eval 'set ytics ('.one_two_five.')' } # if powers of ten would be one or two tics
     set format y '%g'
     do for [p=1:words(panels)] {
         eval panel(p)

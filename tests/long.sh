@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# tests/long.sh BUILD: what `./run test --long` runs after the tests. Every part runs, whatever the others found; the
-# exit code is 1 where one failed. BUILD is the folder of a release build with libration-attack in it.
+# tests/long.sh BUILD: the tests that `./run test --long` runs after the others. Every part runs, even if others fail;
+# the exit status is 1 if one failed. BUILD is the directory of a release build with libration-attack in it.
 set -uo pipefail
 
 tests=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 build=$1
 status=0
-# Debian's own interpreter first: the package python3-mpmath belongs to it.
+# Debian's interpreter first, because the package python3-mpmath belongs to it.
 python=python3
 [[ -x /usr/bin/python3 ]] && python=/usr/bin/python3
 

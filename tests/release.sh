@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/release.sh FOLDER: what `./run release` does. The tree is as it is committed, its version is one, and its archive
-# builds the Debian packages in the emptied FOLDER without git and without a network: lintian finds nothing in them, and
-# their program knows its commit and its digits. The archive and the packages stay in FOLDER.
+# tests/release.sh FOLDER: the checks of `./run release`. The tree is committed, its version is consistent, and its
+# archive builds the Debian packages in the emptied FOLDER without git and without a network: lintian finds no problem,
+# and their program prints its commit and correct digits. The archive and the packages stay in FOLDER.
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -13,8 +13,8 @@ fail() {
     exit 1
 }
 
-changes=$(git -C "$root" status --porcelain) || fail "$root is no clone of the repository: a release is made of a commit"
-[[ -z $changes ]] || fail $'these files are not as they are committed, commit or remove them:\n'"$changes"
+changes=$(git -C "$root" status --porcelain) || fail "$root is not a clone of the repository: a release needs a commit"
+[[ -z $changes ]] || fail $'these files differ from the commit, commit or remove them:\n'"$changes"
 version=$(cmake -D SOURCE="$root" -P "$root/cmake/check_versions.cmake") || exit 1
 commit=$(git -C "$root" rev-parse HEAD)
 say "version $version, commit ${commit:0:10}"
@@ -26,9 +26,9 @@ archive=libration-$version.tar.gz
 git -C "$root" archive --format=tar.gz --prefix="libration-$version/" -o "$folder/$archive" HEAD
 tar -xzf "$archive"
 
-# All programs of this machine but git.
+# All programs of this machine except git.
 mkdir programs
-for path in ${PATH//:/ }; do # the first of two of a name stays
+for path in ${PATH//:/ }; do # of two with the same name the first is kept
     find "$path/" -maxdepth 1 ! -type d ! -name 'git*' -exec ln -st programs {} + 2>/dev/null || true
 done
 alone=(env PATH="$folder/programs")
@@ -36,9 +36,9 @@ alone=(env PATH="$folder/programs")
 if unshare --map-root-user --net true 2>/dev/null; then
     alone=(unshare --map-root-user --net "${alone[@]}")
 else
-    say "this machine lets nobody take the network away: it stays"
+    say "the network cannot be disabled on this machine: it stays enabled"
 fi
-# debhelper gives a build a home of its own, which holds no cache.
+# debhelper sets HOME to a separate directory, which contains no cache.
 if command -v ccache >/dev/null; then
     alone=(env CCACHE_DIR="$(ccache --get-config cache_dir)" "${alone[@]}")
 fi
@@ -46,22 +46,22 @@ fi
 say "building in $folder/libration-$version"
 (cd "libration-$version" && "${alone[@]}" dpkg-buildpackage -us -uc </dev/null >../build.log 2>&1) || {
     tail -n 60 build.log >&2
-    fail "the packages were not built; all it said is in $folder/build.log"
+    fail "the packages could not be built; see $folder/build.log"
 }
 
 program=libration-$version/debian/libration/usr/bin/libration
 said=$("$program" --version)
 [[ $said == "libration $version"$'\n'"commit ${commit:0:10}"$'\n'* ]] ||
-    fail "the program is not of this commit, but says"$'\n'"$said"
-# tests/reference/motions.csv has it by mpmath.
+    fail "the program is not of this commit, but prints"$'\n'"$said"
+# The value computed by mpmath, in tests/reference/motions.csv.
 expected=9.6187422004082097481570490483897449729889629705330
 said=$("$program" period --energy 1.71 --digits 50)
-[[ $said == *"period  $expected"$'\n'* ]] || fail "the period at energy 1.71 is $expected, but the program says"$'\n'"$said"
+[[ $said == *"period  $expected"$'\n'* ]] || fail "the period at energy 1.71 is $expected, but the program prints"$'\n'"$said"
 
 if command -v lintian >/dev/null; then
-    lintian --allow-root --fail-on error,warning ./*.changes >&2 || fail "lintian found what is above"
+    lintian --allow-root --fail-on error,warning ./*.changes >&2 || fail "lintian reported the problems above"
 else
-    say "lintian is not installed: the packages are not checked by it"
+    say "lintian is not installed: skipping its checks"
 fi
 rm -rf programs "libration-$version"
 say "version $version is ready:"

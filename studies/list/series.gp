@@ -1,12 +1,13 @@
-# series: what a list of coefficients is worth. Columns of errors: time,method,order,error,log10_error; of poles:
-# kind,position_re,position_im,modulus,distance; of ratios: n,inverse_n,ratio,root,corrected_root,power,ratio_in_power.
+# series: the accuracy of a list of coefficients as a function. Columns of errors: time,method,order,error,log10_error;
+# of poles: kind,position_re,position_im,modulus,distance; of ratios:
+# n,inverse_n,ratio,root,corrected_root,power,ratio_in_power.
 load scripts.'/style.gp'
 
 errors = data.'/errors.csv'
 poles = data.'/poles.csv'
 ratios = data.'/ratios.csv'
 rows_in(file) = ask(sprintf("tail -n +2 '%s' | wc -l", file)) + 0
-# "x,y" of the rows where a condition of awk holds; behind them a point out of sight, for gnuplot warns of none.
+# "x,y" of the rows that satisfy a condition of awk; then a point outside the range, as gnuplot warns of empty files.
 points(file, condition, x, y) = points_by(sprintf("awk -F, 'BEGIN {print \"x,y\"} NR > 1 && %s && $%d != \"\" && $%d !~ /inf/ {print $%d \",\" $%d} END {print \"\\n1e300,1e300\"}' '%s'", condition, y, y, x, y, file))
 values_in(file, column) = ask(sprintf("tail -n +2 '%s' | cut -d, -f%d | awk '!seen[$0]++'", file, column))
 extent(file, column) = ask(sprintf("awk -F, 'NR > 1 && $%d != \"\" { x = $%d < 0 ? -$%d : $%d; if (x + 0 > m) m = x + 0 } END { print (m > 0 ? m : 1) }' '%s'", column, column, column, column, file)) + 0.0
@@ -14,7 +15,7 @@ shorter(s) = strlen(s) > 10 ? s[1:10].'...' : s
 tint(j) = shade[(j - 1) % 6 + 1]
 
 do for [kind in terminals] {
-    # Where symmetry makes coefficients 0, in the power of t that it leaves.
+    # If symmetry makes coefficients 0, in the power of t that it leaves.
     power = first_of(ratios, 6, '1') + 0
     if (count_of(ratios, '$7 != "" && v($7) != 0') > 0) {
         eval use_terminal(kind, target.'/domb_sykes', 720, 480)
@@ -42,7 +43,7 @@ do for [kind in terminals] {
     unset output
 
     if (rows_in(poles) > 0) {
-        # Up to four times the nearest pole or zero but 0: those far away mean nothing.
+        # Up to four times the nearest nonzero pole or zero: distant ones are meaningless.
         near = 4 * least(poles, '4', 'v($4) > 0', 1)
         eval use_terminal(kind, target.'/poles', 620, 580)
         set title 'Poles and zeros of the Padé approximant'
@@ -62,7 +63,7 @@ do for [kind in terminals] {
 
     if (rows_in(errors) > 0) {
         methods = values_in(errors, 2)
-        # Six of the times where there is an error, from the first to the last.
+        # Six of the times with an error, from the first to the last.
         times = seen(errors, 1, '$5 !~ /inf/')
         shown = words(times) < 6 ? words(times) : 6
         time_of(j) = word(times, shown < 2 ? 1 : 1 + int((j - 1) * (words(times) - 1.0) / (shown - 1) + 0.5))

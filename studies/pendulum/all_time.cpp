@@ -1,4 +1,4 @@
-// What does the accuracy of T* cost after many periods?
+// What does the accuracy of T* imply after many periods?
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -22,7 +22,7 @@ constexpr int points_in_period = 128;
 
 mpfr as_mpfr(const integer& count) { return from_rational<mpfr>(rational(count)); }
 
-// The error of a solution that is folded by an inexact T*.
+// The error of a solution that is folded with an inexact T*.
 struct folding_row {
     const sweep_energy& at;
     const std::string& period_by;
@@ -51,7 +51,7 @@ const column_list<folding_row>& folding_columns() {
     return all;
 }
 
-// The error of a time in an arithmetic, reduced in one way.
+// The error of a time in an arithmetic, for one reduction.
 struct reduction_row {
     const sweep_energy& at;
     const scalar_spec& scalar;
@@ -80,7 +80,7 @@ const column_list<reduction_row>& reduction_columns() {
     return all;
 }
 
-// Of T* by one rule alone, after each number of periods.
+// For T* by one rule alone, after each number of periods.
 table folding_rows(const sweep_energy& at, const sweep_period_rule& by, const std::vector<integer>& periods) {
     const scalar_spec scalar = read_scalar("mpfr:40");
     const bool exact_period = by.rule.method == period_method::agm;
@@ -90,7 +90,7 @@ table folding_rows(const sweep_energy& at, const sweep_period_rule& by, const st
     for (const integer& count : periods) {
         const auto worst = resolved(scalar.digits, 0, [&] {
             const auto pair = folding_error<mpfr>(at.value, by.rule, count, points_in_period);
-            // An exact T* leaves rounding alone.
+            // With an exact T* only rounding errors remain.
             return std::vector<value_with_error>{
                 {pair.expected, pair.error, exact_period ? mpfr(0) : pair.error, exact_period}};
         });
@@ -102,7 +102,7 @@ table folding_rows(const sweep_energy& at, const sweep_period_rule& by, const st
     return make_table(folding_columns(), rows);
 }
 
-// Of the clock of one fixed scalar, both ways.
+// For the phase map of one fixed scalar, with both reductions.
 template <fixed_scalar T>
 table reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const std::vector<integer>& periods) {
     constexpr int points = 64;
@@ -128,7 +128,7 @@ table reduction_rows(const sweep_energy& at, const scalar_spec& scalar, const st
     return make_table(reduction_columns(), rows);
 }
 
-// The rows of one energy by one way to T*, or in one scalar.
+// The rows of one energy for one method for T*, or in one scalar.
 std::vector<table> rows_at(const sweep_energy& at, const sweep_period_rule* by, const scalar_spec& scalar,
                            const std::vector<integer>& periods) {
     if (by != nullptr) {
@@ -189,7 +189,7 @@ const study& all_time() {
                        {"--gaps", "", "energies as 2 - E"},
                        {"--periods", "1,10,1e2,1e3,1e4,1e5,1e6,1e7,1e8,1e9",
                         "p, whole periods before the one looked at"},
-                       {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "ways to T*"}},
+                       {"--period-by", "series:40,resummed:10,resummed:40,resummed:200", "methods for T*"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--periods", "1,1e6", ""}, {"--period-by", "resummed:10", ""}},
         .seconds = 2,
         .excluded = without_period(),

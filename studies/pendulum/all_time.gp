@@ -1,4 +1,4 @@
-# all_time: error against the number of periods; a panel for each way to T*, and in a second figure for each scalar.
+# all_time: error against the number of periods; one panel per method for T*, and in a second figure per scalar.
 # Columns: energy,period_by,periods,period_error,error,predicted,log10_periods,log10_error,log10_predicted; in the table
 # _reduction: energy,scalar,reduction,periods,error,predicted,log10_periods,log10_error,log10_predicted.
 load scripts.'/style.gp'

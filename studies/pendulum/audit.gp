@@ -1,8 +1,7 @@
-# Correct digits against the gap, one panel a time; called by audit_boost.gp and audit_gsl.gp with `name`, `library` (as
-# in the CSV) and `called` (as people say it).
+# Correct digits against the gap, one panel per time; called by audit_boost.gp and audit_gsl.gp with `name`, `library`
+# (as in the CSV) and `called` (its usual name).
 # Columns: gap,time,library,theta,reference,error,error_ulp,correct_digits,condition,input_ulp,own_ulp,time_in_double,
-# energy, and time_typed where a time was no decimal: then a panel is a time as typed (T/16 is another time at each
-# gap).
+# energy, and time_typed if a time is not a decimal: then a panel is a time as typed (T/16 differs from gap to gap).
 load scripts.'/style.gp'
 
 file = data.'/'.name.'.csv'
@@ -10,9 +9,9 @@ typed = ask("head -n 1 '".file."' | tr , '\\n' | grep -nx time_typed | cut -d: -
 place = strlen(typed) > 0 ? int(typed + 0) : 2
 times = seen(file, place, '1')
 panels = smaller(words(times), 9)
-# log10 of the gap and y of the rows of a library at a time, with a point out of sight behind them.
+# log10 of the gap and y of the rows of a library at a time, followed by a point outside the range.
 digits(who, t, y) = points_by("awk -F, 'BEGIN { print \"x,y\" } NR > 1 && $".place." == \"".t."\" && $3 == \"".who."\" { y = ".y."; print log($1) / log(10) \",\" (y > 20 ? 20 : y) } END { print \"\\n1e99,1e99\" }' '".file."'")
-# The digits that the rounded k has lost before the library begins.
+# The digits lost by rounding k, before the library is called.
 told = '($10 > 0 ? -log($10*2^-52)/log(10) : 20)'
 nearest = number(ask("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x < m) m = x } END { print m }' '".file."'"))
 farthest = number(ask("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x > m) m = x } END { print m }' '".file."'"))
@@ -25,7 +24,7 @@ do for [kind in terminals] {
     eval figure_of(kind, name)
     eval heading('Correct digits of θ in double, from the nearest k and from the exact gap', 't = 0 at the top'.(words(times) > panels ? sprintf('; %d of %d times', panels, words(times)) : ''))
     eval falling('x', nearest, farthest)
-    if (across == 3 && farthest - nearest > 10) { set xtics 5 } # steps of 2 run together
+    if (across == 3 && farthest - nearest > 10) { set xtics 5 } # steps of 2 would overlap
     set yrange [0:19]
     set ytics 0, 5
     set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6

@@ -1,4 +1,4 @@
-// theta in double by a library that takes the modulus k, and by ours from the exact gap, judged against proved values.
+// theta in double by a library that takes the modulus k, and by Libration from the exact gap, against proved values.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@
 
 namespace libration::studies {
 
-/// What a peer is given: the doubles that are left of an energy and a time.
+/// The input of a peer: an energy and a time, rounded to doubles.
 struct audited_input {
     double k;
     double time;
@@ -31,17 +31,17 @@ inline constexpr long proved_places = 60;
 inline constexpr long judged_digits = 6;
 inline constexpr long digits_of_times = 50;
 
-/// One energy and one time: what the peer gets, exactly and as doubles.
+/// One energy and one time: the peer's input, exactly and as doubles.
 struct audit_case {
     const sweep_energy* at;
     const exact* asked;
-    std::string time_text;  // dimensionless, exact where it ends
+    std::string time_text;  // dimensionless, exact if it is a finite decimal
     rational gap;
     double time;
     double k;
 };
 
-/// E as a fraction: what a double k stands for is compared with it exactly.
+/// E as a fraction, for an exact comparison with the double k.
 inline const rational& fraction_of(const sweep_energy& at) {
     if (!at.value.is_fraction()) {
         throw input_error("--energies", at.value.text, "is not a decimal or a fraction",
@@ -65,7 +65,7 @@ inline audit_case case_of(const sweep_energy& at, const exact& time) {
     return {&at, &time, text, gap, narrow<double>(midpoint_of(instant)), k};
 }
 
-/// theta of the motion that the double k means, as an exact fraction: E = 2 k^2, which is at rest on top where k was
+/// theta of the motion given by the double k, as an exact fraction: E = 2 k^2, which is at rest at the top if k was
 /// rounded to 1.
 inline ball theta_of_received(const audited_input& given) {
     const rational k(given.k);
@@ -86,7 +86,7 @@ inline cell proved_cell(const ball& x) {
     return cell::number(text->text, judged_digits);
 }
 
-/// One value of one library, judged.
+/// One value of one library and its error.
 struct audit_row {
     const sweep_energy& at;
     const audit_case& of;
@@ -124,7 +124,7 @@ inline const column_list<audit_row>& audit_columns() {
     return with_typed;
 }
 
-// `received` is theta of the k that the library was given; none where it was given the gap itself.
+// `received` is theta for the k that was passed to the library; empty if it was given the gap itself.
 inline audit_row judged_row(const audit_case& one, const std::string& library, double theta, const ball& reference,
                             const ball* received, const cell& condition) {
     const precision_scope scope(proved_places + 20);
@@ -174,7 +174,7 @@ inline std::vector<without_answer> without_modulus() {
     return excluded;
 }
 
-/// What a library answers to all cases of an audit, asked at once and when the first answer is needed.
+/// The values of a library in all cases of an audit, computed in one call when the first is needed.
 class peer_answers {
 public:
     peer_answers(audited_peer peer, std::vector<audit_case> cases) : peer_(std::move(peer)), cases_(std::move(cases)) {}

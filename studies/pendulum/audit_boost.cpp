@@ -1,4 +1,4 @@
-// How many digits of theta does Boost.Math leave, near the separatrix?
+// How many correct digits of theta does Boost.Math deliver near the separatrix?
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
 #include "audit.hpp"

@@ -1,4 +1,4 @@
-# audit_boost: correct digits of theta against the gap, one panel a time.
+# audit_boost: correct digits of theta against the gap, one panel per time.
 name = 'audit_boost'
 library = 'boost'
 called = 'Boost.Math'

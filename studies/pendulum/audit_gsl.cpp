@@ -1,4 +1,4 @@
-// How many digits of theta does the GNU Scientific Library leave, near the separatrix?
+// How many correct digits of theta does the GNU Scientific Library deliver near the separatrix?
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace libration::studies {
 namespace audit_gsl_study {
 namespace {
 
-// GSL is under the GPL, so it is asked in a process of its own. Throws input_error where that program was not built.
+// GSL is under the GPL, so it is called in a separate process. Throws input_error if that program was not built.
 std::string gsl_program() {
     std::string path = peer_program("libration-gsl-theta");
     if (!std::filesystem::exists(path)) {
@@ -38,7 +38,7 @@ std::vector<double> by_gsl(const std::vector<audited_input>& inputs) {
         thetas.push_back(std::strtod(line.c_str(), nullptr));
     }
     if (thetas.size() != inputs.size()) {
-        throw std::runtime_error(fmt::format("GSL answered {} of {} questions", thetas.size(), inputs.size()));
+        throw std::runtime_error(fmt::format("GSL returned {} of {} values", thetas.size(), inputs.size()));
     }
     return thetas;
 }

@@ -1,4 +1,4 @@
-# audit_gsl: correct digits of theta against the gap, one panel a time.
+# audit_gsl: correct digits of theta against the gap, one panel per time.
 name = 'audit_gsl'
 library = 'gsl'
 called = 'GSL'

@@ -1,5 +1,5 @@
-# The figure of the four studies that share studies/extension.hpp: theta over the time in periods, the error below; each
-# energy has a column of its own, three at most. The script that loads this one sets `name` and `heading_text`.
+# The figure of the four studies that share studies/extension.hpp: theta against the time in periods, the error below;
+# one column per energy, three at most. The script that loads this one sets `name` and `heading_text`.
 # Columns: energy,order,method,time,theta,omega,error,log10_error,periods,gap.
 load scripts.'/style.gp'
 
@@ -14,7 +14,7 @@ resummed = first_of(file, 3, '1') eq 'resummed'
 array dashes[6] = ['_', '-', '.', '_.', '-.', '_..']
 dash(i) = resummed || n > 6 ? 1 : dashes[i]
 
-# T* in a period: 4 below E = 2, where the gap 2 - E has no minus sign
+# number of T* in a period: 4 below E = 2, where the gap 2 - E has no minus sign
 marks(e) = first_of(file, 10, sprintf('$1 == "%s"', e))[1:1] eq '-' ? 2 : 4
 # Vertical grey lines at the multiples of T*.
 grid_lines = "do for [q=ceil(first * marks(e)):floor(last * marks(e))] { set arrow from q / (1.0 * marks(e)), graph 0 to q / (1.0 * marks(e)), graph 1 nohead back lw 0.8 lc rgb (q % marks(e) ? '#dddddd' : '#999999') }"

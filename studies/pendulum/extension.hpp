@@ -1,5 +1,5 @@
-// Four figures of the paper with one shape: an approximation on [0, T*], extended periodically, beside the numerical
-// and the exact solution. Each of them is a study with its own energies, orders and way of approximating.
+// Four figures of the paper with the same structure: an approximation on [0, T*], extended periodically, compared with
+// the numerical and the exact solution. Each is a study with separate energies, orders and approximation.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct extension_row {
     time_cells when;
     value_with_error value;
     long digits;
-    bool judges = true;  ///< not the exact solution itself
+    bool judges = true;  ///< false for the exact solution itself
 };
 
 inline const column_list<extension_row>& extension_columns() {
@@ -50,14 +50,14 @@ inline const column_list<extension_row>& extension_columns() {
     return all;
 }
 
-/// What a value is equal to in exact arithmetic: both approximations at the top, the resummation at the bottom too.
+/// Whether a value is exact in exact arithmetic: both approximations at the top, the resummation also at the bottom.
 inline bool interpolates(pendulum::arc_method method, const pendulum::phase<mpfr>& at) {
     const bool top = elliptic::quarter_of_four(at.quarter) % 2 != 0;
     return at.side == 0 && (top || method == pendulum::arc_method::resummed);
 }
 
-/// The extension of one function of the fundamental arc, in the arithmetic T, against the exact solution in the working
-/// precision.
+/// The extension of one function on the fundamental arc, in the arithmetic T, compared with the exact solution in the
+/// working precision.
 template <class T, class F>
 std::vector<value_with_error> follow(const pendulum::motion& m, const std::vector<exact>& times,
                                      pendulum::arc_method method, const pendulum::periodic_extension<T, F>& extension,
@@ -146,7 +146,7 @@ inline study_plan plan_of_extension(pendulum::arc_method method, const study_req
         });
 }
 
-/// The parameters of such a study, with its usual energy and orders.
+/// The parameters of such a study, with its default energy and orders.
 inline std::vector<study_parameter> extension_parameters(const std::string& energies, const std::string& orders,
                                                          const std::string& meaning_of_order) {
     return {{"--energies", energies, "energies E, in m g l"},

@@ -1,4 +1,4 @@
-// The paper's whole construction with the T* of a rule, judged: the resummation, folded and shifted with that T*.
+// The paper's whole construction with the T* of a rule and its error: the resummation, folded and shifted with that T*.
 #pragma once
 
 #include <utility>
@@ -27,7 +27,7 @@ inline std::vector<value_with_error> folded(const pendulum::motion& m, const std
                 const pendulum::phase<mpfr> at = truth.phases().at(time);
                 const mpfr expected = truth.at(at).theta;
                 const series::jet<T> found = extension(time);
-                // The start, and with the exact T* every top and bottom, are exact.
+                // The initial value is exact, and with the exact T* every top and bottom too.
                 const bool interpolated = at.side == 0 && (time.is_zero() || by.method == pendulum::period_method::agm);
                 const mpfr theta = fixed_scalar<T> || !interpolated ? widen(found.value) : expected;
                 values.push_back({theta, widen(found.slope), abs(theta - expected), interpolated});

@@ -1,4 +1,4 @@
-// How well does the series from the top, extended periodically, follow a swinging pendulum? [paper fig:librationfixed]
+// How accurate is the series from the top, extended periodically, for a librating pendulum? [paper fig:librationfixed]
 #include "extension.hpp"
 
 namespace libration::studies {

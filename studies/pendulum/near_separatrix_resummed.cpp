@@ -1,4 +1,4 @@
-// How well does the resummation follow a pendulum that almost stops upside down? [paper fig:librationapproximant]
+// How accurate is the resummation for a pendulum that almost stops upside down? [paper fig:librationapproximant]
 #include "extension.hpp"
 
 namespace libration::studies {

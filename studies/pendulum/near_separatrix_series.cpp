@@ -1,4 +1,4 @@
-// How well does the series from the top follow a pendulum that almost stops upside down? [paper fig:librationseries]
+// How accurate is the series from the top for a pendulum that almost stops upside down? [paper fig:librationseries]
 #include "extension.hpp"
 
 namespace libration::studies {

@@ -1,4 +1,4 @@
-// The paper's numerical solution, at as many times as a figure can show as points.
+// The paper's numerical solution, at as many times as a figure can show as separate points.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace libration::studies {
 
-/// The paper's numerical solution: Runge-Kutta in double from the same start, against the exact solution.
+/// The paper's numerical solution: Runge-Kutta in double from the same initial state, against the exact solution.
 inline std::vector<value_with_error> marched(const pendulum::motion& m, const std::vector<exact>& times,
                                              const exact& step) {
     series::jet<double> start{};
@@ -41,7 +41,7 @@ inline std::vector<value_with_error> marched(const pendulum::motion& m, const st
     });
 }
 
-/// About 41 of the times, evenly, the first and the last among them: as many points as a figure can show.
+/// About 41 of the times, evenly spaced, including the first and the last: as many points as a figure can show.
 inline std::vector<exact> some_of(const std::vector<exact>& times) {
     constexpr std::size_t most = 41;
     if (times.size() <= most) {

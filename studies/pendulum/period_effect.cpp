@@ -1,4 +1,4 @@
-// What becomes of the extended resummation when T* is not exact? [paper fig:period]
+// How does an inexact T* affect the extended resummation? [paper fig:period]
 #include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
 #include "numerical_points.hpp"
@@ -12,7 +12,7 @@ using namespace pendulum;
 
 namespace {
 
-// A value of one curve at a time, with the T* that it was folded by.
+// A value of one curve at a time, with the T* used for folding.
 struct effect_row {
     const sweep_energy& at;
     cell period_by, order, period, period_error;
@@ -106,7 +106,7 @@ const study& period_effect() {
                        {"--orders", "20", "N, last index of the resummed series"},
                        {"--times", "0:3T:401",
                         "times since the bottom: multiples of the exact T, or dimensionless numbers"},
-                       {"--period-by", "agm,series:100,resummed:1,resummed:10", "ways to T*"},
+                       {"--period-by", "agm,series:100,resummed:1,resummed:10", "methods for T*"},
                        {"--step", "1e-5", "step of the Runge-Kutta method, dimensionless"},
                        {"--scalar", "mpfr:40", "arithmetic of the resummation; the numerical solution is in double"}},
         .quick = {{"--energies", "1.9998,2.0002", ""}, {"--times", "0:T:9", ""}, {"--step", "1e-3", ""}},

@@ -1,5 +1,5 @@
-# period_effect: theta over the time, extended with the T* of each rule, and the error below; each energy has a column
-# of its own, three at most. Where there are several orders N, the first is drawn.
+# period_effect: theta against the time, extended with the T* of each rule, and the error below; one column per energy,
+# three at most. If there are several orders N, the first is drawn.
 # Columns: energy,period_by,order,period,period_error,time,theta,error,log10_error,periods,gap,method.
 load scripts.'/style.gp'
 

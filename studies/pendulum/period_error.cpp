@@ -50,7 +50,7 @@ const column_list<sum_row>& columns() {
     return all;
 }
 
-// T* by the sum in the scalar, as a wide value.
+// T* by the sum in the scalar, converted to mpfr.
 mpfr sum_in(const scalar_spec& scalar, long guard, const motion& m, const period_rule& rule) {
     return with_scalar(scalar, guard,
                        [&]<class T>() { return widen(effective_period_by(rule, energy_level_of<T>(m))); });

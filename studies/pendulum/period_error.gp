@@ -1,7 +1,7 @@
-# period_error: with one energy or two, the error of T* against the order, with its bounds and its rate; otherwise
+# period_error: for one energy or two, the error of T* against the order, with its bounds and its rate; otherwise
 # against the energy, and towards the separatrix on either side.
 # Columns: energy,order,method,error,tstar,gap,bound,bound_over_error,scalar,log10_error,log10_bound,log10_gap.
-# Lines are drawn from the log10 columns and the gap column: neither 1e-400 nor 2 - 1e-22 passes through a double.
+# Lines are drawn from the log10 columns and the gap column: neither 1e-400 nor 2 - 1e-22 is representable in double.
 load scripts.'/style.gp'
 
 file = data.'/period_error.csv'

@@ -1,4 +1,4 @@
-// What the tables of motions with a period share: which energies they take, and how they say a time.
+// Common parts of the tables of periodic motions: the admissible energies, and the columns of a time.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace libration::studies {
 
-/// Where there is no period, or no motion.
+/// Energies without a period, or without a motion.
 inline std::vector<without_answer> without_period() {
     return no_answer_at_limits("the pendulum rests", "the period is infinite");
 }
 
-/// A time as the two columns of a table: dimensionless, and in periods.
+/// A time as two columns of a table: dimensionless, and in periods.
 struct time_cells {
     cell time;
     cell periods;

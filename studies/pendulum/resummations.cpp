@@ -1,4 +1,4 @@
-// How do the resummations compare at the same number of coefficients, and which of them survive the separatrix?
+// How do the resummations compare at the same number of coefficients, and which remain accurate near the separatrix?
 #include <algorithm>
 #include <optional>
 
@@ -24,7 +24,7 @@ struct resummation_row {
     approximation by;
     int count;
     approximation_size size;
-    std::optional<mpfr> norm;  // nothing where there is a pole
+    std::optional<mpfr> norm;  // std::nullopt if there is a pole
     mpfr time;
     bool two_method;
     std::optional<mpfr> bound, rate;
@@ -61,14 +61,14 @@ const column_list<resummation_row>& columns() {
     return all;
 }
 
-// An approximation with so many coefficients.
+// An approximation with this number of coefficients.
 struct asked_norm {
     approximation method;
     int count;
 };
 
-// The rows of one energy, for each norm that is asked for: one, or none where there is no such approximation. And the
-// least norm among them, which says whether the precision was enough.
+// The rows of one energy, for each requested norm: one, or none if there is no such approximation. And the least of the
+// norms, which determines whether the precision was sufficient.
 struct energy_rows {
     std::vector<std::vector<resummation_row>> rows;
     mpfr least;
@@ -88,7 +88,7 @@ resummation_row row_of(const sweep_energy& at, approximation a, int count, const
             convergence_rate(a, bounds)};
 }
 
-// The first pole on the way, as a fraction of T*, of what may have one.
+// The first pole in the interval, as a fraction of T*, for approximations that may have one.
 template <class F>
 std::optional<mpfr> pole_of(const F& approximation) {
     if constexpr (requires { approximation.first_pole(); }) {
@@ -123,8 +123,8 @@ energy_rows rows_in(const sweep_energy& at, const std::vector<asked_norm>& asked
     return result;
 }
 
-// At a precision that leaves the least norm its digits, and Pade's linear system the 3/2 digits that each degree costs
-// it.
+// At a precision that leaves the least norm its digits, plus the 3/2 digits per degree that the linear system of Pade
+// loses.
 std::vector<cell_rows> cells_at(const sweep_energy& at, const std::vector<asked_norm>& asked) {
     int most = 0;
     for (const asked_norm& each : asked) {
@@ -203,7 +203,7 @@ const study& resummations() {
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.1,0.5,1.71,4,100", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-10:10log,-1e-1:-1e-10:10log", "energies as 2 - E"},
-                       {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of coefficients that are not 0"}},
+                       {"--orders", "2,4,6,8,10,12,16,20,24,28,32", "numbers of nonzero coefficients"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "4,6", ""}},
         .seconds = 6.5,
         .excluded = no_answer_at_limits("theta is constant", "the period is infinite"),

@@ -14,7 +14,7 @@ last = word(counts, words(counts))
 drawn = count_of(file, '$4 == 16') > 0 ? '16' : last
 bounded(b) = int(word('1 2 7', b))
 
-# Panels over the number of coefficients: the middle energy of those away from E = 2, and one near it; or the first.
+# Panels against the number of coefficients: the middle energy of those away from E = 2, and one near it; or the first.
 listed(where) = seen(file, 1, where)
 middle(list) = word(list, (words(list) + 1) / 2)
 far = word(listed('$15 > -0.99 && $2 !~ /^-/'), words(listed('$15 > -0.99 && $2 !~ /^-/')))
@@ -25,15 +25,15 @@ if (near eq '') { near = word(listed(close_to), 1) }
 if (near eq '') { near = middle(listed('$15 <= -0.99')) }
 chosen = words(energies) <= 2 ? energies : far.' '.near
 if (words(counts) == 1 && words(energies) > 2) { chosen = '' }
-# Panels over the distance from E = 2.
+# Panels against the distance from E = 2.
 side(k) = k == 1 ? '$2 !~ /^-/' : '$2 ~ /^-/'
 sides = ''
 do for [k=1:2] { if (words(energies) > 2 && words(listed(side(k))) > 1) { sides = sides.' '.k } }
 panels = words(chosen) + words(sides)
 key_entries = 8
 
-# Columns of the rows of a method, sorted by the first of them. A Pade approximant with a pole on the way has no norm:
-# there its line has a gap.
+# Columns of the rows of a method, sorted by the first of them. A Pade approximant with a pole in the interval has no
+# norm: there its line has a gap.
 by(c) = points_by(sprintf("sort -t, -s -k%d,%dg '%s'", c, c, file))
 curve(from, to, keys, values, where) = parts_at(by(from), sprintf('v($%d)', from), sprintf('$7 == "inf" ? "inf" : $%d', to), keys, values, sprintf('(%s) && ($%d != "" || $7 == "inf")', where, to))
 of_energy(from, to, e, i) = curve(from, to, '1 3', e.','.word(methods, i), '1')

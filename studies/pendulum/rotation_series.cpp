@@ -1,4 +1,4 @@
-// How well does the series from the top, extended periodically, follow a rotating pendulum? [paper fig:rotationfixed]
+// How accurate is the series from the top, extended periodically, for a rotating pendulum? [paper fig:rotationfixed]
 #include "extension.hpp"
 
 namespace libration::studies {

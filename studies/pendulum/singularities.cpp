@@ -1,5 +1,5 @@
-// Where are the singularities of theta in the complex time plane, and do the coefficients know? [paper fig:subcrit,
-// fig:supercrit]
+// Where are the singularities of theta in the complex t-plane, and can they be determined from the coefficients? [paper
+// fig:subcrit, fig:supercrit]
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -24,7 +24,7 @@ constexpr long digits_of_logarithms = 12;
 constexpr int first_order = 4;  // two coefficients of omega: the first approximant with a pole
 constexpr int orders_in_convergence = 40;
 
-// What is the same in all rows of an energy.
+// The common data of all rows of an energy.
 struct plane {
     const sweep_energy& at;
     motion m;
@@ -97,8 +97,8 @@ const column_list<point_row>& columns() {
     return all;
 }
 
-// The lattice as far as the figure shows it: three columns and rows on each side, or the circle of the top if that is
-// larger.
+// The lattice as far as the figure shows it: three columns and rows on each side, or the circle of convergence about
+// the top if that is larger.
 std::vector<point_row> lattice_rows(const plane& p) {
     const mpfr beyond = p.radius * 3 / 2;
     const mpfr width = std::max(mpfr(p.lattice.effective_period * 4), beyond);
@@ -125,7 +125,7 @@ std::vector<point_row> pole_rows(const plane& p, int order) {
     return all;
 }
 
-// How near the poles of one order are to the lattice, and the root test of the same series to its radius.
+// The distance of the poles of one order from the lattice, and the error of the root test of the same series.
 struct convergence_row {
     const sweep_energy& at;
     int order;
@@ -214,7 +214,7 @@ const study& singularities() {
         .parameters = {{"--energies", "1.71,2.02", "energies E, in m g l"},
                        {"--gaps", "", "energies as 2 - E"},
                        {"--orders", "20,40,80", "N, last power of the series whose Pade approximants are drawn"},
-                       {"--digits", "40", "correct digits of the coordinates; of several numbers the largest"}},
+                       {"--digits", "40", "correct digits of the coordinates; the largest of a list"}},
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,
         .excluded = no_answer_at_limits("theta is constant and has no singularity",

@@ -1,4 +1,4 @@
-# singularities: the complex time plane of each energy to scale, and how fast the Pade poles settle.
+# singularities: the complex t-plane of each energy to scale, and the convergence of the Pade poles.
 # Columns: energy,kind,order,re,im,radius,nearest_re,nearest_im,log10_distance,residue_re,residue_im,numerator_degree,
 # denominator_degree,tstar,height,gap. singularities_convergence: energy,order,log10_distance,log10_root_error,degrees.
 load scripts.'/style.gp'
@@ -7,7 +7,7 @@ file = data.'/singularities.csv'
 energies = ask(sprintf("tail -n +2 '%s' | cut -d, -f1 | uniq", file))
 orders = ask(sprintf("awk -F, '$2 == \"pade_pole\" { print $3 }' '%s' | sort -nu", file))
 no_poles = words(orders) == 0
-if (no_poles) { orders = '0' }  # gnuplot also reads the body of a loop over nothing
+if (no_poles) { orders = '0' }  # gnuplot also runs the body of an empty loop
 # Of many energies six planes, from the first to the last; the poles of every one below.
 all_energies = words(energies)
 count = smaller(all_energies, 6)
@@ -17,7 +17,7 @@ of(e, k) = real(ask(sprintf("awk -F, '$1 == \"%s\" && $2 == \"expansion_top\" { 
 named(e) = energy_name(e, first_of(data.'/singularities.csv', 16, sprintf('$1 == "%s"', e)))
 regime(e) = ask(sprintf("awk -F, '$1 == \"%s\" { print $16 ~ /^-/ ? \"rotation\" : \"libration\"; exit }' '%s'", e, file))
 in_panel(e, kind, y) = (strcol(1) eq e && strcol(2) eq kind) ? y : NaN
-far = 1e9                 # out of every panel: an order may have no pole at all
+far = 1e9                 # outside every panel: an order may have no pole at all
 pole(e, n, y) = (strcol(1) eq e && strcol(2) eq 'pade_pole' && column(3) == n) ? y : far
 high = 430                # of a panel, in points
 head = 36                 # of the title above them
@@ -36,7 +36,7 @@ do for [kind in terminals] {
     do for [p=1:count] {
         e = pick(energies, 6, p)
         tstar = of(e, 14); height = of(e, 15); radius = of(e, 6)
-        # The CSV holds the lattice up to 4 T* and 4 K~', or 1.5 R.
+        # The CSV contains the lattice up to 4 T* and 4 K~', or 1.5 R.
         w = larger(3.6 * tstar, 1.2 * radius)
         h = smaller(larger(larger(3.6 * height, 1.2 * radius), 0.62 * w), larger(3.99 * height, 1.49 * radius))
         set origin ((p - 1) % across) / (across + 0.0), 1 - (head + high * ((p - 1) / across + 1)) / all
@@ -69,7 +69,7 @@ do for [kind in terminals] {
     unset output
 }
 
-# How fast the first singularity is found from the coefficients.
+# The accuracy of the first singularity as found from the coefficients.
 eval restart
 file = data.'/singularities_convergence.csv'
 at(e, y) = strcol(1) eq e ? y : NaN

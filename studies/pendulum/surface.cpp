@@ -22,7 +22,7 @@ namespace {
 
 motion pushed(const sweep_energy& at) { return motion::of_energy_from(at.value, exact{}); }
 
-// (critical) is exact: beyond the digits of the arithmetic it has no error.
+// (critical) is exact: its only error is that of the arithmetic.
 std::vector<value_with_error> by_critical_formula(const motion& m, const std::vector<exact>& times,
                                                   const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + 2 * guard_digits);
@@ -152,7 +152,7 @@ const study& surface() {
                        {"--times", "0:15:61",
                         "times since the bottom; multiples of T where E = 2 is not among the energies"},
                        {"--orders", "60", "N, last index of the resummed series"},
-                       {"--period-by", "resummed:60,agm", "ways to T*"},
+                       {"--period-by", "resummed:60,agm", "methods for T*"},
                        {"--scalar", "mpfr:40", "arithmetic of the paper's formulas"}},
         .quick = {{"--energies", "1.71,2,2.02", ""}, {"--times", "0:20:6", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,

@@ -1,9 +1,9 @@
-# surface: theta over time and energy, and the largest error over time of the paper's way to it at each energy.
+# surface: theta against time and energy, and the largest error over time of the paper's approximation at each energy.
 # Columns: energy,time,theta,regime,method,order,period_by,approximation,error,log10_error,gap.
 load scripts.'/style.gp'
 
 file = data.'/surface.csv'
-# Energies may be fractions as typed; the first way of each energy has all the angles.
+# Energies may be fractions as typed; the first method of each energy has all the angles.
 number = "function number(s,f){return split(s,f,\"/\")==2?f[1]/f[2]:s+0} "
 angles = "awk -F, '".number."NR>1{if($1!=e){if(NR>2)print \"\";e=$1;w=$5 FS $6 FS $7}if($5 FS $6 FS $7==w)print number($1) FS $2 FS $3 FS $4}' '".file."'"
 worst(way) = "awk -F, '".number."NR>1&&$6\" \"$7==\"".way."\"&&$10!=\"-inf\"{if(!($1 in m)){o[++n]=$1;m[$1]=$10}if($10>m[$1])m[$1]=$10}END{for(i=1;i<=n;i++)print number(o[i]) FS m[o[i]]}' '".file."'"

@@ -21,7 +21,7 @@ namespace {
 constexpr long printed_digits = 12;
 constexpr long digits_below_double = 17 + 2 * printed_digits;
 
-// The norm with one number of coefficients.
+// The norm for one number of coefficients.
 struct uniform_row {
     const sweep_energy& at;
     int count;
@@ -67,12 +67,12 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& count
     const int parity = parity_from_top(m.regime());
     std::vector<uniform_row> in_mpfr;
     std::vector<uniform_row> in_double;
-    // What double is measured by, once for all counts: below its rounding by twice the printed digits.
+    // The reference for double, once for all counts: accurate to twice the printed digits below its rounding error.
     const auto truth = [&] {
         const precision_scope scope(digits_below_double);
         return std::make_unique<arc_errors>(m);
     }();
-    // One truth for all counts in mpfr, too, in the digits that the smallest error asks for.
+    // One reference for all counts in mpfr, too, with the digits that the smallest error requires.
     long below = 0;
     for (const int count : counts) {
         below = std::max(below, uniform_digits_below(m, 2 * count - parity));
@@ -129,7 +129,7 @@ const study& uniform() {
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "1e-20:1e-1:20log,0.5,1,1.5,10:1e4:7log", "energies E, in m g l"},
                        {"--gaps", "1e-1:1e-100:34log,-1e-1:-1e-100:34log,-0.5,-1,-2", "energies as 2 - E"},
-                       {"--orders", "8,16,32", "numbers of coefficients that are not 0"}},
+                       {"--orders", "8,16,32", "numbers of nonzero coefficients"}},
         .quick = {{"--energies", "1.71,1e-20", ""}, {"--gaps", "1e-12,-1e-30", ""}, {"--orders", "4,16", ""}},
         .seconds = 5,
         .excluded = no_answer_at_limits("the columns of singularities are infinitely many", "the period is infinite"),

@@ -1,8 +1,8 @@
-# uniform: error of the uniform resummation against the energy, for E < 1, 1 < E < 2 and E > 2, or with one energy or
-# two against the number of coefficients.
+# uniform: error of the uniform resummation against the energy, for E < 1, 1 < E < 2 and E > 2, or for one energy or two
+# against the number of coefficients.
 # Columns: energy,gap,count,order,norm,time_of_maximum,scalar,rigour,bound,rate,log10_norm,log10_bound,
 # log10_energy,log10_gap.
-# Lines are drawn from the log10 columns and the gap column: neither 1e-100 nor 2 - 1e-100 passes through a double.
+# Lines are drawn from the log10 columns and the gap column: neither 1e-100 nor 2 - 1e-100 is representable in double.
 load scripts.'/style.gp'
 tone(i, n) = n <= 6 ? shade[word('4 3 5 2 1 6', i) + 0] : colour(i, n)     # neighbours far apart
 

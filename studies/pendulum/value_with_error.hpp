@@ -1,4 +1,4 @@
-// Values of theta with their errors against the exact solution, in as many digits as the smallest error needs.
+// Values of theta with their errors against the exact solution, with as many digits as the smallest error needs.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace libration::studies {
 
-/// theta and omega by some way, and |theta - exact|. Where the two are equal in exact arithmetic, the error that is
-/// left is rounding and `settled` says that no digits will resolve it.
+/// theta and omega by some method, and |theta - exact|. If the two are equal in exact arithmetic, the remaining error
+/// is rounding and `settled` is true: no precision resolves it.
 struct value_with_error {
     mpfr theta;
     mpfr omega;
@@ -23,7 +23,7 @@ struct value_with_error {
 /// Digits that a computation carries beyond those it prints.
 inline constexpr long guard_digits = 15;
 
-/// The working precision in which all three have their digits right; 0 where there are none to get right.
+/// The working precision in which all three have their digits correct; 0 if there are none.
 inline long digits_to_resolve(const value_with_error& value, long digits) {
     if (value.settled && value.error == 0) {
         return 0;
@@ -39,9 +39,8 @@ inline long digits_to_resolve(const value_with_error& value, long digits) {
     return digits + guard_digits + decimal_digits(std::max(largest - smallest, 0L));
 }
 
-/// compute(), which returns value_with_error values, in a working precision of `digits` and `more` to begin with and
-/// then in what the smallest value or error asks for. Throws error of the kind undecided where 100000 digits do not
-/// resolve one.
+/// compute(), which returns value_with_error values, in a working precision of `digits` and `more` initially and then
+/// as the smallest value or error requires. Throws error of the kind undecided if 100000 digits do not resolve one.
 template <class Compute>
 std::vector<value_with_error> resolved(long digits, long more, const Compute& compute) {
     constexpr long most_working_digits = 100'000;

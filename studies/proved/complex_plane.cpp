@@ -1,4 +1,4 @@
-// What does the solution of an equation look like in the complex plane of time, and what bounds its series there?
+// What does the solution of an equation look like in the complex t-plane, and what limits its series there?
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-# complex_plane: the argument of an unknown as a colour over the complex plane of time, its modulus as shades, with
+# complex_plane: the argument of an unknown as a colour over the complex t-plane, its modulus as shades, with
 # singularities, the proved circle of convergence and the discs that prove it.
 # Columns: problem,re,im,log10_abs,argument,unknown; in _singularities problem,re,im,uncertainty,kind,unknown; in
 # _proofs problem,part,re,im,radius.
@@ -20,7 +20,7 @@ red(m, a) = int(colour_of(m, a)) >> 16
 green(m, a) = (int(colour_of(m, a)) >> 8) & 255
 blue(m, a) = int(colour_of(m, a)) & 255
 
-# Between tics, for not more than seven of them from -r to r.
+# Between tics, for at most seven of them from -r to r.
 times_decade(x, decade) = decade*(x < 1.5*decade ? 1 : x < 3.5*decade ? 2 : x < 7.5*decade ? 5 : 10)
 step_of(r) = times_decade(r/2.2, 10**floor(log10(r/2.2)))
 

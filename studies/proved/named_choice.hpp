@@ -1,4 +1,4 @@
-// Lists of names on the command line, of which `all` stands for every one.
+// Lists of names on the command line, where `all` means all of them.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace libration::studies::proved {
 
-/// Names that an option takes.
+/// Names that an option accepts.
 struct named_choice {
     std::string axis;    ///< of the study
     std::string option;  ///< --problems
     std::string help;
     std::string remedy;
-    std::string what;  ///< what a wrong name is not: "no problem of this set"
+    std::string what;  ///< completes "has 'x', which is ...": "not a problem of this set"
     std::vector<std::string> names;
 };
 
-/// The axis of a study that takes them.
+/// The axis of a study that accepts them.
 inline axis axis_of(const named_choice& of) {
     return {.name = of.axis,
             .option = of.option,
@@ -39,7 +39,7 @@ inline axis axis_of(const named_choice& of) {
             .to_coordinate = {}};
 }
 
-/// The names that were asked for.
+/// The requested names.
 inline std::vector<std::string> chosen_names(const named_choice& of, const axis_values& asked) {
     std::vector<std::string> chosen;
     for (const exact& each : asked.of(of.axis)) {
@@ -49,13 +49,13 @@ inline std::vector<std::string> chosen_names(const named_choice& of, const axis_
     return chosen;
 }
 
-/// One of a list of things with names, which has it.
+/// The element of a list that has this name.
 template <class T>
 const T& named(const std::vector<T>& all, const std::string& name) {
     return *std::ranges::find(all, name, &T::name);
 }
 
-/// The names of all of them.
+/// The names of all elements.
 template <class T>
 std::vector<std::string> names_of(const std::vector<T>& all) {
     std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// Are the reference values right that solvers are tested with?
+// Are the reference values used for testing solvers correct?
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -27,14 +27,14 @@ namespace {
 // Digits beyond those of the longest printed value of a kind.
 constexpr long more_digits = 6;
 
-// A value in print.
+// A published value.
 struct printed_value {
     std::string quantity;
     std::string printed;
     std::string source;
 };
 
-// What is printed of one problem, and what proves it: the values in the same order.
+// The published values of one problem, and the function that computes proved values in the same order.
 struct kind_of_value {
     std::string name;
     std::string problem;
@@ -164,7 +164,7 @@ const std::vector<kind_of_value>& kinds() {
     return all;
 }
 
-// The place of the last digit that is printed, as a power of 10.
+// The position of the last printed digit, as a power of 10.
 long last_place_of(const std::string& printed) {
     const auto mark = printed.find('e');
     const std::string digits = printed.substr(0, mark);
@@ -186,8 +186,8 @@ struct published_row {
     mpfr units;
 };
 
-// A value that is cut off is up to one unit away, one that is rounded half of it; the proved value itself by less than
-// 10^-6 of a unit.
+// A truncated value is up to one unit away, a rounded one half a unit; the proved value itself is accurate to 10^-6 of
+// a unit.
 bool holds(const published_row& r) { return r.units <= 1; }
 
 const column_list<published_row>& columns() {
@@ -228,9 +228,9 @@ table rows_of_kind(const kind_of_value& of) {
 const proved::named_choice& values_to_choose() {
     static const proved::named_choice result{.axis = "value_of",
                                              .option = "--values",
-                                             .help = "what is printed: LIST, or all",
+                                             .help = "published values: LIST, or all",
                                              .remedy = "write names such as blasius,lorenz_orbit, or all",
-                                             .what = "nothing that is judged here",
+                                             .what = "not a set of values of this study",
                                              .names = proved::names_of(kinds())};
     return result;
 }

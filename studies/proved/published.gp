@@ -1,5 +1,5 @@
-# published: how far printed values are from the proved ones. Columns: value_of,problem,quantity,printed,value,units,
-# verdict,rigour,source.
+# published: the distance of printed values from the proved ones. Columns:
+# value_of,problem,quantity,printed,value,units, verdict,rigour,source.
 load scripts.'/style.gp'
 
 main = data.'/published.csv'

@@ -1,4 +1,4 @@
-// The published reference values: a CSV and a text file for each test problem, and a page about them.
+// The published reference values: a CSV and a text file per test problem, and a page about them.
 #pragma once
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ inline table rows_of_problem(const table& all, const std::string& problem) {
     return own.with_columns(others);
 }
 
-/// What the problem is, as comments: its text in the catalogue, and what is changed there.
+/// The problem as comments: its text in the catalogue, and the changes to it.
 inline std::string problem_as_comments(const test_problem& of) {
     std::string text;
     std::istringstream lines{std::string(problem_text(of.in_catalogue()))};
@@ -55,7 +55,7 @@ inline std::string problem_as_comments(const test_problem& of) {
     return text;
 }
 
-/// NAME.txt: comments, then a row for each time: the time, and the values of all unknowns in their order.
+/// NAME.txt: comments, then one row per time: the time, and the values of all unknowns in their order.
 inline std::string text_of_problem(const test_problem& of, const table& values, const table& invariants) {
     std::string text = problem_as_comments(of);
     for (const table_row_cells& row : invariants.rows()) {
@@ -83,7 +83,7 @@ inline std::string text_of_problem(const test_problem& of, const table& values, 
     return text + "\n" + rows + "\n";
 }
 
-/// README.md of the folder.
+/// README.md of the directory.
 inline std::string page_of(const std::vector<test_problem>& problems, const table& values) {
     std::string page = fmt::format(
         "# Reference values of {} test problems\n\n"
@@ -112,7 +112,7 @@ inline std::string page_of(const std::vector<test_problem>& problems, const tabl
     return page;
 }
 
-/// All of these for the problems that the tables have.
+/// All of these files for the problems in the tables.
 inline std::vector<text_file> reference_files(const std::vector<study_table>& tables) {
     const table& values = tables.at(0).data;
     const table& invariants = tables.at(1).data;

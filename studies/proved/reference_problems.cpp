@@ -1,4 +1,4 @@
-// What are the solutions of the classical test problems, to digits that integrators can be judged by?
+// What are the solutions of the classical test problems, to enough digits for testing integrators?
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -82,7 +82,7 @@ std::string digit_that_changes(const mpfr& relative_change) {
     return digit < 1 ? "1" : digit.str(0, std::ios_base::fixed);
 }
 
-// Beside a value that is exactly 0 any move is infinite.
+// Relative to a value that is exactly 0 any change is infinite.
 mpfr part_of(const mpfr& moved, const mpfr& size) { return moved == 0 ? mpfr(0) : mpfr(moved / size); }
 
 // The unknowns of a problem at its times, and its invariants.
@@ -118,7 +118,7 @@ const proved::named_choice& problems_to_choose() {
                                              .option = "--problems",
                                              .help = "problems of the set: LIST, or all",
                                              .remedy = "write names such as lorenz,kepler, or all",
-                                             .what = "no problem of this set",
+                                             .what = "not a problem of this set",
                                              .names = proved::names_of(test_problems())};
     return result;
 }

@@ -19,8 +19,7 @@ namespace {
 
 constexpr long proof_digits = 10;
 constexpr long existence_digits = 5;
-// Systems of more unknowns have proofs that take minutes: their radius is that of the search, as it is where the proof
-// is refused.
+// Proofs for systems of more unknowns take minutes: their radius is taken from the search, as it is if the proof fails.
 constexpr std::size_t most_proved_unknowns = 4;
 
 struct scenario_row {
@@ -90,7 +89,7 @@ void judge(scenario_row& row, const ode::explicit_system& system, const ode::fou
     }
 }
 
-// The proved bounds, or why there are none.
+// The proved bounds, or the reason why there are none.
 std::string take_proved_bounds(scenario_row& row, const ode::explicit_system& system, mpfr& upper) {
     if (size_of_state(system) > most_proved_unknowns) {
         return "a proof for so many unknowns takes minutes";

@@ -6,7 +6,7 @@ main = data.'/scenarios.csv'
 count = count_of(main, '1')
 verdicts = 'larger equal within'
 letters = 'larger than the domain|equal to it|within it'
-# The argument of the nearest singularity in degrees, 0 ahead and 180 behind; of those without one the middle.
+# The argument of the nearest singularity in degrees, 0 ahead and 180 behind; -20 if there is none.
 angles(v) = points_by("awk -F, 'BEGIN { print \"x,y\" } NR > 1 { ++n; if ($5 == \"".v."\") print ($6 == \"\" ? -20 : (atan2($7 < 0 ? -$7 : $7, $6) * 180 / 3.14159265358979)) \",\" n } END { print \"1e99,1e99\" }' '".main."'")
 labels = points_by("awk -F, 'BEGIN { print \"y,name\" } NR > 1 { ++n; print n \",\" $1 (($5 == \"\") ? \" (no verdict)\" : \"\") }' '".main."'")
 

@@ -1,4 +1,4 @@
-// Where are the nearest singularities of the SIR epidemic, over all of its parameters, and what does a root test say?
+// Where are the nearest singularities of the SIR epidemic, over all of its parameters, and what does a root test find?
 #include <algorithm>
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -27,13 +27,13 @@ ode::explicit_system epidemic(const exact& reproduction, const exact& infected) 
                                            "; I(0) = " + infected.coefficient.str()));
 }
 
-// t_s = -int du/J(u), J(u) = i + s (1 - e^u) + u, from 0 to i pi and on to i pi + infinity, where Im J = pi.
+// t_s = -int du/J(u), J(u) = i + s (1 - e^u) + u, from 0 to i pi and then to i pi + infinity, where Im J = pi.
 complex_number<mpfr> place_by_quadrature(const exact& reproduction, const exact& infected) {
     const precision_scope scope(quadrature_digits);
     const mpfr s = from_exact<mpfr>(reproduction);
     const mpfr i = from_exact<mpfr>(infected);
     const mpfr half_turn = pi<mpfr>();
-    // 1/J on the way up, times i; and on the way out, where e^u = -e^x.
+    // 1/J on the vertical part, times i; and on the horizontal part, where e^u = -e^x.
     const auto up = [&](const mpfr& y) {
         const complex_number<mpfr> j{mpfr(i + s - s * cos(y)), mpfr(y - s * sin(y))};
         return complex_number<mpfr>{mpfr(0), mpfr(1)} / j;
@@ -52,7 +52,7 @@ complex_number<mpfr> place_by_quadrature(const exact& reproduction, const exact&
             whole([](const complex_number<mpfr>& z) { return z.im; })};
 }
 
-// The time at which the infected are most: s(t) = 1, t = int from u = -log s of -du/J.
+// The time of the maximum of the infected: s(t) = 1, t = int from u = -log s of -du/J.
 mpfr time_of_peak(const exact& reproduction, const exact& infected) {
     const precision_scope scope(quadrature_digits);
     const mpfr s = from_exact<mpfr>(reproduction);

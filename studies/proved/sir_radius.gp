@@ -1,4 +1,4 @@
-# sir_radius: the radius of convergence of SIR against the reproduction number, a curve for each number of infected, with
+# sir_radius: the radius of convergence of SIR against the reproduction number, one curve per number of infected, with
 # the time of the peak.
 # Columns: reproduction,infected,radius,position_re,position_im,peak,lower,upper,verdict.
 load scripts.'/style.gp'

@@ -1,4 +1,4 @@
-// What is known of the solution of a test problem besides its values: invariants, and singularities near a time.
+// Properties of the solution of a test problem in addition to its values: invariants, and singularities near a time.
 #pragma once
 
 #include <algorithm>
@@ -26,10 +26,10 @@ inline mpfr number_in(const std::string& decimal) {
     return result;
 }
 
-/// A time of a test problem, which a decimal holds.
+/// A time of a test problem, which is a finite decimal.
 inline std::string decimal_in(const ode::number& time) { return decimal_of(rational(*time.fraction()), 60); }
 
-/// The expressions behind the words `invariant` in the text of a problem, in their order.
+/// The expressions after the words `invariant` in the text of a problem, in their order.
 inline std::vector<std::string> invariant_texts(std::string_view text) {
     constexpr std::string_view word = "invariant ";
     std::vector<std::string> all;
@@ -42,21 +42,21 @@ inline std::vector<std::string> invariant_texts(std::string_view text) {
     return all;
 }
 
-/// What stays constant.
+/// A conserved quantity.
 struct invariant_value {
     std::string problem;
     std::string expression;
     std::string value;
     long digits;
-    mpfr difference;  ///< at most, of the invariant of printed values
+    mpfr difference;  ///< bound of the drift of the invariant over the printed values
 };
 
-/// A singularity with the digits that its own uncertainty leaves, at most ten; empty where none was seen.
+/// A singularity to the digits that its uncertainty permits, at most ten; empty if none was found.
 struct nearest_singularity {
     std::string radius, re, im;
 };
 
-/// Of one test problem, its values printed with so many digits.
+/// For one test problem, with values printed to this number of digits.
 class solution_facts {
 public:
     solution_facts(const test_problem& of, long digits)
@@ -64,7 +64,7 @@ public:
 
     const std::vector<std::string>& names() const { return form_.names; }
 
-    /// Their values from the start, exactly where they are fractions, and how far those of printed states are off.
+    /// The invariants from the initial values, exact if they are fractions, and the differences for the printed states.
     std::vector<invariant_value> invariants(const std::vector<ode::number>& times,
                                             const std::vector<std::vector<std::string>>& states) const {
         const auto texts = invariant_texts(problem_text(of_.in_catalogue()));
@@ -85,7 +85,7 @@ public:
         return all;
     }
 
-    /// Of all unknowns about a time, from coefficients there: heuristic.
+    /// From the coefficients of all unknowns about a time: heuristic.
     nearest_singularity nearest_about(const ode::number& time, const std::vector<std::string>& state) const {
         const precision_scope scope(digits_of_lists + more_digits);
         const ode::tape tape = ode::tape::about_points(system_);
@@ -123,7 +123,7 @@ private:
     static constexpr long more_digits = 20;
     static constexpr long digits_of_lists = 30;
     static constexpr int order_of_lists = 60;
-    static constexpr int far = 1'000'000;  // beyond it a list of 60 coefficients is that of an entire function
+    static constexpr int far = 1'000'000;  // larger radii: entire as far as 60 coefficients show
 
     ode::number at_start(const ode::expression& e) const {
         const ode::expression value = ode::replaced(e, [&](const ode::expression& leaf) {
@@ -152,7 +152,7 @@ private:
         return convergence::in_unit(report.verdict, unit.length);
     }
 
-    // x to the place of its uncertainty; nothing where no digit is left but of a number that is 0 beside it.
+    // x to the position of its uncertainty; empty if no digit is left, "0" if x is negligible compared with it.
     static std::string shown(const mpfr& x, const mpfr& uncertainty) {
         constexpr long most_digits = 10;
         const mpfr size = abs(x);

@@ -1,4 +1,4 @@
-// The programs that the study `solvers` asks, and what they are told: peers/equation_code.hpp.
+// The programs that the study `solvers` runs, and their input: peers/equation_code.hpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,13 +17,13 @@
 
 namespace libration::studies::proved {
 
-/// A library that solves initial value problems, in a program of its own.
+/// A library that solves initial value problems, in a separate program.
 struct solver_peer {
     std::string name;     ///< in --solvers
     std::string program;  ///< peers/
-    std::string package;  ///< of Debian, that it needs
+    std::string package;  ///< Debian package that it requires
     std::vector<std::string> methods;
-    long most_evaluations = 200'000;  ///< of right sides, in one run
+    long most_evaluations = 200'000;  ///< of the right-hand side, in one run
 };
 
 inline const std::vector<solver_peer>& solver_peers() {
@@ -36,7 +36,7 @@ inline const std::vector<solver_peer>& solver_peers() {
     return all;
 }
 
-/// Its library and version; nothing where it is not installed, or was not when ours was built.
+/// Its library and version; std::nullopt if it is not installed, or was not when this program was built.
 inline std::optional<std::string> version_of(const solver_peer& peer) {
     try {
         std::string answer = output_of_program(peer_program(peer.program), "version\n");
@@ -47,8 +47,8 @@ inline std::optional<std::string> version_of(const solver_peer& peer) {
     }
 }
 
-/// What a solver in double is handed of y' = f(t, y): elementary operations, starts and times, each number rounded to
-/// the nearest double.
+/// The input of a solver in double for y' = f(t, y): elementary operations, initial values and times, each number
+/// rounded to the nearest double.
 class solver_input {
 public:
     solver_input(const ode::explicit_system& of, const std::vector<ode::number>& times)
@@ -85,7 +85,7 @@ private:
         throw std::logic_error("the tape has no such derivative");
     }
 
-    // The step's word, and where it is the second of two, that of its companion.
+    // The step's name, or for the second of a pair that of its companion.
     std::string word_of(std::size_t k) const {
         using enum ode::operation;
         switch (tape_.steps()[k].kind) {
@@ -106,7 +106,7 @@ private:
             case companion: return word_beside(tape_.steps()[k - 1]);
             case primitive:
             case delayed:
-            case slope: break;  // which series alone need
+            case slope: break;  // needed by series only
         }
         return "nothing";
     }
@@ -140,14 +140,14 @@ struct solver_run {
     std::string tolerance;
 };
 
-/// What came of it.
+/// The result of a run.
 struct solver_answer {
     std::string outcome;         ///< ended, stopped at the limit, failed
-    long evaluations = 0;        ///< of the right sides
+    long evaluations = 0;        ///< of the right-hand side
     std::vector<double> values;  ///< of all unknowns and their lower derivatives, time by time
 };
 
-/// Throws std::runtime_error where the program does not answer.
+/// Throws std::runtime_error if the program does not return them.
 inline std::vector<solver_answer> answers_of(const solver_peer& peer, const solver_input& problem, std::size_t times,
                                              const std::vector<solver_run>& runs) {
     std::string question = fmt::format("limit {}\n{}runs {}\n", peer.most_evaluations, problem.text(), runs.size());
@@ -165,7 +165,7 @@ inline std::vector<solver_answer> answers_of(const solver_peer& peer, const solv
         }
     }
     if (!said) {
-        throw std::runtime_error(peer.program + " did not answer all that it was asked");
+        throw std::runtime_error(peer.program + " did not return all results");
     }
     return answers;
 }

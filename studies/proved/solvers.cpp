@@ -1,4 +1,4 @@
-// How many digits do solvers of initial value problems deliver, and for how many evaluations of the right sides?
+// How many digits do solvers of initial value problems deliver, and for how many evaluations of the right-hand side?
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr long truth_digits = 20;
 
-// What a solver made of a problem.
+// The result of a solver for a problem.
 struct solver_row {
     std::string problem;
     std::string solver, version;
@@ -34,7 +34,7 @@ struct solver_row {
     std::string outcome;
     long evaluations = 0;
     std::optional<mpfr> error;
-    std::string unknown, time;  ///< where that is
+    std::string unknown, time;  ///< where that error occurs
     mpfr by_rounding;
 };
 
@@ -74,13 +74,13 @@ const column_list<solver_row>& columns() {
     return all;
 }
 
-// Stiff ones and others, whose truth takes two minutes at most.
+// Stiff and nonstiff problems whose reference values take two minutes at most.
 const proved::named_choice& problems_to_choose() {
     static const proved::named_choice result{.axis = "problem",
                                              .option = "--problems",
                                              .help = "problems of the set: LIST, or all",
                                              .remedy = "write names such as lorenz,kepler, or all",
-                                             .what = "no problem of this study",
+                                             .what = "not a problem of this study",
                                              .names = {"arenstorf",
                                                        "brusselator",
                                                        "detest_a3",
@@ -109,7 +109,7 @@ const proved::named_choice& solvers_to_choose() {
                                              .option = "--solvers",
                                              .help = "libraries: odeint, gsl, sundials, scipy, mpmath, or all",
                                              .remedy = "write names such as odeint,gsl, or all",
-                                             .what = "no solver of this study",
+                                             .what = "not a solver of this study",
                                              .names = proved::names_of(solver_peers())};
     return result;
 }
@@ -182,7 +182,7 @@ private:
     mpfr by_rounding_{0};
 };
 
-// A peer that is asked for, and what it says of itself.
+// A requested peer, and the version it reports.
 struct asked_peer {
     solver_peer peer;
     std::optional<std::string> version;
@@ -257,7 +257,7 @@ const problem& problems_of_study() {
                                                   proved::axis_of(solvers_to_choose()),
                                                   {.name = "tolerance",
                                                    .option = "--tolerances",
-                                                   .help = "what solvers are asked for, relative and absolute",
+                                                   .help = "requested tolerances of the solvers, relative and absolute",
                                                    .unit = "",
                                                    .form = axis_form::numbers,
                                                    .remedy = "write a list such as 1e-4,1e-8,1e-12",

@@ -1,5 +1,5 @@
-# solvers: digits over evaluations of the right sides, one panel a problem. Columns: problem,solver,version,method,
-# tolerance,outcome,evaluations,error,digits,unknown,time,rounding,rigour.
+# solvers: digits against evaluations of the right-hand side, one panel per problem. Columns:
+# problem,solver,version,method, tolerance,outcome,evaluations,error,digits,unknown,time,rounding,rigour.
 load scripts.'/style.gp'
 
 main = data.'/solvers.csv'
@@ -9,13 +9,13 @@ libraries = seen(main, 2, '$9 != ""')
 methods_of(s) = seen(main, 4, sprintf('$9 != "" && $2 == "%s"', s))
 nice(name) = ask("echo '".name."' | tr '_' ' '")
 of(p, s, m) = sprintf('$1 == "%s" && $2 == "%s" && $4 == "%s" && $7 > 0', p, s, m)
-# All methods, as library:method, with the place of their library.
+# All methods, as library:method, with the index of their library.
 curves = ''
 do for [s in libraries] { do for [m in methods_of(s)] { curves = curves.' '.s.':'.m } }
 library_of(c) = c[1:strstrt(c, ':') - 1]
 method_of(c) = c[strstrt(c, ':') + 1:*]
 place_of(s) = sum [i=1:words(libraries)] (word(libraries, i) eq s ? i : 0)
-# The how-manieth method of its library.
+# The index of the method within its library.
 turn_of(k) = sum [i=1:k] (library_of(word(curves, i)) eq library_of(word(curves, k)) ? 1 : 0)
 rounding_of(p) = number(first_of(main, 12, sprintf('$1 == "%s"', p)))
 least_count = least(main, '7', '$9 != ""', 10)

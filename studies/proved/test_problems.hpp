@@ -1,5 +1,5 @@
-// The set of test problems of which reference values are published: problems of the catalogue, some with other
-// parameters, and where the last of their times is.
+// The test problems for which reference values are published: problems of the catalogue, some with other parameters,
+// and the last of their times.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace libration::studies::proved {
 
-/// The times are end k/8, k = 1 .. 8, after the start.
+/// The times are end k/8, k = 1 .. 8, after the initial time.
 inline constexpr int times_of_each = 8;
 
 struct test_problem {
     std::string name;
     std::string end;
     std::string catalogue = {};             ///< its name there; empty: the same
-    std::vector<std::string> changes = {};  ///< of parameters and starts
-    int seconds = 1;                        ///< about, on one core
+    std::vector<std::string> changes = {};  ///< of parameters and initial values
+    int seconds = 1;                        ///< approximate, on one core
 
     std::string in_catalogue() const { return catalogue.empty() ? name : catalogue; }
 

@@ -1,4 +1,4 @@
-// Numbers of which some may be 0 or nearly so, by runs of growing precision that agree.
+// Numbers of which some may be 0 or nearly so, by runs of increasing precision that agree.
 #pragma once
 
 #include <array>
@@ -9,15 +9,15 @@
 
 namespace libration::studies {
 
-/// A number of some digits, and whether two runs agree to them: what they leave open is 0 as far as is known.
+/// A number of some digits, and whether two runs agree to them. If not, it is 0 as far as can be determined.
 struct agreed_number {
     mpfr value;
     bool agreed = false;
 };
 
-/// The numbers of compute(guard), which works with `digits` and `guard` digits: a run more while two have not agreed on
-/// all, at most six. What is smaller than 10^-(digits + guard/2) in both of the last two is 0, without a word that it
-/// agreed; inf agrees with inf, and an exact 0 with another.
+/// The numbers of compute(guard), which works with `digits` and `guard` digits: repeated until two runs agree on all,
+/// at most six times. What is smaller than 10^-(digits + guard/2) in both of the last two runs is 0, without being
+/// marked as agreed; inf agrees with inf, and an exact 0 with another.
 template <class Compute>
 std::vector<agreed_number> agreed_numbers(long digits, const Compute& compute) {
     constexpr std::array<long, 6> guards{20, 45, 90, 180, 360, 720};

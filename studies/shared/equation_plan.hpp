@@ -1,4 +1,4 @@
-// The plans of studies of any equation: a cell for each combination of parameters, or for each of some numbers at one.
+// The plans of studies of any equation: a cell per combination of parameters, or per integer of an axis at each.
 #pragma once
 
 #include <algorithm>
@@ -25,13 +25,13 @@ study_table head_of(const equation_sweep& sweep, std::string suffix, const scala
     return {std::move(suffix), scalar, sweep.framed(0, make_table(columns, std::vector<Row>()))};
 }
 
-/// The last of the study's own columns, of rows with a member `unknown`.
+/// The last of the study's columns, for rows with a member `unknown`.
 template <class Row>
 column_of<Row> unknown_column() {
     return {"unknown", "of the problem", [](const Row& r) { return cell(r.unknown); }};
 }
 
-/// A cell for each combination: rows(i) gives one table of the study's own columns for each of the plan's.
+/// A cell per combination: rows(i) returns one table of the study's columns for each table of the plan.
 template <class Rows>
 study_plan plan_by_parameters(std::vector<study_table> tables, const shared_equation_sweep& sweep, const Rows& rows) {
     return plan_of_cells(
@@ -39,8 +39,7 @@ study_plan plan_by_parameters(std::vector<study_table> tables, const shared_equa
         [sweep, rows](std::size_t i) { return sweep->framed(i, rows(i)); });
 }
 
-/// A cell for each of these whole numbers of an axis at each combination, those of a combination together: rows(i,
-/// values).
+/// A cell for each of these integers of an axis at each combination, those of a combination together: rows(i, values).
 template <class Rows>
 study_plan plan_by_numbers(std::vector<study_table> tables, const shared_equation_sweep& sweep, const std::string& axis,
                            const std::vector<int>& values, const Rows& rows) {
@@ -50,7 +49,7 @@ study_plan plan_by_numbers(std::vector<study_table> tables, const shared_equatio
         [sweep, rows](std::size_t i, const std::vector<int>& chosen) { return sweep->framed(i, rows(i, chosen)); });
 }
 
-/// The times of the request as the constants of equations. Throws input_error where there are fewer than `least`.
+/// The times of the request as the constants of equations. Throws input_error if there are fewer than `least`.
 inline std::vector<ode::number> times_of(const study_request& request, std::size_t least) {
     std::vector<ode::number> times;
     for (const exact& each : request.values.of("time")) {
@@ -64,7 +63,7 @@ inline std::vector<ode::number> times_of(const study_request& request, std::size
     return times;
 }
 
-/// A text without the commas that would part it in a table.
+/// A text without commas, which would separate it in a table.
 inline std::string without_commas(std::string text) {
     std::ranges::replace(text, ',', ';');
     return text;

@@ -1,4 +1,4 @@
-// The cells of sweeps over the parameters and starts of an equation, and the columns that all their tables have.
+// The cells of sweeps over parameters and initial values of an equation, and the columns that all their tables have.
 #pragma once
 
 #include <algorithm>
@@ -12,25 +12,25 @@
 
 namespace libration::studies {
 
-/// Every combination of the values of --set, the last axis the fastest.
+/// Every combination of the values of --set; the last axis varies fastest.
 class equation_sweep {
 public:
     explicit equation_sweep(const study_request& request);
 
-    /// Combinations; 1 where there is no axis.
+    /// Number of combinations; 1 if there is no axis.
     std::size_t size() const { return size_; }
-    /// The system of one of them. Throws error where it has no solution.
+    /// The system of one of them. Throws error if it has no solution.
     ode::explicit_system system(std::size_t i) const { return of_->at(values(i)); }
     cell_inputs inputs(std::size_t i) const;
-    /// What the cells differ in, with one more axis behind.
+    /// The names of the axes, followed by additional ones.
     std::vector<std::string> axes(const std::vector<std::string>& more = {}) const;
-    /// The places of the unknowns that are asked for, and their names.
+    /// The indices of the requested unknowns, and their names.
     const std::vector<int>& unknowns() const { return unknowns_; }
     const std::string& name_of(int unknown) const { return names_[static_cast<std::size_t>(unknown)]; }
     const swept_problem& of() const { return *of_; }
 
-    /// <axes>,<the study's own>,<what was typed of the axes>: a table of a study under all columns. An axis that is
-    /// called as one of the study's own columns is set_NAME.
+    /// <axes>,<columns of the study>,<values of the axes as typed>: a table of a study with all columns. An axis whose
+    /// name is that of a column of the study is called set_NAME.
     table framed(std::size_t i, const table& own) const;
     std::vector<table> framed(std::size_t i, const std::vector<table>& own) const;
 

@@ -1,4 +1,4 @@
-// What radius tests answer to the coefficients of an equation.
+// The results of radius tests for the coefficients of an equation.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 namespace libration::studies {
 
 inline constexpr int least_order_of_lists = 4;
-/// Digits of coefficients beyond those of the arithmetic in which they are judged.
+/// Digits of coefficients in addition to those of the arithmetic of the tests.
 inline constexpr long guard_of_lists = 20;
 
-/// An answer, with lengths in the unit of the variable.
+/// A result, with lengths in the unit of the variable.
 struct answer_of_test {
     std::optional<mpfr> radius;
     convergence::radius_estimate<mpfr> of;
@@ -55,7 +55,7 @@ inline const column_list<answer_of_test>& answer_columns() {
     return all;
 }
 
-/// The answers to a list of an unknown.
+/// The results for a list of an unknown.
 struct answered_list {
     std::string unknown;
     int order;
@@ -63,19 +63,19 @@ struct answered_list {
     answer_of_test found;
 };
 
-/// The list a_0 .. a_N of a longer one.
+/// The first coefficients a_0 .. a_N of a longer list.
 inline series::power_series<mpfr> first_of_list(const series::power_series<mpfr>& list, int order) {
     const auto& all = list.coefficients();
     return series::power_series<mpfr>({all.begin(), all.begin() + std::ptrdiff_t{order} + 1});
 }
 
-/// The coefficients of all unknowns about the start.
+/// The coefficients of all unknowns about the initial point.
 inline problem_lists lists_about_start(const ode::explicit_system& system, int order, long digits) {
     return lists_of_problem({system, 0, order, std::nullopt}, digits);
 }
 
-/// What the tests that are `shown` answer to the list up to this order, in powers of the root-th root of the variable;
-/// the verdict first.
+/// The results of the tests that are `shown` for the list up to this order, in powers of the root-th root of the
+/// variable; the verdict first.
 template <class Shown>
 std::vector<answered_list> answers_to(const std::string& unknown, const series::power_series<mpfr>& list, int order,
                                       const scalar_spec& scalar, const Shown& shown, int root) {
@@ -98,7 +98,7 @@ std::vector<answered_list> answers_to(const std::string& unknown, const series::
     return all;
 }
 
-/// The same of the unknowns that are asked for and of several orders, one order after the other.
+/// The same for the requested unknowns and several orders, one order after the other.
 template <class Shown>
 std::vector<answered_list> answers_to(const problem_lists& lists, const equation_sweep& sweep,
                                       const std::vector<int>& orders, const scalar_spec& scalar, const Shown& shown) {
@@ -115,14 +115,14 @@ std::vector<answered_list> answers_to(const problem_lists& lists, const equation
 
 inline bool is_verdict(const std::string& method) { return method == "verdict"; }
 
-/// The verdicts on the lists about the start.
+/// The verdicts on the lists about the initial point.
 inline std::vector<answered_list> verdicts_of(const ode::explicit_system& system, const equation_sweep& sweep,
                                               const std::vector<int>& orders, const scalar_spec& scalar) {
     const auto lists = lists_about_start(system, *std::ranges::max_element(orders), scalar.digits + guard_of_lists);
     return answers_to(lists, sweep, orders, scalar, is_verdict);
 }
 
-/// The columns of answers to lists: <order>,<method>,<the answer>,unknown.
+/// The columns of results for lists: <order>,<method>,<the result>,unknown.
 inline const column_list<answered_list>& answered_columns() {
     using row = answered_list;
     static const column_list<row> all =

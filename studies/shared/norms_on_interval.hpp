@@ -1,4 +1,4 @@
-// The largest errors of approximants of an equation at times of an interval, to digits that two runs agree on.
+// The largest errors of approximants of an equation at times of an interval, to digits on which two runs agree.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ struct found_norm {
     bool there = true;  ///< whether there is such an approximant
 };
 
-/// What is asked of a system: the norms of all these, and with how many digits.
+/// The requested norms of a system, and the number of their digits.
 struct asked_norms {
     const ode::explicit_system& system;
     const std::vector<ode::number>& times;
@@ -32,13 +32,13 @@ struct asked_norms {
     std::vector<approximation> methods;
 };
 
-/// The norms in mpfr: the solution and the coefficients are computed once for each precision and shared by the orders.
+/// The norms in mpfr: the solution and the coefficients are computed once per precision and shared by the orders.
 class agreed_norms {
 public:
     agreed_norms(asked_norms asked, int highest, long digits)
         : asked_(std::move(asked)), highest_(highest), digits_(digits) {}
 
-    /// Those of one order, unknown by unknown.
+    /// The norms of one order, unknown by unknown.
     std::vector<found_norm> of_order(int order) {
         std::vector<found_norm> norms;
         for (const int unknown : asked_.unknowns) {
@@ -103,7 +103,7 @@ private:
     std::map<long, std::unique_ptr<one_run>> runs_;
 };
 
-inline constexpr long digits_of_truth = 60;  ///< against which fixed scalars are judged
+inline constexpr long digits_of_truth = 60;  ///< of the reference for fixed scalars
 
 /// The norms of these orders in a fixed scalar, as it computes them.
 template <fixed_scalar T>
@@ -128,7 +128,7 @@ std::vector<found_norm> norms_in(const asked_norms& asked, const std::vector<int
     return norms;
 }
 
-/// The norms of these orders in the arithmetic of a scalar: in mpfr right to its digits.
+/// The norms of these orders in the arithmetic of a scalar: in mpfr correct to its digits.
 inline std::vector<found_norm> norms_of(const asked_norms& asked, const std::vector<int>& orders,
                                         const scalar_spec& scalar) {
     return with_scalar(scalar, 0, [&]<class T>() {

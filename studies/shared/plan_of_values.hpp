@@ -1,4 +1,4 @@
-// Plans whose cells share work along one axis, as the orders of one series do, and the orders that a study takes.
+// Plans whose cells share work along one axis, as the orders of one series do, and the orders that a study accepts.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace libration::studies {
 inline std::string input_words(int order) { return std::to_string(order); }
 inline std::string input_words(const exact& value) { return value.text; }
 
-/// A cell for each of these values of the last of the axes at each of `groups` places with the inputs(i), those of a
-/// place together: rows(i, values) gives one table for each of the plan's, with as many rows for each value, one value
-/// after the other.
+/// A cell for each of these values of the last axis, for each of `groups` groups with the inputs(i); the cells of a
+/// group are computed together: rows(i, values) returns one table for each table of the plan, with the same number of
+/// rows for each value, one value after the other.
 template <class Value, class Inputs, class Rows>
 study_plan plan_of_values(std::vector<study_table> tables, std::vector<std::string> axes, std::size_t groups,
                           const Inputs& inputs, const std::vector<Value>& values, const Rows& rows) {
@@ -40,7 +40,7 @@ study_plan plan_of_values(std::vector<study_table> tables, std::vector<std::stri
     return {std::move(tables), std::move(axes), groups, group, {}, {}};
 }
 
-/// The orders by size. Throws input_error where one is below `least`, which `is` why.
+/// The orders in increasing order. Throws input_error with the reason `is` if one is below `least`.
 inline std::vector<int> orders_from(const study_request& request, int least, const std::string& is) {
     std::vector<int> orders = request.orders();
     std::ranges::sort(orders);
@@ -56,7 +56,7 @@ inline std::vector<int> numbers_of_coefficients(const study_request& request) {
     std::vector<int> counts = request.orders();
     for (const int count : counts) {
         if (count < 1) {
-            throw input_error("--orders", std::to_string(count), "is no number of coefficients", "write 1 or more");
+            throw input_error("--orders", std::to_string(count), "is not a number of coefficients", "write 1 or more");
         }
     }
     return counts;

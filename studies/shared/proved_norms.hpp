@@ -1,7 +1,7 @@
 // The largest errors of approximants of an equation at times of an interval, every digit proved.
 //
-// The solution at the times is enclosed by theorem V (ode/proved/proved_march.hpp), the coefficients are computed on
-// balls, and so is what approximants make of them: the largest of the differences is enclosed.
+// The solution at the times is enclosed by theorem V (ode/proved/proved_march.hpp), the coefficients and the values of
+// the approximants are computed on balls, and so the largest of the differences is enclosed.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,10 @@
 
 namespace libration::studies {
 
-/// The solution at times of an interval and its series about the start, on balls of the working precision.
+/// The solution at times of an interval and its series about the initial point, on balls of the working precision.
 class enclosed_interval {
 public:
-    /// Throws precision_exhausted where the proof of the solution needs more bits, and as enclosed_trajectory.
+    /// Throws precision_exhausted if the proof of the solution needs more bits, and as enclosed_trajectory.
     enclosed_interval(const ode::explicit_system& system, const std::vector<ode::number>& times, int order) {
         const auto states = ode::enclosed_trajectory(system, times, ball::working_bits());
         if (!states) {
@@ -59,16 +59,16 @@ public:
         }
     }
 
-    /// An enclosed norm, and the place of its time where that is told from all others.
+    /// An enclosed norm, and the index of its time if that is distinguished from all others.
     struct largest_error {
         ball norm;
         std::optional<std::size_t> place;
     };
 
-    /// Whether there is such an approximant, as far as is known without a computation.
+    /// Whether there is such an approximant, as far as can be determined without a computation.
     bool offers(approximation method) const { return method != approximation::endpoint || one_sided_; }
 
-    /// Nothing where the approximant is not seen to exist with this precision.
+    /// Returns std::nullopt if the approximant cannot be shown to exist in this precision.
     std::optional<largest_error> error_of(approximation method, int unknown, int order) const {
         const auto i = static_cast<std::size_t>(unknown);
         const auto approximant = approximants_[i].of(method, order);
@@ -103,7 +103,7 @@ private:
     std::vector<approximants_of_list<ball>> approximants_;
 };
 
-/// A norm with its proved digits; without them where no precision that was tried decides it, which is so where the
+/// A norm with its proved digits; without them if it is decided at none of the precisions tried, as is the case if the
 /// approximant is the solution.
 struct proved_norm {
     int order;

@@ -1,4 +1,4 @@
-// What a radius test answered, as the cells of a row, judged by the exact radius.
+// The result of a radius test as the cells of a row, compared with the exact radius.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 namespace libration::studies {
 
 inline constexpr long digits_of_errors = 12;
-/// Digits beyond those of the estimates, in which they are judged.
+/// Digits in addition to those of the estimates for the comparison.
 inline constexpr long digits_for_judging = 20;
 
-/// Lists are handed to the tests in this many radii, so that no test is served the answer 1.
+/// Lists are passed to the tests in units of this many radii, so that no test finds the answer 1 by construction.
 inline rational hidden_unit() { return rational(9) / 8; }
 
 /// |radius/exact - 1|, in the working precision in force.
@@ -26,7 +26,7 @@ mpfr relative_error(const convergence::radius_estimate<T>& found, const mpfr& ex
     return abs(mpfr(widen(*found.radius) / exact - 1));
 }
 
-/// An answer with what is true. `exact` has more digits than the answer.
+/// A result with the true radius. `exact` has more digits than the result.
 struct judged_radius {
     std::optional<mpfr> radius;
     mpfr uncertainty;
@@ -45,7 +45,7 @@ judged_radius against_exact(const convergence::radius_estimate<T>& found, const 
     return {widen(*found.radius), uncertainty, exact, digits, relative_error(found, exact), mpfr(uncertainty / exact)};
 }
 
-/// The columns of a judged radius.
+/// The columns of a radius compared with the exact one.
 inline const column_list<judged_radius>& judged_columns() {
     using row = judged_radius;
     static const column_list<row> all{
@@ -63,14 +63,14 @@ inline const column_list<judged_radius>& judged_columns() {
     return all;
 }
 
-/// The list a_0 .. a_N of a longer one.
+/// The first coefficients a_0 .. a_N of a longer list.
 template <rounding_scalar T>
 series::power_series<T> cut(const series::power_series<T>& list, int order) {
     return series::power_series<T>(
         {list.coefficients().begin(), list.coefficients().begin() + std::ptrdiff_t{order} + 1});
 }
 
-/// An answer to one list.
+/// The result for one list.
 struct answer_row {
     const sweep_energy& at;
     const exact& point;
@@ -92,8 +92,8 @@ inline const column_list<answer_row>& judged_answer_columns() {
     return all;
 }
 
-/// What the tests that are `shown` answer to the lists of these orders (the largest last), about one point of
-/// one motion.
+/// The results of the tests that are `shown` for the lists of these orders (the largest last), about one point of one
+/// motion.
 template <class Shown>
 table answers_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
                     const scalar_spec& scalar, const Shown& shown) {

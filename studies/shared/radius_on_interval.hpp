@@ -1,4 +1,4 @@
-// The radii of convergence beside an interval: what theory says of the errors there.
+// The radii of convergence compared with an interval: the theoretical rate of the errors there.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct radius_row {
     mpfr reach;
     answer_of_test found;
     std::string unknown;
-    int root;  // of the variable, in powers of which the series goes
+    int root;  // q of the variable's q-th root, in powers of which the series proceeds
 };
 
 inline const column_list<radius_row>& radius_columns() {
@@ -38,7 +38,7 @@ inline const column_list<radius_row>& radius_columns() {
 
 inline table no_radii() { return make_table(radius_columns(), std::vector<radius_row>()); }
 
-/// By lists of 120 powers in mpfr:30.
+/// From lists of 120 powers in mpfr:30.
 inline std::vector<radius_row> radii_about(const ode::explicit_system& system, const equation_sweep& sweep,
                                            const std::vector<ode::number>& times) {
     constexpr int order = 120;
@@ -56,7 +56,7 @@ inline std::vector<radius_row> radii_about(const ode::explicit_system& system, c
     return rows;
 }
 
-/// A plan by orders with a cell for the radii of each combination behind it: the rows of the last of its tables.
+/// A plan by orders followed by a cell for the radii of each combination: the rows of the last of its tables.
 inline study_plan with_radii(study_plan plan, const shared_equation_sweep& sweep,
                              const std::vector<ode::number>& times) {
     const std::size_t count = plan.groups;

@@ -1,4 +1,4 @@
-// What the tables of all sweeps over energies share: the columns of the energy and of the expansion point.
+// The common columns of the tables of all sweeps over energies: those of the energy and of the expansion point.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace libration::studies {
 inline const sweep_energy& energy_of(const sweep_energy& at) { return at; }
 inline const sweep_energy& energy_of(const sweep_energy* at) { return *at; }
 
-/// The columns of rows with a member `at`, the energy of the sweep; a pointer where other rows have none.
+/// The columns of rows with a member `at`, the energy of the sweep; a pointer if other rows have none.
 template <class Row>
 column_of<Row> energy_column() {
     return {"energy", "E, in units of m g l", [](const Row& r) { return number_cell(energy_of(r.at).energy); }};
@@ -31,7 +31,7 @@ column_of<Row> log10_gap_column() {
             }};
 }
 
-/// What was typed: these stand behind all others, and only where it is no decimal (tables_of).
+/// The values as typed: these come after all others, and only if the value is not a decimal (tables_of).
 template <class Row>
 column_list<Row> typed_energy_columns() {
     return {{"energy_typed", "E as typed", [](const Row& r) { return cell(energy_of(r.at).energy_typed); }},
@@ -45,7 +45,7 @@ column_of<Row> point_column() {
             [](const Row& r) { return read_cell(r.point.text); }};
 }
 
-/// The columns with those of what was typed behind them.
+/// The columns followed by those of the values as typed.
 template <class Row>
 column_list<Row> with_typed_energy(column_list<Row> columns) {
     return joined(std::move(columns), typed_energy_columns<Row>());

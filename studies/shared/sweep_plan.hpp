@@ -1,4 +1,4 @@
-// The cells of sweeps over energies: each energy by itself, or each order, or each expansion point, at an energy.
+// The cells of sweeps over energies: one per energy, or one per order or expansion point at each energy.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ inline shared_sweep sweep_of(const study_request& request) {
     return std::make_shared<const pendulum_sweep>(request.values);
 }
 
-/// The energy as an input of a cell: what its columns print.
+/// The energy as an input of a cell, as printed in its columns.
 inline cell_inputs inputs_of(const sweep_energy& at) {
     cell_inputs inputs{{"energy", at.energy}, {"gap", at.gap}};
     if (!at.energy_typed.empty()) {
@@ -30,7 +30,7 @@ inline cell_inputs inputs_of(const sweep_energy& at) {
     return inputs;
 }
 
-/// A cell for each energy: rows(at) gives one table for each of the plan's.
+/// A cell for each energy: rows(at) returns one table for each of the plan's.
 template <class Rows>
 study_plan plan_by_energy(std::vector<study_table> tables, const shared_sweep& sweep, const Rows& rows) {
     return plan_of_cells(

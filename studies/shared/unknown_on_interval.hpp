@@ -1,4 +1,4 @@
-// The approximants that the series of an unknown about the start makes, against the solution at times of an interval.
+// The approximants from the series of an unknown, compared with the solution at times of an interval.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@ namespace libration::studies {
 
 using approximation = list_approximation;
 
-/// One unknown: its approximants against the solution.
+/// One unknown: its approximants compared with the solution.
 template <rounding_scalar T>
 class unknown_on_interval {
 public:
-    /// A largest difference and the place of its time; inf where the approximant is not finite.
+    /// A largest difference and the index of its time; inf if the approximant is not finite.
     struct largest_error {
         mpfr norm;
         std::size_t place = 0;
@@ -28,13 +28,13 @@ public:
         }
     }
 
-    /// Nothing where there is no such approximant of this order.
+    /// Returns std::nullopt if there is no such approximant of this order.
     std::optional<largest_error> error_of(approximation method, int order) const {
         const auto found = approximants_.of(method, order);
         return found ? std::optional(largest(*found)) : std::nullopt;
     }
 
-    /// The partial sum of an order at the time of that place.
+    /// The partial sum of an order at the time with that index.
     T partial_sum(int order, std::size_t place) const {
         return (*approximants_.of(approximation::series, order))(x_[place]);
     }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Judges the CSV of `libration-attack --print N` by integers alone: mpmath, its descending Landen, no Arb.
+"""Checks the CSV of `libration-attack print N`: descending Landen transformation in mpmath, without Arb.
 
-    libration-attack --print 2000 | python3 tests/attack/by_integers.py
+    libration-attack print 2000 | python3 tests/attack/by_integers.py
 
-A digit is wrong where the printed decimal is a unit of its last digit or more away. Exit code 1 where one is.
+A digit is wrong if the error of the printed decimal is at least one unit of its last digit. Exits with 1 if one is.
 """
 
 import csv
@@ -19,7 +19,7 @@ def landen(u, k, complement):
     while abs(chain[-1][0] - chain[-1][1]) > mpf(2) ** (-mp.prec // 2 - 8) * chain[-1][0]:
         a, b = chain[-1]
         chain.append(((a + b) / 2, sqrt(a * b)))
-    # To the last level sin is sn up to k^2, which is below the precision.
+    # At the last level sin equals sn up to k^2, which is below the precision.
     angle = u * chain[-1][0]
     tangent, dn = sin(angle) / cos(angle), mpf(1)
     for (a, b), (mean, _) in zip(chain[-2::-1], chain[:0:-1]):
@@ -46,7 +46,7 @@ def nearest(x):
 
 
 def state(energy, time):
-    """theta and omega from the top, by quarters of the period from the bottom that comes next."""
+    """theta and omega from the top, by quarters of the period from the next bottom."""
     turning = energy > 2
     rate = sqrt(number(energy / 2)) if turning else mpf(1)
     k = 1 / rate if turning else sqrt(number(energy / 2))

@@ -1,5 +1,5 @@
 // Jacobi's functions at complex arguments and any real parameter by Arb's theta functions of a complex tau, for the
-// attack: no reduction of the parameter, no addition theorem, no imaginary transformation of the library.
+// attack: without the library's reduction of the parameter, addition theorems and imaginary transformation.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace libration::tests {
 
-/// A complex number of Arb's.
+/// A complex number of Arb.
 class complex_ball {
 public:
     complex_ball() { acb_init(value_); }
@@ -51,7 +51,7 @@ private:
     acb_t value_;
 };
 
-/// The functions of one parameter, m and 1 - m exact and neither 0 [DLMF 20.9.1-2, 22.2.4-9].
+/// The functions of one parameter, m and 1 - m exact and nonzero [DLMF 20.9.1-2, 22.2.4-9].
 class complex_route {
 public:
     complex_route(const rational& m, const rational& complement) : quarter_(complete(m)) {

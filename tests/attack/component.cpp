@@ -124,8 +124,8 @@ component hyperbolic(const constant& a, const constant& u) {
             }};
 }
 
-// Products and quotients of long series with the same coefficients everywhere, whose products come next to the limits
-// of the transforms: (c/(1-s)) (c/(s-1)), (c/(1-s)) (d/(1-s)), (c/(1+s)) (d/(s-1)).
+// Products and quotients of long series with equal coefficients, whose products come near the limits of the transforms:
+// (c/(1-s)) (c/(s-1)), (c/(1-s)) (d/(1-s)), (c/(1+s)) (d/(s-1)).
 component quotients(const constant& c, const constant& d, const constant& u, long form) {
     const char* const left = form == 2 ? "/(1+" : "/(1-";
     const bool turned = form != 1;

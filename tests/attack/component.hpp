@@ -1,4 +1,4 @@
-// Equations of first order with one unknown whose solutions have closed forms.
+// First-order equations with one unknown whose solutions have closed forms.
 #pragma once
 
 #include <complex>
@@ -20,30 +20,30 @@ struct place {
     truth re, im;
 };
 
-/// u' = slope(u, s), u = start at s = 0, s the time since the start.
+/// u' = slope(u, s), u = start at s = 0, s the time since the initial time.
 struct component {
     std::function<std::string(const std::string& u, const std::string& s)> slope;
     constant start;
     function value;  ///< u(s)
-    /// The solution is analytic for -backward < s < forward, about.
+    /// The solution is analytic for -backward < s < forward, approximately.
     double backward = std::numeric_limits<double>::infinity();
     double forward = std::numeric_limits<double>::infinity();
-    /// Its coefficient n about the start, where that is known.
+    /// Its coefficient n about the initial point, if that is known.
     std::function<mpfr(long)> coefficient = {};
-    /// All singularities with |s| below a bound of at most 50, where they are known; none: entire.
+    /// All singularities with |s| below a bound of at most 50, if they are known; none: entire.
     std::function<std::vector<place>(double within)> singularities = {};
-    /// When u passes a value after the start, once: u is monotone there. Nothing where it does not.
+    /// The time after the initial time at which the monotone u passes a value; std::nullopt if it does not.
     std::function<std::optional<truth>(const constant& level)> passes = {};
 };
 
-/// One of all of them, its constants near one in half of the cases.
+/// Any component, with constants near one in half of the cases.
 component any_component(choices& next);
-/// One whose coefficients are known.
+/// A component with known coefficients.
 component with_coefficients(choices& next);
-/// One whose singularities are known, and of which it has some.
+/// A component with known singularities, at least one.
 component with_singularities(choices& next);
 
-/// Those that other kinds ask for by name.
+/// Components that other kinds construct by name.
 component growth(const constant& rate, const constant& start);   ///< u' = a u
 component pole(const constant& rate, const constant& start);     ///< u' = a u^2
 component tangent(const constant& rate, const constant& start);  ///< u' = a (1 + u^2)

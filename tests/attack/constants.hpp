@@ -10,7 +10,7 @@ namespace libration::attack {
 
 using choices = tests::corner_numbers;
 
-/// A constant as it is typed, in parentheses where it is more than a decimal, and its value.
+/// A constant as it is typed, in parentheses unless it is a decimal, and its value.
 struct constant {
     std::string text;
     truth value;

@@ -1,4 +1,4 @@
-// The facts that the message of a refusal states.
+// The facts stated by the message of an error.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace libration::attack {
 
-/// What a message states as proved, in its own decimals; a message without any of it only says that nothing is proved.
+/// The facts that a message states as proved, in its decimals; a message without any of them states no proved fact.
 struct refusal_facts {
     std::optional<std::string> exists_up_to;  ///< "is proved to exist up to X"
     std::optional<std::string> none_up_to;    ///< "is not found within N steps, from time T up to X"

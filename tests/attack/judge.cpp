@@ -14,7 +14,7 @@ namespace {
 constexpr long most_digits_of_truth = 40'000;
 constexpr long first_guard_digits = 60;
 constexpr long digits_that_agree = 20;
-// Where two precisions agree on 0, constants next to 1 may cancel in both: more digits than any of them has decide.
+// If two precisions agree on 0, constants near 1 may cancel in both: use more digits than any of them has.
 constexpr long digits_of_a_zero = 3'000;
 
 // 10^n, exactly.
@@ -23,7 +23,7 @@ rational power_of_ten(long n) {
     return n < 0 ? rational(1, power) : rational(power);
 }
 
-// The exponent of the first digit of a decimal that is not 0.
+// The exponent of the first digit of a nonzero decimal.
 long first_exponent(std::string_view text) {
     const std::size_t e = text.find_first_of("eE");
     const long exponent = e == std::string_view::npos ? 0 : std::stol(std::string(text.substr(e + 1)));
@@ -35,7 +35,7 @@ long first_exponent(std::string_view text) {
     return exponent + (at < dot ? dot - at - 1 : dot - at);
 }
 
-// The truth in twice as many digits as the one that it agrees with; a 0 in many.
+// The true value in twice as many digits as the one with which it agrees; a 0 in many.
 template <class Use>
 std::optional<verdict> settled(const truth& exact, long digits, const Use& use) {
     for (long precision = digits + first_guard_digits; precision <= most_digits_of_truth; precision *= 2) {

@@ -1,4 +1,4 @@
-// What becomes of a statement: judged against a number that is computed in MPFR alone.
+// The verdict on a statement: compared with a number that is computed in MPFR alone.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace libration::attack {
 
-/// A number in the thread's working precision (precision_scope); called again it is computed again.
+/// A number in the thread's working precision (precision_scope), computed anew by each call.
 using truth = std::function<mpfr()>;
 
 /// A fraction in the working precision.
 mpfr real(const rational& q);
-/// The fraction that a decimal stands for.
+/// The fraction represented by a decimal.
 rational typed_fraction(const std::string& decimal);
 mpfr pi_value();
 /// About 15 digits of it.
@@ -24,13 +24,13 @@ double rough(const truth& exact);
 
 enum class verdict {
     right,
-    refused,   ///< nothing was stated, or only facts that hold
+    refused,   ///< nothing was stated, or only facts that are true
     wrong,     ///< a false statement
     undecided  ///< the truth is not known well enough to judge it
 };
 inline constexpr std::size_t verdicts = 4;
 
-/// The statements of one question.
+/// The verdicts on the statements of one question.
 struct outcome {
     std::string command;  ///< to be pasted into a shell
     std::array<long, verdicts> counts{};
@@ -40,14 +40,14 @@ struct outcome {
     long count(verdict v) const { return counts[static_cast<std::size_t>(v)]; }
 };
 
-/// Whether the printed decimal is within one unit of its last digit and within its uncertainty of the truth. The truth
-/// is taken in more and more digits until two precisions agree.
+/// Whether the printed decimal is within one unit of its last digit and within its uncertainty of the true value, which
+/// is computed in increasing precision until two precisions agree.
 verdict judged(const proved_decimal& printed, long digits, const truth& exact);
 
-/// Whether lower <= x <= upper, the bounds being decimals.
+/// Whether lower <= x <= upper, where the bounds are decimals.
 verdict judged_bounds(const std::string& lower, const std::string& upper, const truth& exact);
 
-/// -1, 0 or 1: the sign of the truth, 0 where it is 0 in every precision up to `most` digits.
+/// -1, 0 or 1: the sign of the true value, 0 if it is 0 in every precision up to `most` digits.
 int sign_of(const truth& exact, long most = 3000);
 
 }  // namespace libration::attack

@@ -2,7 +2,7 @@
 // libration-attack print [VALUES]                        values of motions as CSV, for by_integers.py
 // libration-attack statements [QUESTIONS [SEED [THREADS]]]  statements about problems with closed forms
 // libration-attack statement INDEX [SEED]                one of these questions
-// Exit code 1 where something proved is false; 2 for wrong usage.
+// Exits with status 1 if a proved statement is false; 2 for wrong usage.
 #include <fmt/core.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// theta and omega of any motion by Arb's theta functions and Carlson's integral, for the attack: nothing of the library
-// but the class of its balls and its reader of numbers.
+// theta and omega of any motion by Arb's theta functions and Carlson's integral, for the attack: it uses only the
+// library's class of balls and its reader of numbers.
 #pragma once
 
 #include <utility>
@@ -24,10 +24,10 @@ public:
           complement_(sqrt(from_rational<ball>(rotates_ ? rational(-gap / energy) : rational(gap / 2)))),
           functions_(k_, complement_) {}
 
-    /// T, of a rotation that of one turn.
+    /// T, for a rotation that of one turn.
     ball period() const { return functions_.period() * (rotates_ ? 2 : 4) / rate_; }
 
-    /// At a time as a number of periods.
+    /// At a time given as a number of periods.
     state_of_route at(const ball& periods) const {
         const integer whole = nearest_integer(periods);
         const ball part = periods - from_rational<ball>(rational(whole));
@@ -49,7 +49,7 @@ private:
     arb_jacobi functions_;
 };
 
-/// A start with |theta0| < pi and omega0 > 0, neither at E = 2.
+/// From an initial state with |theta0| < pi and omega0 > 0, not at E = 2.
 inline state_of_route route_from_start(const rational& theta0, const rational& omega0, const rational& time) {
     const ball half = from_rational<ball>(rational(theta0 / 2));
     const ball speed = from_rational<ball>(omega0);

@@ -1,8 +1,8 @@
-// Random motions, times and digits, each printed digit against an independent route (motion_route.hpp).
+// Random motions, times and digits, each printed digit checked by an independent route (motion_route.hpp).
 //
-// Energies 10^-300 .. 10^300, gaps 10^-300 .. 1 on both sides of E = 2, starts (theta0, omega0), Jacobi's functions
-// with m or 1-m down to 10^-300, and at complex arguments with any real m, 10^-300 .. 10^300; times 10^-10 .. 10^300
-// and fractions of T; 1 to 300 digits.
+// Energies 10^-300 .. 10^300, gaps 10^-300 .. 1 on both sides of E = 2, initial states (theta0, omega0), Jacobi's
+// functions with m or 1-m down to 10^-300, and at complex arguments with any real m, 10^-300 .. 10^300; times 10^-10 ..
+// 10^300 and fractions of T; 1 to 300 digits.
 #include "attack/motions.hpp"
 
 #include <fmt/core.h>
@@ -42,7 +42,7 @@ public:
                                                  [&] { return fmt::format("{}.{:04}", between(1, 9), below(10000)); });
         return fmt::format("{}e{}", digits, between(least, most));
     }
-    /// Few digits are asked for more often.
+    /// A random number of digits; small ones are more frequent.
     long digits() { return between(1, between(1, 300)); }
 
 private:
@@ -51,13 +51,13 @@ private:
 
 rational fraction_of(const std::string& text) { return read_exact(text).coefficient; }
 
-/// A value as it was printed, what it is of, and its truth in so many digits.
+/// A value as it was printed, and its description.
 struct printed_value {
     std::string what;
     std::string text;
 };
 
-// Whether a decimal is less than one unit of its last digit away from all of the ball; nothing where that is open.
+// Whether a decimal is less than one unit of its last digit away from all of the ball; std::nullopt if undecided.
 std::optional<bool> is_right(const std::string& text, const ball& truth, long digits) {
     if (text == "0") {
         return contains_zero(truth) ? std::optional(certainly_less(abs(truth), pow(ball(10), -digits - 100)))
@@ -71,7 +71,7 @@ std::optional<bool> is_right(const std::string& text, const ball& truth, long di
     return certainly_less(parts.unit(), error) ? std::optional(false) : std::nullopt;
 }
 
-// The number of wrong values among those that `route`, asked in more and more digits, gives the truth of.
+// The number of wrong values compared with the true ones that `route` computes in increasing precision.
 template <class Route>
 int wrong_ones(const std::vector<printed_value>& values, long digits, const Route& route) {
     for (long more = 60; more <= 20000; more *= 2) {

@@ -3,8 +3,8 @@
 
 namespace libration::attack {
 
-/// So many random values, on so many threads (0: one for each core); wrong and refused ones on stderr. The exit code: 1
-/// where there is one.
+/// Checks this number of random values, on so many threads (0: one per core); wrong ones and errors are printed on
+/// stderr. Returns the exit code: 1 if there are any.
 int attack_motions(long values, unsigned long seed, long threads);
 
 /// Values as CSV for by_integers.py.

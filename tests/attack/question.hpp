@@ -1,4 +1,4 @@
-// What an attack asks: kinds of statements, each with a question from random choices.
+// The questions of an attack: kinds of statements, each with a question from random choices.
 #pragma once
 
 #include <chrono>
@@ -17,8 +17,8 @@ namespace libration::attack {
 struct statement_kind {
     const char* name;
     const char* about;  ///< one line of the published table
-    int share;          ///< of every thousand questions
-    /// Asks one question; errors of the library are refusals and are judged there.
+    int share;          ///< per thousand questions
+    /// Runs one question; errors of the library are caught and checked.
     outcome (*ask)(choices& next);
 };
 
@@ -36,10 +36,10 @@ outcome ask_coefficient(choices& next);
 outcome ask_zero(choices& next);
 outcome ask_refusal(choices& next);
 
-/// Notes the command of the question that this thread asks, and returns it; an empty one ends the question.
+/// Stores the command of this thread's current question, and returns it; an empty one ends the question.
 std::string announce(std::string command);
 std::string announced_command();
-/// The command of a thread that has been at it for longer.
+/// The command of a thread whose question has taken longer.
 std::optional<std::string> command_older_than(std::chrono::seconds limit);
 
 /// Ends a question from within, through a progress callback.
@@ -47,20 +47,20 @@ class no_answer : public std::runtime_error {
 public:
     no_answer() : std::runtime_error("no answer in the time that a question has") {}
 };
-/// Throws no_answer where this thread's question takes longer than `seconds_of_a_question`.
+/// Throws no_answer if this thread's question takes longer than `seconds_of_a_question`.
 void require_time_left();
 inline constexpr std::chrono::seconds seconds_of_a_question{5};
 
-/// Digits that are asked for: few most of the time, some hundred where products of series are long.
+/// Requested digits: mostly few, some hundred where products of series are long.
 long any_digits(choices& next);
 
-/// A constant time, as the command reads it.
+/// A constant time, as parsed by the command.
 ode::number time_number(const std::string& typed);
 
 inline ode::explicit_system system_of(const std::string& text) { return ode::explicit_system(ode::parse(text)); }
 
-/// The facts of a refused trajectory: the solution exists up to the time that the message names, which is before a
-/// singularity at `singular` (absolute; in the direction of the time that was asked).
+/// The facts in the error of a trajectory: the solution exists up to the time in the message, which is before a
+/// singularity at `singular` (absolute; in the direction of the requested time).
 verdict judged_existence(const std::string& message, double from, double singular);
 
 }  // namespace libration::attack

@@ -9,7 +9,7 @@ namespace libration::attack {
 
 namespace {
 
-// The time since the start as it stands in equations.
+// The time since the initial time, as written in equations.
 std::string since_start(const rational& origin) { return origin == 0 ? "t" : "(t-(" + origin.str() + "))"; }
 
 std::string starting(const std::string& name, const rational& origin, const std::string& value) {

@@ -76,7 +76,7 @@ public:
         print_row("all", "", sum);
     }
 
-    // Ends the program where a question takes too long.
+    // Ends the program if a question takes too long.
     void watch(const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -91,7 +91,7 @@ public:
     }
 
     static std::size_t kind_of(long index) {
-        long place = index * 37 % shares;  // 37 and 1000 have no common factor: kinds alternate
+        long place = index * 37 % shares;  // 37 and 1000 are coprime: kinds alternate
         const auto& kinds = statement_kinds();
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             place -= kinds[k].share;

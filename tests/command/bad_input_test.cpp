@@ -1,4 +1,4 @@
-// What every subcommand shares of its options is refused as refusal.hpp says.
+// Options shared by all subcommands are rejected as described in refusal.hpp.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -14,7 +14,7 @@ using namespace libration::tests;
 
 namespace {
 
-// `before OPTION VALUE` is refused with OPTION and VALUE in the complaint.
+// `before OPTION VALUE` is rejected with OPTION and VALUE in the message.
 void check_value(const words& before, const std::string& option, const std::string& value) {
     check_refused(before + words{option, value}, {option, "'" + value + "'"});
 }

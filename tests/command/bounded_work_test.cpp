@@ -1,4 +1,4 @@
-// Inputs of any size and kind end in bounded time and memory: in an answer, or in one line with the remedy.
+// Inputs of any size and kind end in bounded time and memory: with a result, or with one line that has the remedy.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
@@ -33,7 +33,7 @@ void write_file(const temporary_folder& folder, const std::string& name, const s
     std::ofstream(folder.path() / name, std::ios::binary) << text;
 }
 
-// Whether the program ends well and prints a line.
+// Whether the program succeeds and prints a line.
 void check_prints(const words& line, const std::string& expected, const temporary_folder& folder) {
     const finished_process done = run_libration(line, folder.path());
     INFO(command_line(line).substr(0, 200) << "\n" << done.err);

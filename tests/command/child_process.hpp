@@ -1,4 +1,4 @@
-// Runs the built program as a user does: another process, its two outputs apart, neither a terminal.
+// Runs the built program as a user does: in another process, with separate outputs, neither of which is a terminal.
 #pragma once
 
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 
 namespace libration::tests {
 
-/// A command line in words.
+/// The arguments of a command line.
 using words = std::vector<std::string>;
 
 inline words operator+(words first, const words& more) {
@@ -23,14 +23,14 @@ inline words operator+(words first, const words& more) {
     return first;
 }
 
-/// What a finished process left.
+/// The result of a finished process.
 struct finished_process {
-    int exit_code;  ///< 128 + signal where a signal ended it
+    int exit_code;  ///< 128 + signal if a signal ended it
     std::string out;
     std::string err;
 };
 
-/// The words after `libration`, for messages of a failed test.
+/// The arguments after `libration`, for messages of a failed test.
 inline std::string command_line(const words& given) {
     std::string line = "libration";
     for (const std::string& word : given) {
@@ -39,8 +39,8 @@ inline std::string command_line(const words& given) {
     return line;
 }
 
-/// Runs `libration WORDS` in a folder and waits; a minute is its limit, after which SIGALRM ends it. Its stdin is
-/// `input`; `meanwhile` is called with its process id.
+/// Runs `libration WORDS` in a directory and waits at most a minute, after which SIGALRM ends it. Its stdin is `input`;
+/// `meanwhile` is called with its process id.
 inline finished_process run_libration(const words& given, const std::filesystem::path& folder,
                                       const std::string& input = "/dev/null",
                                       const std::function<void(pid_t)>& meanwhile = {}) {
@@ -78,13 +78,13 @@ inline finished_process run_libration(const words& given, const std::filesystem:
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of_file(out), text_of_file(err)};
 }
 
-/// The same in a folder of its own.
+/// The same in a separate directory.
 inline finished_process run_libration(const words& given) {
     const temporary_folder folder;
     return run_libration(given, folder.path());
 }
 
-/// The data of a command that has to succeed in silence; throws std::runtime_error otherwise.
+/// The output of a command that must succeed without messages; throws std::runtime_error otherwise.
 inline std::string output_of(const words& given) {
     const finished_process done = run_libration(given);
     if (done.exit_code != 0 || !done.err.empty()) {

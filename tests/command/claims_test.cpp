@@ -1,4 +1,4 @@
-// `libration claims`: the verdicts on the paper, and the commands that show them.
+// `libration claims`: the verdicts on the paper, and the commands that reproduce them.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <regex>
@@ -17,7 +17,7 @@ using namespace libration::tests;
 
 namespace {
 
-// The words after ./run.
+// The arguments after ./run.
 words words_of(const std::string& command) {
     std::istringstream in(command);
     words result;
@@ -27,7 +27,7 @@ words words_of(const std::string& command) {
     return {result.begin() + 1, result.end()};
 }
 
-// A study's options as they would be parsed; the study itself is run by the tests of studies.
+// Parses the options of a study; the study itself is run by the tests of studies.
 void check_study(const words& given) {
     const auto studies = all_studies();
     const auto what =

@@ -1,4 +1,4 @@
-// The numbers of `libration coefficients` against the reference table and against the sum over all singularities.
+// The numbers of `libration coefficients` compared with the reference table and with the sum over all singularities.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -81,9 +81,9 @@ TEST_CASE("order 60 of E = 1.71 and 2.02 is the sum over the singularities", "[c
     struct place {
         std::string energy;
         std::string at;
-        int first;  // the first power above 40 that parity leaves
+        int first;  // the first power above 40 that parity permits
     };
-    // From n = 41 on, |z| > 40 R or more is left out: (1/40)^41 = 1e-65 next to the first term.
+    // From n = 41 on, terms with |z| > 40 R or more are omitted: (1/40)^41 = 1e-65 relative to the first term.
     for (const place& shown : {place{"1.71", "top", 42}, place{"1.71", "bottom", 41}, place{"2.02", "top", 41},
                                place{"2.02", "bottom", 41}}) {
         const auto rows =
@@ -176,7 +176,7 @@ TEST_CASE("coefficients far out are printed alone, with every digit proved", "[c
         CHECK(found.substr(0, 16) == expected.substr(0, 16));  // 14 digits and the exponent
         CHECK(found.substr(found.find('e')) == "e-463400164");
     }
-    // The same with z = mpc(ellipk(0.855)/2, ellipk(0.145)), 4 in place of 8.
+    // The same with z = mpc(ellipk(0.855)/2, ellipk(0.145)), 4 instead of 8.
     const auto between = coefficients_of({"--energy", "1.71", "--at", "T/8", "--from", "999999999999999", "--order",
                                           "1000000000000000", "--scalar", "ball:30"});
     REQUIRE(between.size() == 2);

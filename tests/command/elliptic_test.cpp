@@ -1,5 +1,5 @@
-// The proved digits of `libration elliptic` against the reference tables, mpmath, exact values and identities; at any
-// real parameter also against the theta functions of Arb.
+// The proved digits of `libration elliptic` compared with the reference tables, mpmath, exact values and identities; at
+// any real parameter also with the theta functions of Arb.
 #include <array>
 #include <catch2/catch.hpp>
 #include <string>
@@ -27,7 +27,7 @@ std::string elliptic_value(const words& line) {
     return rows[0].at("value");
 }
 
-// The tables give k'; the command takes m1 = k'^2 as a fraction.
+// The tables contain k'; the command accepts m1 = k'^2 as a fraction.
 std::string complement_of(const std::string& kc) {
     const rational root = read_exact(kc).coefficient;
     return rational(root * root).str();
@@ -178,7 +178,7 @@ TEST_CASE("the twelve functions have the digits of mpmath at any real parameter"
             const std::string f = rows[i].at("function");
             INFO(f << " at m = " << at.m);
             CHECK_THAT(rows[i].at("value"), right_to_the_last_digit_of(letter(f[0]) / letter(f[1])));
-            // The inverse leads back, within the first quarter period (K = 1.078 at m = -3).
+            // The inverse function returns the argument within the first quarter period (K = 1.078 at m = -3).
             const words inverse{"arc" + f, "--x", precise[i].at("value"), "--m=" + at.m};
             CHECK(abs(number_of(elliptic_value(inverse)) - number_of("0.7")) < number_of("1e-48"));
         }
@@ -231,8 +231,8 @@ TEST_CASE("the twelve functions at complex arguments have the digits of mpmath",
         CHECK_THAT(rows.at(0).at("value"), right_to_the_last_digit(each.real));
         CHECK_THAT(rows.at(0).at("imaginary"), right_to_the_last_digit(each.imaginary));
     }
-    // sn(iy|m) = i sc(y|1-m), cn(iy|m) = nc(y|1-m) [DLMF 22.6.19]; the other parts are 0. Poles and real numbers
-    // beside.
+    // sn(iy|m) = i sc(y|1-m), cn(iy|m) = nc(y|1-m) [DLMF 22.6.19]; the other parts are 0. Together with poles and real
+    // arguments.
     const auto on_axis = elliptic_of({"sn", "--u=-1.2i,0.7,0.7-1e-1*i,i", "--m", "0.3"});
     REQUIRE(on_axis.size() == 4);
     CHECK(on_axis[0].at("value") == "0");
@@ -342,7 +342,7 @@ TEST_CASE("complex arguments have condition numbers", "[command][elliptic]") {
     // |cot z|^2 = (cos^2 x + sinh^2 y)/(sin^2 x + sinh^2 y) = 0.969980.
     CHECK(elliptic_of({"sn", "--u", "1+2i", "--m", "0"})[0].at("condition") == "2.95");
     CHECK(elliptic_of({"cn", "--u", "1+2i", "--m", "0"})[0].at("condition") == "3.05");
-    // Next to the real axis it is that of the real argument and |y f'/f|, a thousandth, more.
+    // Near the real axis it is that of the real argument plus |y f'/f|, a thousandth.
     const auto rows = elliptic_of({"sn", "--u", "1,1+0.001i", "--m", "1/2"});
     REQUIRE(rows.size() == 2);
     CHECK(rows[0].at("condition").substr(0, 3) == rows[1].at("condition").substr(0, 3));

@@ -1,5 +1,5 @@
-// Numbers typed as formulas, in every command: values of mpmath at 160 digits (theta by Landen's fundamental arc from K
-// + t, K by the arithmetic-geometric mean), and the exit codes of bad ones.
+// Numbers given as formulas, in every command: values of mpmath at 160 digits (theta by Landen's fundamental arc from K
+// + t, K by the arithmetic-geometric mean), and the exit codes of invalid ones.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
@@ -80,7 +80,7 @@ TEST_CASE("the energies of a sweep are formulas", "[command][expressions]") {
     const auto rows = read_table((folder.path() / "error_norm" / "error_norm.csv").string());
     REQUIRE(rows.size() == 6);
     CHECK(rows.at(0).at("energy_typed") == "sqrt(2)");
-    // T* = K(1/sqrt 2) and K(sqrt 3/2), where the series is worst.
+    // T* = K(1/sqrt 2) and K(sqrt 3/2), where the error of the series is largest.
     CHECK_THAT(rows.at(0).at("time_of_maximum"),
                right_to_the_last_digit("2.08597369819493659189088664455828109692870187"));
     CHECK(rows.at(2).at("gap_typed") == "2-sqrt(3)");

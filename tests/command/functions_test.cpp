@@ -1,4 +1,4 @@
-// Equations with special functions on the command line, against the quadratures of tests/reference/functions.py.
+// Equations with special functions on the command line, compared with the quadratures of tests/reference/functions.py.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

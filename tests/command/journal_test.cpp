@@ -1,4 +1,4 @@
-// `libration journal`, and what becomes of a study that is killed, continued, split in shards and merged.
+// `libration journal`, and studies that are killed, resumed, split in shards and merged.
 #include "journal/journal.hpp"
 
 #include <sys/resource.h>
@@ -64,7 +64,7 @@ int end_of(pid_t child) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// A run makes the file first and its tables then, and may be asked, or killed, in between.
+// A run creates the file first and its tables then, and may be queried, or killed, in between.
 long cells_in(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path)) {
         return 0;
@@ -91,7 +91,7 @@ TEST_CASE("a study goes on where it ended: only new cells are computed", "[comma
     CHECK(lines_of(grown.err).front() == "libration: 6 of 9 cells are in a/error_norm/error_norm.journal");
     REQUIRE(run_libration(more + words{"--out", "b"}, folder.path()).exit_code == 0);
     CHECK(csv_in(folder, "a") == csv_in(folder, "b"));
-    // The tables hold the cells of the last command, the journal all.
+    // The tables contain the cells of the last command, the journal all of them.
     REQUIRE(run_libration(small + words{"--out", "a"}, folder.path()).exit_code == 0);
     CHECK(csv_rows(csv_in(folder, "a")).size() == 12);
     CHECK(cells_in(journal_in(folder, "a")) == 9);
@@ -102,7 +102,7 @@ TEST_CASE("a study that is killed at any moment ends in the same bytes when it i
     const words order{"study", "error_norm", "--energies", "0.1:1.9:19", "--orders", "5:40:8", "--scalar", "mpfr:30"};
     const temporary_folder folder;
     REQUIRE(run_libration(order + words{"--out", "whole"}, folder.path()).exit_code == 0);
-    std::mt19937 random(16);  // the moments differ from run to run by themselves
+    std::mt19937 random(16);  // the moments differ from run to run anyway
     std::uniform_int_distribution<int> milliseconds(5, 250);
     long before = 0;
     for (int i = 0; i < 10; ++i) {
@@ -133,7 +133,7 @@ TEST_CASE("Ctrl-C ends a study within a second and says what is kept and what go
     const auto asked = std::chrono::steady_clock::now();
     ::kill(child, SIGINT);
     CHECK(end_of(child) == 128 + SIGINT);
-    CHECK(std::chrono::steady_clock::now() - asked < std::chrono::seconds(5));  // a second, were nobody else here
+    CHECK(std::chrono::steady_clock::now() - asked < std::chrono::seconds(5));  // a second on an idle machine
     const std::string said = text_of_file(folder.path() / "err");
     const long kept = cells_in(path);
     CHECK(kept > 0);
@@ -157,7 +157,7 @@ TEST_CASE("shards that are merged make the tables of the whole run", "[command][
     CHECK(lacking.exit_code == 1);
     CHECK_THAT(lacking.err, Contains("of 16 cells of radius_map are missing from the journals") &&
                                 Contains(command_line(order) + " --out two"));
-    // A shard of another split overlaps with these.
+    // A shard of a different split overlaps with these.
     REQUIRE(run_libration(order + words{"--shard", "1/2", "--out", "half"}, folder.path()).exit_code == 0);
     const auto merged = run_libration({"journal", "merge", "s1", "half", "s2", "s3", "--out", "merged"}, folder.path());
     INFO(merged.err);
@@ -275,7 +275,7 @@ TEST_CASE("journals are listed, checked, exported and dropped", "[command][journ
     CHECK(first.at("study") == "error_norm");
     CHECK(first.at("tables").at(0).size() == 2);
 
-    // A wrong digit in the journal is found.
+    // A wrong digit in the journal is detected.
     {
         journal cells(journal_in(folder, "a"), journal::access::write);
         std::vector<journal_record> wrong;

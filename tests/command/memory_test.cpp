@@ -1,4 +1,4 @@
-// Want of memory, under a limit of the data of the process: one line, exit code 1, and stdout without half a row.
+// Lack of memory, under a limit of the data size of the process: one line, exit status 1, and no partial row on stdout.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -10,9 +10,9 @@ namespace command_memory_test {
 
 using namespace libration::tests;
 
-#if !defined(__SANITIZE_ADDRESS__)  // whose addresses alone are beyond such limits
+#if !defined(__SANITIZE_ADDRESS__)  // whose address space alone exceeds such limits
 
-// The process with so many kilobytes of data.
+// The process with this many kilobytes of data.
 finished_process run_within(long kilobytes, const std::string& line) {
     const temporary_folder folder;
     const std::string out = (folder.path() / "out").string();

@@ -1,4 +1,4 @@
-// The contract of the output (DESIGN section 4): columns, formats, texts echoed as typed, signs, units and files.
+// The contract of the output (DESIGN section 4): columns, formats, texts repeated as typed, signs, units and files.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -20,7 +20,7 @@ namespace {
 
 struct contract {
     words command;
-    std::string columns;  // later ones may be added behind them
+    std::string columns;  // later ones may be appended
     std::size_t rows;
 };
 
@@ -82,7 +82,7 @@ TEST_CASE("CSV has the columns of the contract first, one header line, one row a
         CHECK(lines.front().starts_with(c.columns));
         CHECK((lines.front().size() == c.columns.size() || lines.front()[c.columns.size()] == ','));
         CHECK(lines.size() == c.rows + 1);
-        CHECK(csv_rows(csv).size() == c.rows);  // throws when a row has other columns than the header
+        CHECK(csv_rows(csv).size() == c.rows);  // throws if a row has other columns than the header
         CHECK(csv.ends_with("\n"));
         CHECK(csv.find_first_of("#\r\" ") == std::string::npos);
     }
@@ -219,7 +219,7 @@ TEST_CASE("with a length and a gravity times are seconds and speeds radians per 
           only_row({"trajectory", "--theta0", "2.5", "--omega0", "-0.3", "--times", "7.3"}).at("theta"));
     // The separatrix of g/l = 4 through the bottom has omega0 = 4.
     CHECK(only_row(words{"period", "--theta0", "0", "--omega0", "4"} + clock).at("regime") == "separatrix");
-    // a_n takes a power of the time's unit: a_2 of g/l = 4 is four times as large.
+    // a_n is in units of time^-n: a_2 of g/l = 4 is four times as large.
     const words second{"coefficients", "--energy", "1", "--order", "2"};
     CHECK(rows_of(second).at(2).at("coefficient") == "-0.50000000000000000000000000000000000000000000000000");
     CHECK(rows_of(second + clock).at(2).at("coefficient") == "-2.0000000000000000000000000000000000000000000000000");
@@ -343,7 +343,7 @@ TEST_CASE("help goes to stdout and succeeds", "[command][output]") {
 }
 
 TEST_CASE("a full disk behind stdout is noticed", "[command][output]") {
-    // The shell is there only for the redirection.
+    // The shell is used only for the redirection.
     const std::string line = std::string("'") + LIBRATION_COMMAND + "' period --energy 1 > /dev/full 2> /dev/null";
     const int status = std::system(line.c_str());
     REQUIRE(WIFEXITED(status));

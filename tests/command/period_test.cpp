@@ -1,4 +1,4 @@
-// The numbers of `libration period` against closed forms and the reference table.
+// The numbers of `libration period` compared with closed forms and the reference table.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -31,7 +31,7 @@ rational binomial_term(int n, const rational& parameter) {
     return term;
 }
 
-// |value - truth| as the error column prints it: 6 digits, of a value that is itself rounded to `value_unit`.
+// |value - truth| as printed in the error column: 6 digits, of a value that is itself rounded to `value_unit`.
 void check_error(const std::string& printed, const mpfr& error, const mpfr& value_unit) {
     const precision_scope scope(100);
     INFO("error " << printed << ", expected " << to_decimal(error, 12));
@@ -52,7 +52,7 @@ TEST_CASE("the period from 90 degrees is Gamma(1/4)^2/sqrt(pi)", "[command][peri
 
 TEST_CASE("a gap of 1e-30 costs no digit", "[command][period]") {
     // K = L + (L-1) k'^2/4 + 9 (L-7/6) k'^4/64 + O(k'^6 L), L = log(4/k') [DLMF 19.12.1]; here k'^2 = 5e-31, so that
-    // what is left out is below 1e-89.
+    // the omitted terms are below 1e-89.
     const precision_scope scope(100);
     const mpfr square("5e-31");
     const mpfr log = libration::mpfr(boost::multiprecision::log(mpfr(16) / square)) / 2;
@@ -142,7 +142,7 @@ TEST_CASE("each fixed scalar gives the period to a few of its own units and says
             const mpfr truth = number_of(reference_motion_of(energy).rows.front().at("tstar"));
             const table_row row = period_of({"--energy", energy, "--scalar", scalar.name});
             const mpfr error = abs(number_of(row.at("tstar")) - truth);
-            // The mean, its start from k' and the division: within 8 units in the last place.
+            // The mean, its initial k' and the division: within 8 units in the last place.
             CHECK(error <= truth * ldexp(mpfr(1), 4 - scalar.bits));
             check_error(row.at("error"), error, last_place(row.at("tstar")));
         }

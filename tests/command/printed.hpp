@@ -1,4 +1,4 @@
-// What the command prints, read back: CSV rows, and numbers as the decimal texts that they are.
+// The output of the command, parsed: CSV rows, and numbers as decimal texts.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// The rows of a CSV without quotes. Throws std::runtime_error when a row has other columns than the header.
+/// The rows of a CSV without quotes. Throws std::runtime_error if a row has other columns than the header.
 inline std::vector<table_row> csv_rows(const std::string& csv) {
     const auto lines = lines_of(csv);
     const auto names = lines.empty() ? std::vector<std::string>() : split_cells(lines.front());
@@ -50,7 +50,7 @@ inline std::vector<table_row> rows_of(words line) {
     return csv_rows(output_of(line));
 }
 
-/// Significant digits of a printed number other than 0.
+/// Significant digits of a printed nonzero number.
 inline long significant_digits(const std::string& number) {
     std::string digits;
     for (const char c : number.substr(0, number.find('e'))) {
@@ -59,7 +59,7 @@ inline long significant_digits(const std::string& number) {
     return static_cast<long>(digits.size() - digits.find_first_not_of('0'));
 }
 
-/// A printed number as it stands, at 200 digits.
+/// A printed number exactly as shown, at 200 digits.
 inline mpfr number_of(const std::string& text) { return decimal(text).value; }
 
 /// One unit in the last printed digit: 1e-4 of 0.0120, 1e-12 of 1.50e-10.
@@ -73,8 +73,8 @@ inline mpfr last_place(const std::string& number) {
     return pow(mpfr(10), static_cast<int>(exponent - places));
 }
 
-/// The promise of the command: every printed digit is right, to one unit in the last place. The expected text has more
-/// digits, itself right to one unit; 0 and inf have to be printed as such.
+/// The guarantee of the command: every printed digit is correct to one unit in the last place. The expected text has
+/// more digits, itself correct to one unit; 0 and inf must be printed as such.
 class right_to_the_last_digit : public Catch::MatcherBase<std::string> {
 public:
     explicit right_to_the_last_digit(std::string expected) : expected_(std::move(expected)) {}
@@ -92,7 +92,7 @@ private:
     std::string expected_;
 };
 
-/// The same against a value computed to many more digits than are printed.
+/// The same for a value computed to many more digits than are printed.
 inline right_to_the_last_digit right_to_the_last_digit_of(const mpfr& value) {
     return right_to_the_last_digit(to_decimal(value, 100));
 }

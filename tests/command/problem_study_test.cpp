@@ -108,7 +108,7 @@ TEST_CASE("what a study of an equation cannot be asked is refused", "[command][p
     check_refused({"study", "radius_map", "--problem", "y' = y; y(0) = 1", "--orders", "2"}, {"--orders", "2"});
 }
 
-// sin(t)/t for n = 1, which is even; Thomas and Fermi's start is no polynomial.
+// sin(t)/t for n = 1, which is even; the initial behaviour of Thomas and Fermi's solution is not a polynomial.
 TEST_CASE("verify proves from a regular singular start where it can, and says where not",
           "[command][problem][verify]") {
     const temporary_folder folder;
@@ -144,7 +144,7 @@ TEST_CASE("verify judges columns of a problem against proved values", "[command]
     CHECK(rows[0].at("verdict") == "ok");
     CHECK(rows[1].at("verdict") == "ok");
     CHECK(rows[1].at("reference").starts_with("0.84147098480789650"));
-    CHECK(rows[1].at("condition") == "2.22");  // of y': cos 1 by its start, sin 1 by w and sin 1 by time
+    CHECK(rows[1].at("condition") == "2.22");  // of y': cos 1 by its initial value, sin 1 by w and sin 1 by time
     CHECK(rows[2].at("verdict") == "ok");
     CHECK(rows[3].at("verdict") == "miss");
     check_refused({"verify", "file.csv", "--problem", "y' = y; z(0) = 1", "--energy", "1"}, {"--energy"}, folder);
@@ -178,9 +178,9 @@ TEST_CASE("a table of a problem is written in every format", "[command][problem]
     check_refused({"table", "--problem", "y' = y^2; y(0) = 1", "--times", "2"}, {"--times", "2"});
 }
 
-// What SciPy 1.10.1 gives: solve_ivp(..., method="DOP853", rtol=1e-12, atol=1e-14, t_eval=...), by numpy.savetxt with
-// fmt="%.17g". Chaos and the passages by the moon make of roundings what the condition number says, and no more than a
-// thousand times as much of the errors of steps at this tolerance.
+// Results of SciPy 1.10.1: solve_ivp(..., method="DOP853", rtol=1e-12, atol=1e-14, t_eval=...), by numpy.savetxt with
+// fmt="%.17g". Chaos and the passages by the moon amplify roundings by the condition number, and the errors of steps at
+// this tolerance by at most a thousand times as much.
 TEST_CASE("verify judges the output of SciPy and says the condition number of each miss",
           "[command][verify][problem]") {
     const temporary_folder folder;

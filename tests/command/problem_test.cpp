@@ -103,7 +103,7 @@ TEST_CASE("a problem is marched to times, and the pendulum agrees with its own c
     CHECK(second[0].at("y'") == "0.86602540378443864676");
 }
 
-// tan about pi/4: 1 + 2 s + 2 s^2 + 8/3 s^3; proved and rounded are the same digits.
+// tan about pi/4: 1 + 2 s + 2 s^2 + 8/3 s^3; proved and rounded digits agree.
 TEST_CASE("coefficients about other times are proved in balls", "[command][problem]") {
     const words about{"coefficients", "--problem", "y' = 1 + y^2; y(0) = 0", "--order", "3", "--at", "pi/4"};
     const auto proved = rows_of(about + words{"--scalar", "ball:30"});
@@ -112,8 +112,8 @@ TEST_CASE("coefficients about other times are proved in balls", "[command][probl
     CHECK(proved[3].at("y_uncertainty") != "0");
 }
 
-// y = sqrt(y0^2 + t/2), whose fractions double in length with every power, beside z = 1/3 - atanh(t)/6, in whose even
-// powers only the first coefficient is not 0.
+// y = sqrt(y0^2 + t/2), whose fractions double in length with every power, together with z = 1/3 - atanh(t)/6, of whose
+// even powers only the first coefficient is nonzero.
 TEST_CASE("coefficients of a system with long fractions keep the exact zeros of its independent parts",
           "[command][problem]") {
     const auto rows =
@@ -156,7 +156,7 @@ TEST_CASE("reference proves the digits of any problem, at times and at events", 
     }
 }
 
-// The order of the unknowns is x, z, y; x - y is 0, which no precision shows.
+// The order of the unknowns is x, z, y; x - y is 0, which cannot be proved at any precision.
 TEST_CASE("one value or time that is not proved leaves the others", "[command][problem]") {
     const auto ended = run_libration(
         {"reference", "--problem", "y' = y^2; y(0)=1", "--time", "0.5,2,-1", "--digits", "10", "--format", "csv"});
@@ -268,7 +268,7 @@ TEST_CASE("events that are found are printed also where others are not", "[comma
     check_refused({"reference", "--problem", "lorenz", "--until", "x = 0", "--horizon", "0"}, {"--horizon"});
 }
 
-// A search of hours, ended after a second.
+// A long-running search, ended after a second.
 TEST_CASE("a search that is interrupted prints the events that it knows", "[command][problem]") {
     const temporary_folder folder;
     const auto ended = run_libration({"reference", "--problem", "lorenz", "--until", "z = 30", "--count", "100000",
@@ -387,7 +387,7 @@ TEST_CASE("what a march and a radius cannot do is refused", "[command][problem][
 
 TEST_CASE("ways through the complex plane of time lead around singularities", "[command][problem]") {
     const std::string pole = "y' = y^2; y(0) = 1";
-    // 1/(1 - t) behind its pole, on both sides; 1/(1-t) about 2 is -1 + s - s^2 + ..
+    // 1/(1 - t) beyond its pole, on both sides; 1/(1-t) about 2 is -1 + s - s^2 + ..
     for (const char* via : {"1+i", "1-i"}) {
         const auto rows =
             rows_of({"trajectory", "--problem", pole, "--times", "2,2+i", "--via", via, "--digits", "20"});
@@ -426,7 +426,7 @@ TEST_CASE("trajectories tell of approximants, and of invariants", "[command][pro
                              "0:3:4", "--digits", "20"} +
                        more);
     };
-    // The errors of Blasius' layer at 3, within R = 3.13: the more is known, the less is wrong.
+    // The errors of Blasius' layer at 3, within R = 3.13: the more information a method uses, the smaller its error.
     const auto error_at_3 = [&](const char* method) { return std::stod(by("blasius", method)[3].at("f_error")); };
     CHECK(error_at_3("series") == Approx(0.00597).epsilon(0.01));
     CHECK(error_at_3("pade") < 1e-6);

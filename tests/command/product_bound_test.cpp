@@ -1,5 +1,6 @@
-// Problems whose series FLINT up to 3.6.0 multiplies wrongly (scalar/ball/integer_product.hpp), against closed forms in
-// fractions: y' = c/(1-t) c/(t-1), y(0) = 0 has the solution y = -c^2 t/(1-t), whose coefficients are all -c^2.
+// Problems whose series FLINT up to 3.6.0 multiplies incorrectly (scalar/ball/integer_product.hpp), compared with
+// closed forms in fractions: y' = c/(1-t) c/(t-1), y(0) = 0 has the solution y = -c^2 t/(1-t), whose coefficients are
+// all -c^2.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -68,7 +69,7 @@ TEST_CASE("proved coefficients of the product of two quotients are right", "[com
     }
 }
 
-// Where the archives of both are linked into the program, the dynamic linker gives them to FLINT and Arb as well, though
+// If the archives of both are linked into the program, the dynamic linker uses them for FLINT and Arb as well, though
 // it also loads the shared ones: there is one MPFR with one range of exponents and one set of constants.
 TEST_CASE("FLINT calls the MPFR that the program calls", "[command][product_bound]") {
     const temporary_folder folder;
@@ -87,7 +88,7 @@ TEST_CASE("FLINT calls the MPFR that the program calls", "[command][product_boun
             }
         }
     }
-    std::set<std::string> all;  // empty where the dynamic linker does not report
+    std::set<std::string> all;  // empty if the dynamic linker does not report
     for (const auto& [user, from] : owners) {
         INFO(user);
         CHECK(from.size() == 1);

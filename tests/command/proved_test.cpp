@@ -1,4 +1,5 @@
-// Proved output: what `--scalar ball:DIGITS` prints contains the truth, and is what the other arithmetic prints.
+// Proved output: the output of `--scalar ball:DIGITS` contains the true value, and agrees with that of other
+// arithmetics.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ TEST_CASE("proved coefficients contain the table within their uncertainty", "[co
                 const rational of_table = abs(truth) / rational(boost::multiprecision::pow(integer(10), 59));
                 CHECK(abs(rational(value_of(own.at("coefficient")) - truth)) <=
                       value_of(own.at("uncertainty")) + of_table);
-                // Below one unit of the 45th digit; 0 exactly where the coefficient is.
+                // Below one unit of the 45th digit; exactly 0 if the coefficient is.
                 CHECK(value_of(own.at("uncertainty")) * boost::multiprecision::pow(integer(10), 44) <= abs(truth));
             }
         }
@@ -76,7 +77,7 @@ TEST_CASE("proved periods are those of mpfr, in every regime", "[command][ball]"
 }
 
 TEST_CASE("coefficients that vanish are printed as 0, and only they", "[command][ball]") {
-    // a_3 = -cos(theta0) omega0/6 at a start that is no symmetric point.
+    // a_3 = -cos(theta0) omega0/6 at an initial point without symmetry.
     const auto level =
         rows_of({"coefficients", "--theta0", "90deg", "--omega0", "0.5", "--order", "6", "--scalar", "ball:20"});
     for (std::size_t n = 1; n < level.size(); ++n) {

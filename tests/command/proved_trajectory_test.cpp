@@ -1,4 +1,4 @@
-// libration trajectory with proved arithmetic: the values of mpfr, the zeros of symmetry, and its own error.
+// libration trajectory with proved arithmetic: the values of mpfr, the zeros of symmetry, and its error column.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -44,7 +44,7 @@ TEST_CASE("proved trajectories are those of mpfr, by every method", "[command][b
                     CHECK(significant_digits(proved[i].at(column)) == 25);
                     CHECK(rational(difference * power_of_ten(24)) <= abs(truth));
                 }
-                // Where the method is off, both know it to six digits.
+                // Where the method has an error, both agree on it to six digits.
                 if (!method.empty() && value_of(proved[i].at("error")) > rational(1) / power_of_ten(15)) {
                     const rational error = value_of(rounded[i].at("error"));
                     const rational miss = abs(rational(value_of(proved[i].at("error")) - error));
@@ -61,7 +61,7 @@ TEST_CASE("what symmetry makes 0 is printed as 0, and what it makes a fraction h
     CHECK(rest[1].at("theta") == "0");
     CHECK(rest[1].at("error") == "0");
     CHECK(rest[2].at("omega") == "0");
-    // The uniform resummation vanishes at no bottom, but its slope does at the top.
+    // The uniform resummation is nonzero at the bottom, but its slope vanishes at the top.
     const auto uniform =
         rows_of(trajectory({"--energy", "1"}, {"--method", "uniform", "--order", "12"}, "0,T/4,T/2", "ball:20"));
     CHECK(uniform[0].at("omega") == "0");
@@ -85,7 +85,7 @@ TEST_CASE("whole periods of a start turned by whole turns are decided by symmetr
             CHECK(rows[whole].at("error") == "0");
             CHECK(value_of(rows[whole].at("omega")) == rational(-15, 100));
         }
-        // Half a period later it is as far on the other side of 2 pi.
+        // Half a period later it is at the same distance on the other side of 2 pi.
         CHECK(rows[3].at("theta").starts_with("5.56637061435917295385"));
         CHECK(rows[3].at("error") != "0");
     }

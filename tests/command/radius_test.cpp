@@ -1,4 +1,4 @@
-// `libration radius`: its contract, the motions against the lattice of singularities, lists from files, and refusals.
+// `libration radius`: its contract, motions compared with the lattice of singularities, lists from files, and errors.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -218,7 +218,7 @@ TEST_CASE("coefficients that no double holds have a radius in double", "[command
 }
 
 TEST_CASE("an apparent singularity is not taken for the nearest one", "[command][radius]") {
-    // (1-x)^(2/3) + (1+x)^(-5/2), exactly: an equation fitted to it is singular at 0.5789 too.
+    // (1-x)^(2/3) + (1+x)^(-5/2), exactly: an equation fitted to it is also singular at 0.5789.
     std::string list;
     rational near = 1;
     rational left = 1;
@@ -237,7 +237,7 @@ TEST_CASE("an apparent singularity is not taken for the nearest one", "[command]
 }
 
 TEST_CASE("a list with an absolute floor is used above it, and the floor is named", "[command][radius]") {
-    // (1 - x/2)^(3/2) with errors of up to 1e-16, as an FFT leaves them.
+    // (1 - x/2)^(3/2) with errors of up to 1e-16, as produced by an FFT.
     const precision_scope scope(40);
     std::string list;
     mpfr a(1);
@@ -270,7 +270,7 @@ TEST_CASE("a list comes from stdin too, and --order cuts it", "[command][radius]
 }
 
 TEST_CASE("complex coefficients have their singularity on its own side", "[command][radius]") {
-    // 1/(1 - x/(1+2i)) and (1 - x/(1+2i))^(1/2): sqrt 5 away, and no conjugate.
+    // 1/(1 - x/(1+2i)) and (1 - x/(1+2i))^(1/2): at distance sqrt 5, without a conjugate.
     const precision_scope scope(60);
     for (const bool root : {false, true}) {
         rational re = 1;

@@ -1,4 +1,5 @@
-// `libration radius` of several unknowns: whose radius the verdict is, and what it says of psi series and logarithms.
+// `libration radius` of several unknowns: to which unknown the verdict belongs, and its notes on psi series and
+// logarithms.
 #include <catch2/catch.hpp>
 #include <string>
 

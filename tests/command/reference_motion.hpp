@@ -1,4 +1,4 @@
-// The motions of tests/reference/motions.csv as the command takes them.
+// The motions of tests/reference/motions.csv as options of the command.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace libration::tests {
 
-/// A motion as options, and its rows: one a time, all with the same period.
+/// A motion as options, and its rows: one per time, all with the same period.
 struct reference_motion {
     std::vector<std::string> options;
     std::vector<table_row> rows;
@@ -42,7 +42,7 @@ inline std::vector<reference_motion> reference_motions() {
     return motions;
 }
 
-/// The motion given by this energy alone; throws std::runtime_error when the table has none.
+/// The motion given by this energy alone; throws std::runtime_error if the table has none.
 inline reference_motion reference_motion_of(const std::string& energy) {
     for (const reference_motion& motion : reference_motions()) {
         if (motion.options == std::vector<std::string>{"--energy", energy}) {

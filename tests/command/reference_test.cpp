@@ -1,5 +1,5 @@
-// The proved digits of `libration reference` against the reference tables, closed forms, symmetries and its own second
-// route.
+// The proved digits of `libration reference` compared with the reference tables, closed forms, symmetries and its
+// second route.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
@@ -105,7 +105,8 @@ TEST_CASE("symmetric starts by state agree with the canonical motion moved by qu
 }
 
 TEST_CASE("gaps of 1e-1000 keep every digit of a tiny omega", "[command][reference]") {
-    // Near the top pi - theta grows from its start k' 2 as cosh: omega = -2 k' sinh t (1 + O(k'^2 e^2t)), k'^2 = gap/2.
+    // Near the top pi - theta grows from its initial value k' 2 as cosh: omega = -2 k' sinh t (1 + O(k'^2 e^2t)), k'^2
+    // = gap/2.
     const precision_scope scope(120);
     const mpfr t = 5;
     const mpfr expected = -sqrt(mpfr(2)) * pow(mpfr(10), -500) * sinh(t);
@@ -176,7 +177,7 @@ TEST_CASE("each row of a file is a motion of its own at its own time", "[command
     for (std::size_t i = 0; i < rows.size(); ++i) {
         CHECK(rows[i] == single_reference(alone[i]));
     }
-    // One list of times for all, seconds, and what has been printed read again.
+    // One list of times for all, seconds, and printed values as input.
     const auto with_times = of_file("E,L,g\n1.71,4,1\n0.5,1,1\n", {"--times", "0.7,1.4"});
     REQUIRE(with_times.size() == 4);
     CHECK(with_times[0] == single_reference({"--energy", "1.71", "--length", "4", "--gravity", "1", "--time", "0.7"}));

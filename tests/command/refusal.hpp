@@ -1,5 +1,5 @@
-// Bad input ends in exit code 2 and one line on stderr that names the option, the value and the remedy; nothing is on
-// stdout and no file is left behind.
+// Invalid input ends with exit status 2 and one line on stderr with the option, the value and the remedy; nothing is
+// printed on stdout and no file is left.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace libration::tests {
 
-/// Whether the last sentence of a complaint tells what to do.
+/// Whether the last sentence of a message is a remedy.
 inline bool has_remedy(const std::string& line) {
     static const words verbs{"write ", "give ", "add ",   "use ", "choose ", "ask ",
                              "make ",  "name ", "leave ", "run ", "see "};
@@ -20,8 +20,8 @@ inline bool has_remedy(const std::string& line) {
            });
 }
 
-/// Checks that the command line is refused, that the complaint mentions all of `mentioned`, and that the folder stays
-/// as it was.
+/// Checks that the command line is rejected, that the message contains all of `mentioned`, and that the directory is
+/// unchanged.
 inline void check_refused(const words& line, const words& mentioned, const temporary_folder& folder) {
     const auto before = folder.content();
     const finished_process done = run_libration(line, folder.path());
@@ -39,7 +39,7 @@ inline void check_refused(const words& line, const words& mentioned, const tempo
     CHECK(folder.content() == before);
 }
 
-/// The same in an empty folder.
+/// The same in an empty directory.
 inline void check_refused(const words& line, const words& mentioned) {
     const temporary_folder folder;
     check_refused(line, mentioned, folder);

@@ -1,4 +1,4 @@
-// `libration reproduce`: the folder it fills, and the pages made of it.
+// `libration reproduce`: the directory it fills, and the pages generated from it.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using namespace libration::tests;
 
 namespace {
 
-// How often a text occurs.
+// The number of occurrences of a text.
 std::size_t count_of(const std::string& text, const std::string& part) {
     std::size_t count = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
@@ -47,16 +47,16 @@ TEST_CASE("reproduce makes the chosen studies, the claims, and pages of both", "
     const std::string page = text_of_file(out / "index.html");
     CHECK(page.starts_with("<!DOCTYPE html>"));
     CHECK(page.ends_with("</html>\n"));
-    // It needs no network and no other file: images are within, and nothing is loaded.
+    // It requires no network and no other file: images are embedded, and nothing is loaded.
     CHECK(count_of(page, "<img ") == count_of(page, "src=\"data:image/svg+xml,"));
     CHECK(count_of(page, "<img ") == 1);
-    // Only within the images is http:, in the names of their XML.
+    // http: occurs only within the images, in the names of their XML.
     const std::string around = without_images(page);
     for (const std::string loaded : {"http:", "https:", "<script", "@import", "url(", "src=\"/"}) {
         INFO(loaded);
         CHECK(around.find(loaded) == std::string::npos);
     }
-    // What it links to is there.
+    // The targets of its links exist.
     const std::regex link(R"re(href="([^"#:]+)")re");
     for (std::sregex_iterator at(page.begin(), page.end(), link); at != std::sregex_iterator(); ++at) {
         INFO((*at)[1]);
@@ -68,7 +68,7 @@ TEST_CASE("reproduce makes the chosen studies, the claims, and pages of both", "
         CHECK(page.find("id=\"" + (*at)[1].str() + "\"") != std::string::npos);
     }
 
-    // The menu leads to every chapter.
+    // The menu links to every chapter.
     const std::string menu = page.substr(page.find("<nav>"), page.find("</nav>") - page.find("<nav>"));
     const std::regex chapter(R"re(<h2 id="([^"]+)")re");
     for (std::sregex_iterator at(page.begin(), page.end(), chapter); at != std::sregex_iterator(); ++at) {
@@ -121,7 +121,7 @@ TEST_CASE("reproduce makes the reference values, and both pages lead to their fi
 TEST_CASE("a study that fails does not stop the others, is named at the end, and ends in exit code 1",
           "[command][report]") {
     const temporary_folder folder;
-    // A folder in the way of a table makes the first study fail.
+    // A directory with the name of a table makes the first study fail.
     std::filesystem::create_directories(folder.path() / "out" / "libration_series" / "libration_series.csv" /
                                         "in the way");
     const finished_process done =

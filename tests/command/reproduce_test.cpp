@@ -1,4 +1,4 @@
-// `libration reproduce`: where it writes, how it compares with what is published, how it goes on, and what it replaces.
+// `libration reproduce`: where it writes, the comparison with published results, resuming, and what it replaces.
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const words quick{"reproduce", "--only", "period_error"};
 
-// A folder in which period_error was made and published as results/.
+// A directory in which period_error was computed and published as results/.
 class published_folder {
 public:
     published_folder() {
@@ -35,7 +35,7 @@ private:
 
 void write(const fs::path& file, const std::string& content) { std::ofstream(file, std::ios::binary) << content; }
 
-// The last digit of a text before `end` becomes another one.
+// Changes the last digit of a text before `end`.
 std::string with_another_digit(std::string text, std::size_t end) {
     const std::size_t at = text.find_last_of("0123456789", end);
     text[at] = text[at] == '0' ? '1' : '0';
@@ -75,7 +75,7 @@ TEST_CASE("reproduce says that the tables are the same, and ends in 1 where one 
     CHECK(other.exit_code == 1);
     CHECK(lines_with(other.err, "differs: period_error/period_error.csv line ") == 1);
     CHECK(lines_with(other.err, "(1 difference)") == 1);
-    // What is published stays.
+    // The published file is unchanged.
     CHECK(text_of_file(results.file("period_error.csv")) != csv);
 
     fs::remove(results.file("period_error.csv"));
@@ -125,7 +125,7 @@ TEST_CASE("an interrupted reproduce goes on with what is missing", "[command][re
     const temporary_folder folder;
     const words order{"reproduce", "--only", "period_error,libration_series"};
     const fs::path in_the_way = folder.path() / "reproduced" / "libration_series" / "libration_series.csv" / "x";
-    fs::create_directories(in_the_way);  // makes one part fail, which leaves the run unfinished
+    fs::create_directories(in_the_way);  // makes one part fail, so that the run is unfinished
     const finished_process first = run_libration(order, folder.path());
     CHECK(first.exit_code == 1);
     const fs::path record = folder.path() / "reproduced" / "unfinished.json";
@@ -141,7 +141,7 @@ TEST_CASE("an interrupted reproduce goes on with what is missing", "[command][re
     CHECK(lines_with(second.err, "part 1 of 1, libration_series") == 1);
     CHECK_FALSE(fs::exists(record));
 
-    // What another program has made is made again.
+    // Parts computed by another program are recomputed.
     write(record, R"({"program": "another", "made": {"period_error": [], "libration_series": []}})");
     CHECK(lines_with(run_libration(order, folder.path()).err, ", period_error") == 1);
 }
@@ -167,7 +167,7 @@ TEST_CASE("an interrupted reproduce makes a part again that lacks a file", "[com
 TEST_CASE("the comparison names a part that was not made", "[command][reproduce]") {
     const published_folder results;
     fs::create_directories(results.path() / "reproduced");
-    // Files where folders have to be: neither part can be made.
+    // Files where directories are required: neither part can be computed.
     fs::remove_all(results.path() / "reproduced" / "period_error");
     write(results.path() / "reproduced" / "period_error", "in the way\n");
     write(results.path() / "reproduced" / "reference", "in the way\n");

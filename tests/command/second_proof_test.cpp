@@ -1,4 +1,4 @@
-// --check of any problem: a second proof, and the same output.
+// --check for any problem: a second proof, and the same output.
 #include <catch2/catch.hpp>
 
 #include "command/printed.hpp"

@@ -1,5 +1,5 @@
-// `libration series`: a list of one's own against closed forms: values, Pade and endpoint approximants, errors, poles
-// and zeros, files and figures, and refusals.
+// `libration series`: a list from a file compared with closed forms: values, Pade and endpoint approximants, errors,
+// poles and zeros, files and figures, and errors of the input.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

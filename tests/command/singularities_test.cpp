@@ -1,4 +1,4 @@
-// `libration singularities` and `radius --prove`: their contract, closed forms, and refusals.
+// `libration singularities` and `radius --prove`: their contract, closed forms, and errors.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -47,7 +47,7 @@ TEST_CASE("a pole as a row, and proved", "[command][singularity]") {
     CHECK(proved.front().at("evidence") == "the contour integral of y is nonzero; 1/y has a simple zero");
 }
 
-// y = 1/(1 - t), z = tan t: nothing of z at 1, and what is printed is as near as the uncertainty says.
+// y = 1/(1 - t), z = tan t: z is not singular at 1, and printed positions are correct within their uncertainty.
 TEST_CASE("rows of a system speak of their own unknown", "[command][singularity]") {
     const auto rows = rows_of({"singularities", "--problem", "y'=y^2; z'=1+z^2; y(0)=1; z(0)=0", "--within", "5",
                                "--prove", "--digits", "10"});
@@ -110,7 +110,7 @@ TEST_CASE("bounds of a radius are printed outwards", "[command][singularity]") {
     CHECK(entire.front().at("upper") == "inf");
 }
 
-// (1 + t^2/3)^(-1/2) starts where its equation is singular.
+// (1 + t^2/3)^(-1/2), whose equation is singular at the initial point.
 TEST_CASE("singularities and the radius from a singular start", "[command][singularity]") {
     const words star{"--problem", "lane_emden", "--set", "n=5", "--digits", "15"};
     const auto rows = rows_of(with({"singularities", "--prove"}, star));
@@ -139,7 +139,7 @@ TEST_CASE("what singularities and proofs do not understand is refused", "[comman
     check_refused({"radius", "--prove", "--problem", "blasius", "--at", "1"}, {"--at"});
 }
 
-// S(inf) of Eyam, 76.0563587702 [PROBLEMS] as it is cut off there, by another computation than Lambert's function.
+// S(inf) of Eyam, 76.0563587702 [PROBLEMS] truncated as there, computed without Lambert's function.
 TEST_CASE("what an epidemic leaves", "[command][problem]") {
     const auto rows = rows_of({"reference", "--problem", "sir", "--time", "inf", "--digits", "12"});
     CHECK(rows.front().at("S") == "76.0563587703");

@@ -1,4 +1,4 @@
-// `libration study`, `studies` and `figure`: the files of a study, which depend on its parameters alone.
+// `libration study`, `studies` and `figure`: the files of a study, which depend only on its parameters.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -87,7 +87,7 @@ TEST_CASE("a study takes energies and gaps in any order and sorts them", "[comma
 TEST_CASE("all scalars of a study are one table on stdout, with one header line", "[command][study]") {
     const auto done = run_libration({"study", "error_norm", "--energies", "1", "--orders", "5", "--step", "1e-3"});
     REQUIRE(done.exit_code == 0);
-    // The baseline has columns of its own, so it is named and not printed.
+    // The baseline has different columns, so it is mentioned and not printed.
     CHECK(lines_of(done.err) == words{"libration: error_norm makes more tables (baseline): see them with --out DIR"});
     words scalars;
     for (const table_row& row : csv_rows(done.out)) {
@@ -141,7 +141,7 @@ namespace fs = std::filesystem;
 
 const words small{"study", "error_norm", "--energies", "1.71", "--orders", "2,4,8", "--out", "out"};
 
-// What is in out/error_norm, without the folder.
+// The content of out/error_norm, relative to that directory.
 words files_of(const temporary_folder& folder) {
     words names;
     for (const auto& entry : fs::directory_iterator(folder.path() / "out" / "error_norm")) {
@@ -154,7 +154,7 @@ words files_of(const temporary_folder& folder) {
 const words files_of_one_table{"error_norm.csv", "error_norm.journal", "error_norm.json", "error_norm.pdf",
                                "error_norm.png", "error_norm.svg",     "error_norm.tex"};
 
-// A gnuplot of ours, found before the real one: /bin/sh runs these words after it or in its place.
+// A replacement of gnuplot, found before the real one: /bin/sh runs these commands after it or instead of it.
 class gnuplot_in_place {
 public:
     gnuplot_in_place(const fs::path& folder, const std::string& script) : before_(::getenv("PATH")) {
@@ -176,7 +176,7 @@ private:
 TEST_CASE("a run leaves exactly its files, also where an earlier one left others", "[command][study]") {
     const temporary_folder folder;
     const auto run = [&](const words& more) { return run_libration(small + more, folder.path()).exit_code; };
-    REQUIRE(run({"--step", "1e-3"}) == 0);  // tables of four arithmetics and the march
+    REQUIRE(run({"--step", "1e-3"}) == 0);  // tables of four arithmetics and the Runge-Kutta solution
     CHECK(fs::exists(folder.path() / "out/error_norm/error_norm_quad.csv"));
     std::ofstream(folder.path() / "out/error_norm/notes.txt") << "the user's own";
     REQUIRE(run({"--scalar", "double"}) == 0);
@@ -225,12 +225,12 @@ TEST_CASE("figure draws the tables of its run and no others", "[command][study]"
     const auto own = folder.path() / "out" / "error_norm";
     const std::string svg = text_of_file(own / "error_norm.svg");
     const auto figure = [&] { return run_libration({"figure", "error_norm", "--out", "out"}, folder.path()); };
-    // A table that the JSON does not name is not seen.
+    // A table that the JSON does not list is ignored.
     fs::copy(own / "error_norm.csv", own / "error_norm_quad.csv");
     CHECK(figure().exit_code == 0);
     CHECK(text_of_file(own / "error_norm.svg") == svg);
     fs::remove(own / "error_norm_quad.csv");
-    // One that it names, but that is another one, is refused.
+    // A table that it lists, but with other content, is rejected.
     std::ofstream(own / "error_norm.csv", std::ios::app) << "1.71,9,series,1,1,double,heuristic,0.29,1,0,0,0\n";
     const finished_process done = figure();
     CHECK(done.exit_code == 2);
@@ -247,7 +247,7 @@ TEST_CASE("a drawing that is cut short is told, and no figure of another run sta
           "[command][study]") {
     const temporary_folder folder;
     REQUIRE(run_libration(small + words{"--scalar", "double"}, folder.path()).exit_code == 0);
-    // As on a full disk: the real gnuplot, and then one of its drawings ends early.
+    // As on a full disk: the real gnuplot, after which one of its drawings is truncated.
     const gnuplot_in_place full(folder.path(),
                                 "PATH=${PATH#*:} gnuplot \"$@\" || exit; for f in out/error_norm/.drawing.*/*.svg; do "
                                 "head -c 1000 \"$f\" >cut && mv cut \"$f\"; done");
@@ -271,7 +271,7 @@ TEST_CASE("a study that is ended while it draws leaves no folder of its own, and
         CHECK(done.exit_code == 128 + signal);
         CHECK((files_of(folder) == files_of_one_table) == (signal != SIGKILL));
     }
-    // What the last one left, the next run takes away.
+    // The next run removes the remains of the last one.
     std::ofstream(folder.path() / "signal") << SIGTERM;
     run_libration(small + words{"--scalar", "quad"}, folder.path());
     CHECK(files_of(folder) == files_of_one_table);

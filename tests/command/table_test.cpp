@@ -1,5 +1,5 @@
-// `libration table`: its values against the reference tables of mpmath, its condition numbers against derivatives of
-// mpmath, and its files as those read them who take them: a compiler, a reader of columns, and `libration verify`.
+// `libration table`: its values compared with the reference tables of mpmath, its condition numbers with derivatives by
+// mpmath, and its files as read by their users: a compiler, a reader of columns, and `libration verify`.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -30,7 +30,7 @@ void check_refused(const words& line, const std::string& mentioned) {
     tests::check_refused(words{"table"} + line, {mentioned});
 }
 
-// A table as NumPy reads it: the names of its last comment, and rows of as many numbers.
+// A table as NumPy reads it: the names of its last comment, and rows with that many numbers.
 std::vector<table_row> numpy_rows(const std::string& text) {
     words names;
     std::vector<table_row> rows;
@@ -57,7 +57,7 @@ std::vector<table_row> numpy_rows(const std::string& text) {
     return rows;
 }
 
-// Compiles FOLDER/main.cpp with the compiler of the tests and its warnings; what the program prints.
+// Compiles FOLDER/main.cpp with the compiler of the tests and its warnings, and returns the output of the program.
 std::string compiled_and_run(const std::filesystem::path& folder, const std::string& program) {
     std::ofstream(folder / "main.cpp") << program;
     const std::string in_folder = "cd '" + folder.string() + "' && ";
@@ -179,7 +179,7 @@ TEST_CASE("condition numbers are those of the derivatives by mpmath", "[command]
     CHECK_THAT(condition({"K", "--m1", "1e-20"}), three_digits(0.0204816));
     CHECK_THAT(condition({"pendulum", "--gaps", "0.29", "--times", "1"}), three_digits(0.671919));
     CHECK_THAT(condition({"pendulum", "--energies", "1.71", "--times", "1"}), three_digits(2.04096));
-    // So fast that it rotates evenly: theta = pi + omega t and omega = sqrt(2E), with half of the condition of omega
+    // So fast that it rotates uniformly: theta = pi + omega t and omega = sqrt(2E), with half of the condition of omega
     // from E.
     CHECK_THAT(condition({"pendulum", "--energies", "1e300", "--times", "1"}), three_digits(1.5));
     // The circle: |u cos u/sin u|, and a number that is 0 counts as exact.
@@ -199,7 +199,7 @@ TEST_CASE("verify finds every row of a table right and prints the same condition
         const finished_process done = run_libration({"verify", "table.csv"}, folder.path());
         INFO(command_line(grid) << "\n" << done.out << done.err);
         CHECK(done.exit_code == 0);
-        // verify adds a column condition behind the table's own; by name the last one is found.
+        // verify adds a column condition after the table's; by name the last one is found.
         const auto rows = csv_rows(csv);
         const auto judged = csv_rows(done.out);
         REQUIRE(rows.size() == judged.size());
@@ -259,7 +259,7 @@ TEST_CASE("the C++ header and the .ipp compile without a warning and hold the di
                 .exit_code == 0);
     }
     CHECK(folder.content() == words{"values.hpp", "values.ipp"});
-    // What Boost.Math's table_type.hpp does for a built-in type stands here in one line.
+    // The function that Boost.Math's table_type.hpp provides for a built-in type is defined in one line here.
     const std::string printed = compiled_and_run(folder.path(), R"(#include "values.hpp"
 #include "values.hpp"
 #include <array>
@@ -354,7 +354,7 @@ TEST_CASE("each row of a file of points is asked alone", "[command][table]") {
     CHECK_THAT(numbers.at(1).at("K"), right_to_the_last_digit("1.078257823749821617719337499400161014432"));
     CHECK(of_file("K", "m\n0.3\n", {"--format", "cpp"}).find("table K --points p.csv --digits 50") !=
           std::string::npos);
-    // verify reads it: every number is right.
+    // verify accepts it: every number is correct.
     std::ofstream(folder.path() / "t.txt") << of_file("am,dn", "u,m\n1,0.5\n2,-7\n", {"--format", "numpy"});
     CHECK(run_libration({"verify", "t.txt"}, folder.path()).exit_code == 0);
 }
@@ -391,7 +391,7 @@ TEST_CASE("tables take complex arguments, typed and from a file", "[command][tab
         CHECK_THAT(row.at("dc_im"), right_to_the_last_digit(dc_im));
         CHECK(row.count("condition_sn") == 1);
     }
-    // What a table says verify finds right.
+    // verify finds the values of a table correct.
     std::string columns = parts.out.substr(parts.out.rfind("# u_re") + 2);
     std::replace(columns.begin(), columns.end(), ' ', ',');
     std::ofstream(folder.path() / "values.csv") << columns;
@@ -459,7 +459,7 @@ TEST_CASE("a C header and a Fortran module compile and hold every digit", "[comm
                                                "    return 0;\n}\n";
     CHECK(run("cc -std=c99 -Wall -Wextra -Wpedantic -Werror main.c -o main") == words{expected[0].at("value"), "inf"});
     if (std::system("command -v gfortran > /dev/null 2>&1") != 0) {
-        return;  // Fortran is nothing that the program needs
+        return;  // Fortran is not required by the program
     }
     std::ofstream(folder.path() / "values.f90") << output_of(words{"table"} + what + words{"fortran"});
     std::ofstream(folder.path() / "main.f90")

@@ -1,4 +1,4 @@
-// A folder of its own for a test, taken away with all that is in it.
+// A temporary directory for a test, removed with its content.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace libration::tests {
 
-/// The whole file as text; throws std::runtime_error when it cannot be read.
+/// The whole file as text; throws std::runtime_error if it cannot be read.
 inline std::string text_of_file(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
@@ -39,7 +39,7 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Everything in it, files and folders, relative to it and sorted.
+    /// All files and directories in it, relative to it and sorted.
     std::vector<std::string> content() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {

@@ -1,4 +1,5 @@
-// The numbers of `libration trajectory` against the reference table, and its errors against a truth computed here.
+// The numbers of `libration trajectory` compared with the reference table, and its errors with a true value computed
+// here.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -44,8 +45,8 @@ void check_state(const table_row& printed, const table_row& expected) {
     CHECK_THAT(printed.at("omega"), right_to_the_last_digit(expected.at("omega")));
 }
 
-// Each printed error is |theta - truth| of the printed theta, the truth by the sum over separatrix solutions: to the
-// six digits printed and the rounding of theta. Returns the largest one.
+// Each printed error is |theta - truth| of the printed theta, with the true value by the sum over separatrix solutions:
+// to the six digits printed and the rounding of theta. Returns the largest one.
 mpfr check_errors(const std::vector<table_row>& rows, const motion& m) {
     const precision_scope scope(70);
     const separatrix_sum<mpfr> truth(m);
@@ -77,7 +78,7 @@ TEST_CASE("every state of the reference table is printed to 50 right digits", "[
 
 TEST_CASE("from (2.5, -0.3) 60 digits are right after a million units of time back and 1e12 on",
           "[command][trajectory]") {
-    // Made with Motion('', '', '2.5', '-0.3', '').state(time) of tests/reference/generate.py at 450 and 560 digits.
+    // Computed by Motion('', '', '2.5', '-0.3', '').state(time) of tests/reference/generate.py at 450 and 560 digits.
     const std::vector<table_row> expected{
         {{"time", "-1e6"},
          {"theta", "2.56832318081403876605483889948819920623602454250553891949327"},
@@ -153,7 +154,7 @@ TEST_CASE("the resummation at 401 times is as far from the motion as it says, an
         const mpfr largest = check_errors(rows, m);
         const mpfr bound = top_bounds<mpfr>::of(energy_level_of<mpfr>(m)).resummation_norm(20);
         CHECK(largest <= bound);
-        CHECK(largest > bound / 10'000);  // an error of that order is there to be seen
+        CHECK(largest > bound / 10'000);  // an error of that order is visible
     }
 }
 
@@ -171,7 +172,7 @@ TEST_CASE("the series and the Runge-Kutta solution are as far from the motion as
         CHECK(series > bound / 10'000);
         const mpfr rk4 = check_errors(
             trajectory_of(motion_words + times + words{"--method", "rk4", "--step", "1e-2", "--digits", "20"}), m);
-        CHECK(rk4 < mpfr("1e-6"));  // of the order step^4 times the time it took, 1e-8 * 20
+        CHECK(rk4 < mpfr("1e-6"));  // of the order step^4 times the duration, 1e-8 * 20
         CHECK(rk4 > mpfr("1e-12"));
     }
 }
@@ -275,7 +276,7 @@ TEST_CASE("omega is 0 where the pendulum turns and nowhere else", "[command][tra
     const auto proved = trajectory_of({"--theta0", "0", "--omega0", "2", "--times", "1e9", "--scalar", "ball:20"});
     CHECK(far.at(0).at("omega").starts_with("4.998"));
     CHECK(far.at(0).at("omega") == proved.at(0).at("omega"));
-    // As typed, at the start and after a period; exactly 0 where it is released from rest.
+    // As typed, at the initial time and after a period; exactly 0 if it is released from rest.
     for (const std::string omega0 : {"-1e-106", "3e-300"}) {
         const auto slow =
             trajectory_of({"--theta0=-1.455078119", "--omega0=" + omega0, "--times", "0,T", "--scalar", "mpfr:30"});

@@ -1,4 +1,4 @@
-// The tutorial of the pendulum: what stands behind "$ ./run" is what the program prints, and its pictures are there.
+// The tutorial of the pendulum: the program prints the output shown after "$ ./run", and its pictures exist.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>

@@ -1,4 +1,4 @@
-// `libration verify`: verdicts against mpmath and closed forms, what it reads, and what it refuses.
+// `libration verify`: verdicts compared with mpmath and closed forms, accepted input, and errors.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -41,7 +41,7 @@ bool says(const finished_process& done, const std::string& what) {
     return done.err.find(what) != std::string::npos;
 }
 
-// The file is refused as a whole.
+// The file is rejected as a whole.
 void refuses(const std::string& csv, const words& options, const std::string& reason) {
     const temporary_folder folder;
     std::ofstream(folder.path() / "f.csv", std::ios::binary) << csv;
@@ -104,7 +104,7 @@ TEST_CASE("verify serves files without a motion by options", "[command][verify]"
     CHECK(verdict_of(csv, {"--energy", "1.71"}) == "ok");
     CHECK(verdict_of(csv, {"--gap", "0.29"}) == "ok");
     CHECK(verdict_of(csv, {"--energy", "1.7"}) == "miss");
-    // Seconds: gravity/length = 4 makes 0.35 s of 0.7.
+    // Seconds: gravity/length = 4 makes 0.7 of 0.35 s.
     CHECK(verdict_of("time,theta\n0.35," + theta_at_seven_tenths + "\n",
                      {"--gap", "0.29", "--length", "0.25", "--gravity", "1"}) == "ok");
 }
@@ -209,7 +209,7 @@ TEST_CASE("verify tells inputs as typed from the doubles that a library received
     CHECK(apart < ldexp(mpfr(1), -53) * 100'000'000);
     CHECK(apart > ldexp(mpfr(1), -52) * 10);
     CHECK(number_of(typed.at("condition")) > 10'000'000);
-    // A gap is a small number that a double holds to its own digits.
+    // A gap is a small number, which a double represents to full relative accuracy.
     const std::string by_gap = "time,theta,gap\n9.75,0.1,1e-8\n";
     CHECK(number_of(verify_rows(by_gap).rows.at(0).at("condition")) < 30);
 }
@@ -220,7 +220,7 @@ TEST_CASE("verify compares in units in the last place of doubles", "[command][ve
     CHECK(verdict_of(head + "2.1828878715176877,1.71\n", {"--ulp", "0.5"}) == "ok");
     CHECK(verdict_of(head + "2.1828878715176882,1.71\n", {"--ulp", "1"}) == "miss");
     CHECK(verdict_of(head + "2.1828878715176882,1.71\n", {"--ulp", "2"}) == "ok");
-    // Our own double code, given the gap.
+    // Libration's values in double, given the gap.
     const auto own = output_of({"trajectory", "--gap", "1e-10", "--method", "exact", "--scalar", "double", "--times",
                                 "0:20:21", "--format", "csv"});
     const auto [done, rows] = verify_rows(own, {"--gap", "1e-10", "--ulp", "4"});
@@ -234,12 +234,12 @@ TEST_CASE("verify decides at huge times, at exact zeros, on the separatrix and a
     const auto zero = verify_rows("time,theta,energy\nT/4,0.0,1.71\n").rows.at(0);
     CHECK(zero.at("error") == "0");
     CHECK(zero.at("correct_digits") == "inf");
-    // Independent of ours: `libration trajectory` by mpfr and its own clock.
+    // Independent of verify: `libration trajectory` by mpfr and its phase map.
     for (const words& motion : {words{"--energy", "1.71"}, words{"--theta0", "2.5", "--omega0", "-0.3"},
                                 words{"--energy", "3", "--direction", "-"}, words{"--theta0", "pi", "--omega0", "0"},
                                 words{"--theta0", "120deg", "--omega0", "1"}, words{"--energy", "0"}}) {
         INFO(command_line(motion));
-        // On the separatrix omega falls like exp(-t), until no exponent holds it.
+        // On the separatrix omega falls like exp(-t), until its exponent is out of range.
         const std::string times = motion.back() == "1" ? "0,0.7,40,1e5" : "0,0.7,40,1e20";
         const auto theirs =
             output_of(words{"trajectory", "--times", times, "--digits", "40", "--format", "csv"} + motion);
@@ -273,7 +273,8 @@ TEST_CASE("verify refuses motions that contradict each other", "[command][verify
     refused("time,theta,theta0,omega0,direction\n0.7,2.18,1,-2,+\n", {}, "direction '+' contradicts omega0 '-2'");
     refused("time,theta,energy,length,gravity\n0.7,2.18,1,2,1\n", {"--length", "1", "--gravity", "1"},
             "length '2' contradicts --length '1'");
-    // What agrees is taken: exactly, or as doubles hold it. A gap of 1e-30 leaves the energy 2 to them.
+    // Consistent values are accepted: exactly, or as represented by doubles. In double, a gap of 1e-30 gives the energy
+    // 2.
     CHECK(verdict_of("time,theta,theta0,omega0,energy\n0,1.5707963267948966,90deg,0,1\n", {"--gap", "1.0"}) == "ok");
     CHECK(verdict_of("time,theta,theta0,omega0,energy,gap\n0,2.5,2.5,-0.3,1.8461436155469336,0.1538563844530664\n") ==
           "ok");
@@ -310,7 +311,7 @@ TEST_CASE("verify knows columns by common spellings and by --columns", "[command
         CHECK(verdict_of(header + "\n" + row) == "ok");
     }
     CHECK(verdict_of("when,where,what\n" + row, {"--columns", "when=time,where=theta,what=energy"}) == "ok");
-    // One that is not needed: the energy is wrong, the gap is right.
+    // A redundant column: the energy is wrong, the gap is right.
     const std::string both = "time,theta,energy,gap\n0.7," + theta_at_seven_tenths + ",1,0.29\n";
     CHECK(verify(both).exit_code == 2);
     CHECK(verdict_of(both, {"--columns", "energy=-"}) == "ok");
@@ -322,7 +323,7 @@ TEST_CASE("verify knows columns by common spellings and by --columns", "[command
     refused("a,b,c", "a=tme", "has 'tme', which is not a quantity: write time, ");
     refused("a,b,c", "a", "has 'a', which is not THEIRS=OURS");
     refused("t,T,theta", "theta=theta", "f.csv has two columns 'time': 't' and 'T'");
-    // A complaint names the column as the file does.
+    // A message uses the column's name in the file.
     CHECK(says(verify("t,phi,E\n0.7,x,1.71\n", {"--columns", "phi=theta"}), "f.csv:2: phi 'x' is not a number"));
     CHECK(says(verify("t (s),theta,E\n1..0,1,1.71\n"), "f.csv:2: t (s) '1..0'"));
     CHECK(says(verify("t,theta,E\n1,2,-3\n"), "f.csv:2: E '-3' is a negative energy"));
@@ -487,7 +488,7 @@ TEST_CASE("verify shows what it quotes short and without control characters", "[
     CHECK(verify(std::string(1'000'000, 'a') + "\n1\n").err.size() < 1000);
 }
 
-// z = sin t is 0 at pi, which no precision decides.
+// z = sin t is 0 at pi, which cannot be decided at any precision.
 TEST_CASE("verify names the value that is not decided", "[command][verify]") {
     const auto done = verify("time,w,z\npi,1,0\n",
                              {"--problem", "w' = 0; z'' = -z; w(0) = 1; z(0) = 0; z'(0) = 1", "--relative", "1e-10"});
@@ -495,7 +496,7 @@ TEST_CASE("verify names the value that is not decided", "[command][verify]") {
     CHECK(says(done, "z is not decided by"));
 }
 
-// z = tan t and the order of the unknowns in the equations is not that of the file.
+// z = tan t, and the unknowns of the equations are in a different order than in the file.
 TEST_CASE("verify compares unknowns beyond the end of others that they do not depend on", "[command][verify]") {
     const auto rows = csv_rows(verify("time,z,w\n1.2,2.572151622126319,-1.2\n1.5,14.10141994717172,-1.25\n",
                                       {"--problem", "y' = y^2; w' = -1; z' = 1 + z^2; y(0)=1; z(0)=0; w(0)=0"})
@@ -507,7 +508,7 @@ TEST_CASE("verify compares unknowns beyond the end of others that they do not de
     CHECK(rows[1].at("reference").starts_with("-1.5"));
 }
 
-// sin^2 t + cos^2 t - 1 = 0, which no precision shows.
+// sin^2 t + cos^2 t - 1 = 0, which cannot be proved at any precision.
 TEST_CASE("verify accepts a value within its tolerance of a truth that is not told from 0", "[command][verify]") {
     const auto rows = csv_rows(verify("time,y\n1,0\n2,1e-30\n3,1e-10\n",
                                       {"--problem", "y' = 2*sin(t)*cos(t) - sin(2*t); y(0)=0", "--tolerance", "1e-20"})

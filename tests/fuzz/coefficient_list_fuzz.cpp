@@ -1,4 +1,4 @@
-// Lists of coefficients: the coefficients, or a refusal that names a line of the text.
+// Lists of coefficients: the reader returns the coefficients, or throws an error that names a line of the text.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Command lines of `period`, a word a line: as they are read, and as far as the answer where that is cheap.
+// Command lines of `period`, one word per line: they are parsed, and run if that is cheap.
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace {
 
-// No file is written and no answer has many digits.
+// No file is written and no result has many digits.
 bool is_cheap(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
         int digits = 0;

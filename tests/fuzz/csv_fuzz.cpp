@@ -1,4 +1,4 @@
-// CSV files as records and cells: what is read is read again from what is written of it.
+// CSV files as records and cells: records that were read are written and read again without a change.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

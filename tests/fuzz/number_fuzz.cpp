@@ -1,5 +1,5 @@
-// Readers of numbers, of lists and ranges, and of the name of an arithmetic: each refuses with an error of ours or
-// gives a number that its own decimal or fraction gives again.
+// Readers of numbers, of lists and ranges, and of the name of an arithmetic: each throws libration::error or returns a
+// number whose decimal or fraction is read as the same number.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     read_or_refuse([&] { require(read_digits(text) > 0); });
     read_or_refuse([&] { require(!read_scalar(text, arithmetics::proved_too).name().empty()); });
     read_or_refuse([&] { require(read_count(text, 1000) <= 1000); });
-    if (text.size() < 40 && text.find(':') == std::string::npos) {  // ranges of millions take their time
+    if (text.size() < 40 && text.find(':') == std::string::npos) {  // ranges of millions take long
         read_or_refuse([&] { require(!read_grid(text).empty()); });
     }
     return 0;

@@ -1,7 +1,7 @@
-// The order of the house (CONTRIBUTING.md): an #include points to the file's own folder or to one further left. And
-// mathematics written once for every scalar holds no double: no floating literal, no numeric_limits<T>.
+// The order of the modules (CONTRIBUTING.md): an #include refers to the file's directory or to one further left. And
+// mathematics written once for every scalar contains no double: no floating literal, no numeric_limits<T>.
 //
-// The rules work on a house, a map from path to text, so that the tests can also build a crooked one and see it fail.
+// The rules work on a house, a map from path to text, so that the tests can also construct one that violates them.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 using house = std::map<std::string, std::string>;  // path relative to the top, with slashes -> text
 using complaints = std::vector<std::string>;
 
-// The room of a file: its folder, without include/libration/ or src/libration/ where it is one of the library's.
-// "library" holds the headers that gather others.
+// The module of a file: its directory, without include/libration/ or src/libration/ if it belongs to the library.
+// "library" contains the umbrella headers.
 std::string room(const std::string& path) {
     const auto folder = fs::path(path).parent_path().generic_string();
     if (folder == "include/libration") return "library";
@@ -43,7 +43,7 @@ rooms operator+(rooms some, const rooms& more) {
     return some;
 }
 
-// Each room with the rooms that it may include besides itself.
+// Each module with the modules that it may include besides itself.
 std::map<std::string, rooms> order_of_rooms() {
     const rooms scalar{"scalar"},
         numbers = scalar + rooms{"scalar/text"}, digits = numbers + rooms{"digits"},
@@ -54,7 +54,7 @@ std::map<std::string, rooms> order_of_rooms() {
         convergence = test + rooms{"convergence"},
         ode = convergence + approximant + functions + rooms{"convergence/known", "ode"},
         elliptic = digits + rooms{"elliptic"},
-        // The pendulum: motion -> energy -> time -> solution -> singularity -> taylor, and what stands on them.
+        // The pendulum: motion -> energy -> time -> solution -> singularity -> taylor, and the modules above them.
         motion = ode + elliptic + rooms{"pendulum/motion"}, energy = motion + rooms{"pendulum/energy"},
         time = energy + rooms{"pendulum/time"}, solution = time + rooms{"pendulum/solution"},
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
@@ -67,7 +67,7 @@ std::map<std::string, rooms> order_of_rooms() {
         problem = ode + proofs + rooms{"approximant/asymptotic", "problem"},
         library =
             pendulum + problem + rooms{"problem/known", "problem/known/proved", "problem/solution", "verify/proved"},
-        // What every study and command stands on knows no pendulum.
+        // The basis of every study and command does not depend on the pendulum.
         text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
         equation = option + rooms{"src/equation"}, journal = equation + rooms{"src/journal"},
         sweep = journal + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
@@ -156,8 +156,8 @@ const std::map<std::string, rooms>& order() {
 
 bool is_source(const std::string& path) { return path.ends_with(".hpp") || path.ends_with(".cpp"); }
 
-// The file of the house that an #include in `from` means, or "" for one from outside. <...> and "..." are both looked
-// up as the compiler does: beside the file, then in include/ and src/.
+// The file of the repository that an #include in `from` means, or "" for an external one. <...> and "..." are both
+// looked up as by the compiler: in the directory of the file, then in include/ and src/.
 std::string included_file(const house& all, const std::string& from, const std::string& name) {
     const auto beside = (fs::path(from).parent_path() / name).lexically_normal().generic_string();
     for (const auto& candidate : {beside, "include/" + name, "src/" + name})
@@ -167,7 +167,7 @@ std::string included_file(const house& all, const std::string& from, const std::
 
 complaints backward_includes(const house& all) {
     static const std::regex include(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])", std::regex::multiline);
-    // What libration::libration does not link. The public headers stand on the standard library, Boost, MPFR and GMP.
+    // Not linked by libration::libration. The public headers need only the standard library, Boost, MPFR and GMP.
     static const std::regex only_for_the_command("(fmt|CLI|nlohmann)/.*|precompiled.hpp|version.hpp");
     complaints found;
     for (const auto& [path, text] : all) {
@@ -192,7 +192,7 @@ complaints backward_includes(const house& all) {
     return found;
 }
 
-// The code alone: every comment, string and character becomes spaces, line breaks stay.
+// The code alone: comments, strings and characters are replaced by spaces, line breaks stay.
 std::string without_comments_and_strings(const std::string& text) {
     std::string code = text;
     const auto blank = [&code](std::size_t begin, std::size_t end) {
@@ -215,7 +215,7 @@ std::string without_comments_and_strings(const std::string& text) {
         } else if (two == "R\"" && !after_word) {
             const auto open = text.find('(', i);
             i = blank(i, behind(")" + text.substr(i + 2, open - i - 2) + "\"", open));
-        } else if (text[i] == '"' || (text[i] == '\'' && !after_word)) {  // a quote behind a digit separates digits
+        } else if (text[i] == '"' || (text[i] == '\'' && !after_word)) {  // a quote after a digit separates digits
             auto end = i + 1;
             while (end < text.size() && text[end] != text[i]) end += text[end] == '\\' ? 2 : 1;
             i = blank(i, end + 1);
@@ -226,8 +226,8 @@ std::string without_comments_and_strings(const std::string& text) {
     return code;
 }
 
-// Doubles in templated code: literals like 0.5 or 1e-3, and calls that go through double. numeric_limits<T> knows only
-// some scalars, so scalar/ alone may use it, where it defines digits<T>() and epsilon<T>().
+// Doubles in templated code: literals like 0.5 or 1e-3, and conversions through double. numeric_limits<T> is
+// specialized for some scalars only, so only scalar/ may use it, where it defines digits<T>() and epsilon<T>().
 complaints doubles(const house& all) {
     static const std::string hexadecimal = R"re(0[xX][\da-fA-F']*\.?[\da-fA-F']*[pP][-+]?\d+)re",  // 0x1p-3
         point = R"re((?:\d[\d']*\.[\d']*|\.\d[\d']*)(?:[eE][-+]?\d+)?)re",                         // 0.1, 2., .5, 1.5e3
@@ -252,8 +252,8 @@ complaints doubles(const house& all) {
 }
 
 // Switches over an enumeration of the library that do not name all of it, and kinds that are compared by their order: a
-// new kind of node, function or operation would silently be taken for another. `default:` is left for numbers and
-// characters. The compiler checks the same of the library by -Wswitch-enum, which also sees an `if` too few.
+// new kind of node, function or operation would silently be taken for another. `default:` is for numbers and
+// characters. In the library the compiler checks the same by -Wswitch-enum, which also detects a missing branch.
 complaints unnamed_kinds(const house& all) {
     static const std::regex named_case(R"(\bcase\s+[A-Za-z_])"),
         order(R"(\s[<>]=?\s(?:\w+::)*(?:node_kind|operation|function_kind|atom_kind)::\w)");
@@ -277,8 +277,8 @@ complaints unnamed_kinds(const house& all) {
     return found;
 }
 
-// The headers that a program can only compile with FLINT stand in rooms of their own, and every other one leaves them
-// alone; the umbrella of the proved half gathers them.
+// Headers that compile only with FLINT are in separate modules, and no other header includes them; the umbrella header
+// proved.hpp includes all of them.
 bool needs_flint(const std::string& path) {
     const auto folder = fs::path(path).parent_path().filename();
     return path == "include/libration/proved.hpp" ||

@@ -1,5 +1,5 @@
-// Names of tests that CMake can carry: a bracket that does not close swallows every later test without a word, a
-// semicolon splits a list, and a leading hyphen becomes an option of the test program.
+// Names of tests that CMake supports: an unclosed bracket silently hides every later test, a semicolon splits a list,
+// and a leading hyphen becomes an option of the test program.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

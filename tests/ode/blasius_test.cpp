@@ -1,4 +1,4 @@
-// Blasius' boundary layer f''' + f f''/2 = 0, f(0) = f'(0) = 0, f'(infinity) = 1, from the wall to far out in steps.
+// Blasius' boundary layer f''' + f f''/2 = 0, f(0) = f'(0) = 0, f'(infinity) = 1, integrated from the wall outwards.
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -55,8 +55,8 @@ constexpr int steps_in_one = 4;  // eta goes to 32
 template <class T>
 std::pair<boundary_layer<T>, T> far_out() {
     const T step = T(1) / steps_in_one;
-    // The singularities nearest to the positive axis, 5.69 e^(+-i pi/3), keep a distance of 4.9: a step of 1/4 gains 4
-    // bits a degree.
+    // The singularities nearest to the positive axis, 5.69 e^(+-i pi/3), are at least 4.9 away: a step of 1/4 gains 4
+    // bits per degree.
     const int order = digits<T>() / 4 + 10;
     boundary_layer<T> at{T(0), T(0), from_exact<T>(read_exact(known_curvature))};
     T momentum(0);
@@ -68,8 +68,7 @@ std::pair<boundary_layer<T>, T> far_out() {
     return {at, momentum};
 }
 
-// A rounding of half an epsilon in every step, which nothing damps: a random walk of 128 of them ends sqrt(128)/2 < 6
-// away.
+// A rounding of half an epsilon in every step, without damping: a random walk of 128 of them ends at sqrt(128)/2 < 6.
 constexpr long walked = 6;
 
 }  // namespace
@@ -83,7 +82,7 @@ TEMPLATE_LIST_TEST_CASE("Blasius' series at the wall is the known one", "[ode][b
         CHECK((n % 3 == 2 || f[n] == 0));
     }
     CHECK(f[2] == T(1) / 2);
-    // Three roundings a coefficient, three coefficients.
+    // Three roundings per coefficient, three coefficients.
     CHECK_THAT(f[5], tests::near<T>(from_rational<T>(rational(-1) / 240), 3));
     CHECK_THAT(f[8], tests::near<T>(from_rational<T>(rational(11) / (4 * 40320)), 6));
     CHECK_THAT(f[11], tests::near<T>(from_rational<T>(rational(-375) / (8 * integer(39916800))), 9));
@@ -93,8 +92,8 @@ TEMPLATE_LIST_TEST_CASE("Blasius' layer ends at speed 1 with its known displacem
     using T = typename TestType::type;
     const typename TestType::precision precision;
     const auto [at, momentum] = far_out<T>();
-    // c f(c eta) solves the equation too: f'' ~ c^3, f' ~ c^2. An error of f''(0) is 2/3 of it in f', both relative.
-    // What lies beyond eta = 32 is less than f''(32), for f'' falls faster than e^-eta.
+    // c f(c eta) solves the equation too: f'' ~ c^3, f' ~ c^2. A relative error of f''(0) causes 2/3 of it in f'. The
+    // remainder beyond eta = 32 is less than f''(32), because f'' falls faster than e^-eta.
     tests::expected_value one = tests::exactly(T(1));
     {
         const auto wall = tests::decimal(known_curvature);

@@ -1,4 +1,4 @@
-// Expressions of any depth, and expressions that share their parts: no walk recurses, and none visits a part twice.
+// Expressions of any depth, and expressions with shared parts: no traversal recurses, and none visits a part twice.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-// Which unknowns influence which: closed forms of graphs, and subsystems that solve the same equations.
+// The dependencies between unknowns: closed forms of graphs, and subsystems that solve the same equations.
 #include "libration/ode/dependency.hpp"
 
 #include <catch2/catch.hpp>
@@ -57,7 +57,7 @@ TEST_CASE("a component comes after those that it depends on", "[ode][dependency]
     CHECK(diamond.strong_components().front() == indices{3});
     CHECK(diamond.strong_components().back() == indices{0});
     CHECK(diamond.weak_components() == partition{{0, 1, 2, 3}});
-    // Implicit equations count as they are solved: x' = (2 t + x)/3, y' = (t - x)/3.
+    // Implicit equations are treated as solved: x' = (2 t + x)/3, y' = (t - x)/3.
     const dependency_graph implicit(solved("x' + y' = t; x' - 2*y' = x; x(0) = 0; y(0) = 0"));
     CHECK(implicit.direct(0) == indices{0});
     CHECK(implicit.direct(1) == indices{0});
@@ -116,7 +116,7 @@ TEST_CASE("subsystems without starts", "[ode][dependency]") {
 }
 
 // Each unknown has the same coefficients, in fractions, in its closure as in the whole system, also about a singular
-// start.
+// initial point.
 TEST_CASE("the series of a subsystem are those of the whole", "[ode][dependency]") {
     for (const auto& text :
          {"p' = p*q - s^2; q' = 1/(1 + q^2) + s; s' = -s; r'' = r'*t - p; x'' + 2*x'/(t + 1) = x^2; p(0) = 1/3; "

@@ -1,4 +1,4 @@
-// Systems solved for their highest derivatives, and the starts where that has no value.
+// Systems solved for their highest derivatives, and initial values for which these are undefined.
 #include "libration/ode/explicit_system.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 explicit_system solved(const std::string& text) { return explicit_system(parse(text)); }
 
-// The value of an expression where every leaf has one.
+// The value of an expression if every leaf has one.
 rational value_at(const expression& e, const std::vector<std::pair<expression, rational>>& at) {
     const expression value = replaced(e, [&](const expression& leaf) -> std::optional<expression> {
         for (const auto& [of, number] : at) {
@@ -40,7 +40,7 @@ TEST_CASE("a system is solved for its highest derivatives", "[ode][explicit_syst
     CHECK(same_form(solved("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f''(0) = 1").right()[0],
                     expression(rational(-1, 2)) * (f * unknown("f", 2))));
     CHECK(same_form(solved("10*(f - t) = f'; f(0) = 0").right()[0], 10 * (f - variable())));
-    // Two equations in which both stand: x' + y' = t, x' - 2y' = x: x' = (2t + x)/3, y' = (t - x)/3.
+    // Two equations that contain both: x' + y' = t, x' - 2y' = x: x' = (2t + x)/3, y' = (t - x)/3.
     const auto both = solved("x' + y' = t; x' - 2*y' = x; x(0) = 0; y(0) = 0");
     const std::vector<std::pair<expression, rational>> at{{variable(), 5}, {unknown("x"), 7}};
     CHECK(value_at(both.right()[0], at) == rational(17, 3));
@@ -51,7 +51,7 @@ TEST_CASE("a system is solved for its highest derivatives", "[ode][explicit_syst
     const auto mixed = solved("y' = x''; x'' = -x; x(0) = 1; x'(0) = 0; y(0) = 0");
     CHECK(mixed.unknowns()[0].name == "y");
     CHECK(value_at(mixed.right()[0], {{unknown("x"), 3}}) == -3);
-    // A lower derivative with a factor that vanishes at the start is no pivot where another is there.
+    // A lower derivative with a factor that vanishes at the initial point is not a pivot if another is available.
     const auto chosen = solved("x*x' + y' = 1; y'*2 + x' = 3; x(0) = 0; y(0) = 0");
     CHECK(value_at(chosen.right()[0], {{unknown("x"), 0}}) == 1);
     CHECK(value_at(chosen.right()[1], {{unknown("x"), 0}}) == 1);
@@ -145,7 +145,7 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
 }
 
 TEST_CASE("partial derivatives follow the rules of each function", "[ode][expression]") {
-    // Against the difference quotient with h = 1/10^6 at u = 1/3, whose error is below h.
+    // Compared with the difference quotient with h = 1/10^6 at u = 1/3, whose error is below h.
     const auto u = unknown("u");
     const auto value = [](const expression& e, const rational& at) {
         const expression found =

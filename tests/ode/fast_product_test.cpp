@@ -1,4 +1,4 @@
-// Sums in blocks: exactly those term by term over fractions, enclosures and roundings of closed forms by FLINT.
+// Sums in blocks: equal to term-by-term sums over fractions, and enclosures and roundings of closed forms by FLINT.
 #include "libration/ode/ball/fast_product.hpp"
 
 #include <catch2/catch.hpp>
@@ -85,7 +85,7 @@ TEST_CASE("sums in blocks are those term by term, in every kernel, for every len
     }
 }
 
-// Directly, for the templates of the system are compiled in the library.
+// Directly, because the templates of the system are compiled in the library.
 TEST_CASE("sums in blocks of two sequences and of the pairs of one", "[ode]") {
     constexpr int order = 60;
     std::vector<rational> a;
@@ -119,8 +119,8 @@ TEST_CASE("another point and another start forget the sums of the one before", "
     CHECK(blocks.series_of(0).coefficients() == terms.series_of(0).coefficients());
 }
 
-// y = 1/(1 - t/7): 7^-n; x = tan t by x' = 1 + x^2 against its own quotient sin/cos would be another series: the balls
-// of both ways have to meet, and those of y to hold the fraction.
+// y = 1/(1 - t/7): 7^-n; x = tan t by x' = 1 + x^2, while its quotient sin/cos would be a different series: the balls
+// of both methods must overlap, and those of y must contain the fraction.
 TEST_CASE("FLINT's products enclose the coefficients, at few digits and at many", "[ode][proved]") {
     const long digits = GENERATE(30, 200, 700);
     const precision_scope scope(digits);
@@ -144,7 +144,7 @@ TEST_CASE("FLINT's products enclose the coefficients, at few digits and at many"
     }
 }
 
-// y = -c^2 t/(1-t), all of whose coefficients are -c^2, where FLINT's own products are wrong up to version 3.6.0.
+// y = -c^2 t/(1-t), all of whose coefficients are -c^2, where FLINT's products are wrong up to version 3.6.0.
 TEST_CASE("coefficients are right at the bound of FLINT's transform", "[ode][proved]") {
     for (const char* const c : {"0.99999999999999999999", "1 - 2^(-349)", "1 - 2^(-285)"}) {
         const rational square = read_exact(c).coefficient * read_exact(c).coefficient;
@@ -163,8 +163,9 @@ TEST_CASE("coefficients are right at the bound of FLINT's transform", "[ode][pro
     }
 }
 
-// 7^-n again. A coefficient comes from sums of at most 2 n products, each right to the last place, so to 4 n epsilon;
-// log n rectangles round relative to their largest term, which here differs from the others by at most a factor 7^64.
+// 7^-n again. A coefficient is computed from sums of at most 2 n products, each correct to the last place, so to 4 n
+// epsilon; log n rectangles round relative to their largest term, which here differs from the others by at most a
+// factor 7^64.
 TEST_CASE("FLINT's products in mpfr keep the digits of a geometric series", "[ode]") {
     const precision_scope scope(120);
     const explicit_system system(parse("y' = y^2/7; y(0) = 1"));

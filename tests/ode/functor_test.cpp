@@ -1,4 +1,4 @@
-// A right side that is a template of C++ makes the same system as text.
+// A right-hand side that is a C++ template defines the same system as text.
 #include "libration/ode/functor.hpp"
 
 #include <catch2/catch.hpp>
@@ -39,7 +39,7 @@ TEST_CASE("a functor is the equation that it computes", "[ode][functor]") {
         CHECK(a.coefficients(0)[n] == b.coefficients(0)[n]);
         CHECK(a.coefficients(1)[n] == b.coefficients(1)[n]);
     }
-    // And it still computes with numbers.
+    // It can still be evaluated with numbers.
     CHECK(driven_pendulum()(0.0, std::vector<double>{0.0, 2.0})[1] == Approx(1.0 / 3));
 }
 

@@ -1,5 +1,5 @@
-// The polynomial system has the solution of the given one: its coefficients by products alone against those by the
-// kernels of the functions.
+// The polynomial system has the solution of the given one: its coefficients by products alone compared with those by
+// the kernels of the functions.
 #include "libration/ode/lifted_system.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int order = 24;
 
-// The values of the added unknowns from those of the given ones, as the definitions have them.
+// The values of the added unknowns from those of the given ones, by their definitions.
 solution_state<mpfr> lifted_start(const lifted_system& of, const explicit_system& given) {
     expression_values<mpfr> values(of.leaves, constant_value<mpfr>::of(given.point()));
     for (const auto& of_unknown : given.starts()) {
@@ -38,8 +38,8 @@ solution_state<mpfr> lifted_start(const lifted_system& of, const explicit_system
 
 }  // namespace
 
-// Coefficients near 1 by up to 24 sums of 24 products, in some 30 steps: 24*24*30 units in the last place are beyond
-// what either way loses.
+// Coefficients near 1 by up to 24 sums of 24 products, in some 30 steps: 24*24*30 units in the last place exceed the
+// loss of either method.
 TEST_CASE("a lifted system has the coefficients of the given one", "[ode]") {
     const std::string text = GENERATE(
         "y' = exp(-y) + t; y(0) = 1/3", "y' = log(2 + y); y(0) = 1/2", "y' = sqrt(3 + y*t); y(0) = 1",
@@ -122,7 +122,7 @@ TEST_CASE("linear equations with entire coefficients have entire solutions", "[o
     }
 }
 
-// Values of functions of several values are carried along paths, all others computed again.
+// Values of functions of several values are continued along paths, all others recomputed.
 TEST_CASE("functions of several values are given unknowns of paths", "[ode]") {
     const auto given = [](const std::string& text) { return lifted_for_paths(explicit_system(parse(text))).given; };
     for (const std::string f : {"log", "sqrt", "asin", "acos", "atan"}) {
@@ -136,7 +136,7 @@ TEST_CASE("functions of several values are given unknowns of paths", "[ode]") {
     }
 }
 
-// Of 70 products each rounds by half a unit.
+// Each of 70 products rounds by half a unit.
 TEST_CASE("values of powers by products and by functions", "[ode]") {
     const precision_scope scope(40);
     const std::vector<ode::expression> leaves{unknown("y0")};

@@ -1,4 +1,4 @@
-// Problems as text: the same objects as operators make, and what wrong ones are told.
+// Problems as text: the same objects as constructed by operators, and the messages for invalid ones.
 #include "libration/ode/parse.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ using libration::ode::expression;
 
 namespace {
 
-// What a problem is told, without "problem".
+// The error message for a problem, without "problem".
 std::string refusal_of(const std::string& text) {
     try {
         const explicit_system solved(parse(text));
@@ -28,7 +28,7 @@ std::string refusal_of(const std::string& text) {
     }
 }
 
-// The left side of the only equation of a text.
+// The left-hand side of the only equation of a text.
 expression read(const std::string& formula) {
     return parse(formula + " = y' + z'; z' = 1; k = 2; m = 3").equations.front().left;
 }

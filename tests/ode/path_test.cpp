@@ -1,4 +1,4 @@
-// Ways through the complex plane of time: around a pole, around a branch point, and against the pendulum's closed form.
+// Paths in the complex t-plane: around a pole, around a branch point, and compared with the pendulum's closed form.
 #include "libration/ode/path.hpp"
 
 #include <catch2/catch.hpp>
@@ -53,7 +53,7 @@ TEMPLATE_LIST_TEST_CASE("a way around a pole comes to the same value on both sid
         CHECK(off(states[2][0][0], complex_number<T>(T(-2))) < 200);
         CHECK(off(states[3][0][0], complex_number<T>(T(1))) < 100);
     }
-    // Without a corner the line ends at the pole.
+    // Without a corner the segment ends at the pole.
     CHECK_THROWS_WITH(states_along<T>(system, {}, points({"2"})),
                       Catch::Contains("is not reached by the straight line") && Catch::Contains("(1.0000"));
     CHECK(off(states_along<T>(system, {}, points({"1+i"}))[0][0][0], {T(0), T(1)}) < 100);
@@ -70,7 +70,7 @@ TEMPLATE_LIST_TEST_CASE("a way once around a branch point changes the sign of a 
         CHECK(off(states_along<T>(system, around, points({"0"}))[0][0][0], complex_number<T>(T(-1))) < 500);
         CHECK(off(states_along<T>(system, twice, points({"0"}))[0][0][0], complex_number<T>(T(1))) < 1000);
     }
-    // log(1 + t) gains 2 pi i, and its slope nothing.
+    // log(1 + t) gains 2 pi i, and its derivative is unchanged.
     const auto state = states_along<T>(solved("y'' = -y'^2; y(0) = 0; y'(0) = 1"), around, points({"0"}))[0][0];
     CHECK(off(state[0], {T(0), T(pi<T>() * 2)}) < 1000);
     CHECK(off(state[1], complex_number<T>(T(1))) < 500);
@@ -90,7 +90,7 @@ TEST_CASE("the pendulum around its singularities is its elliptic functions there
     const auto at_v = jacobi(v, other);
     const mpfr below = at_v.cn * at_v.cn + m.k * m.k * at_u.sn * at_u.sn * at_v.sn * at_v.sn;
     const complex_number<mpfr> sn{mpfr(at_u.sn * at_v.dn / below), mpfr(at_u.cn * at_u.dn * at_v.sn * at_v.cn / below)};
-    // On the left of the pole at 2i and on its right.
+    // To the left of the pole at 2i and to its right.
     std::vector<complex_number<mpfr>> x;
     for (const char* corner : {"1+2i", "-1+2i"}) {
         x.push_back(states_along<mpfr>(system, points({corner}), points({"1/4+3i"}))[0][0][0]);
@@ -111,7 +111,7 @@ TEST_CASE("two ways agree on digits, and a real number is one however it was rea
     const auto root = trajectory_along(solved("y' = 1/(2*y); y(0) = 1"), points({"-1+i"}), points({"-2"}), 30);
     CHECK(root[0][0][0].re == 0);
     CHECK(abs(mpfr(root[0][0][0].im - 1)) < pow(mpfr(10), -40));
-    // The start itself, with an exact 0.
+    // The initial point itself, with an exact 0.
     const auto start = trajectory_along(solved("x'' = -x; x(0) = 0; x'(0) = 1"), {}, points({"0", "i"}), 20);
     CHECK(start[0][0][0].re == 0);
     CHECK(start[0][0][1].re == 1);

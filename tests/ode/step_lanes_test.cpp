@@ -1,4 +1,4 @@
-// Steps side by side in the lanes of vectors give what each gives alone, to the last bit.
+// Steps in the lanes of vectors give the same values as single steps, to the last bit.
 #include "libration/ode/step_lanes.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int order = 41;
 
-// Two unknowns u, v with every step that has lanes, some that have none, and starts that depend on the number.
+// Two unknowns u, v with every step that has lanes, some that have none, and initial values that depend on the number.
 std::string equations(int number, const std::string& suffix) {
     const std::string u = "u" + suffix;
     const std::string v = "v" + suffix;
@@ -38,7 +38,7 @@ explicit_system systems_together(int count) {
     return explicit_system(parse(text));
 }
 
-// Where the system begins, which is no whole number of anything.
+// The initial point of the system, not an integer multiple of anything.
 solution_state<double> state_of(const explicit_system& system) {
     const tape start = tape::about_start(system);
     taylor_expansion<double> expansion(start, 2);
@@ -50,7 +50,7 @@ solution_state<double> state_of(const explicit_system& system) {
     return state;
 }
 
-// The steps that run together, none where there are no groups.
+// The steps that run together; none if there are no groups.
 std::size_t groups_of(const tape& of) {
     std::vector<double> arrays(of.steps().size());
     const step_lanes lanes(of, arrays.data(), 1, std::vector<double>(of.steps().size(), 1));
@@ -74,7 +74,7 @@ TEST_CASE("steps in lanes give the coefficients of steps alone to the last bit",
         for (const std::string& instructions : sets) {
             const vector_instructions_scope by(instructions);
             taylor_expansion<double> all(tape_of_all, order);
-            for (int pass = 0; pass < 2; ++pass) {  // the arrays serve again
+            for (int pass = 0; pass < 2; ++pass) {  // the arrays are reused
                 all.about(0.25, state);
             }
             for (int i = 0; i < count; ++i) {

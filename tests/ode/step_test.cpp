@@ -1,4 +1,4 @@
-// Marches through time: closed forms, ways back, dense output, and digits that two runs agree on.
+// Integration in time: closed forms, integration backwards, dense output, and digits on which two runs agree.
 #include "libration/ode/step.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,14 +30,14 @@ TEMPLATE_LIST_TEST_CASE("a march reaches closed forms forwards and backwards", "
     using std::exp;
     using std::sin;
     using std::sqrt;
-    // y = 1/(1 + e^-t), a shift of it and e^(sin t): a step has some epsilon, some ten steps.
+    // y = 1/(1 + e^-t), a shift of it and e^(sin t): some epsilon per step, some ten steps.
     taylor_march<T> logistic(solved("y' = y*(1 - y); y(0) = 1/2"));
     for (const int time : {3, 7, -5, 0, 1}) {
         CHECK_THAT(logistic.advance_to(T(time))[0][0], near<T>(T(1 / (1 + exp(T(-time)))), 100));
     }
     taylor_march<T> driven(solved("y' = y*cos(t); y(0) = 1"));
     CHECK_THAT(driven.advance_to(T(10))[0][0], near<T>(T(exp(sin(T(10)))), 200));
-    // A polynomial, whose step has no end; and the first step of a series in sqrt(t): y = e^(2 sqrt t).
+    // A polynomial, whose step is unlimited; and the first step of a series in sqrt(t): y = e^(2 sqrt t).
     taylor_march<T> polynomial(solved("y'' = 6*t; y(0) = 1; y'(0) = 0"));
     CHECK(polynomial.advance_to(T(100))[0][0] == 1'000'001);
     taylor_march<T> root(solved("sqrt(t)*y' = y; y(0) = 1"));

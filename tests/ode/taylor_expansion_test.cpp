@@ -1,4 +1,4 @@
-// The series of any system: against closed forms exactly over fractions, and against the pendulum's own recurrences in
+// The series of any system: compared with closed forms, exactly over fractions, and with the pendulum's recurrences in
 // every scalar.
 #include "libration/ode/taylor_expansion.hpp"
 
@@ -109,7 +109,7 @@ TEST_CASE("closed forms come out exactly over fractions", "[ode][taylor_expansio
 }
 
 TEST_CASE("every function of the grammar has its series", "[ode][taylor_expansion]") {
-    // f(g(t))' = f'(g) g' by two ways: the function's own kernel, and that of its derivative.
+    // f(g(t))' = f'(g) g' by two methods: the function's kernel, and that of its derivative.
     const std::vector<std::pair<std::string, std::string>> pairs{
         {"exp(u)", "y*u'"},
         {"log(1 + u)", "u'/(1 + u)"},
@@ -126,7 +126,7 @@ TEST_CASE("every function of the grammar has its series", "[ode][taylor_expansio
         {"(1 + u)^-3", "-3*y/(1 + u)*u'"},
         {"(1 + u)^(5/2)", "5/2*(1 + u)^(3/2)*u'"},
     };
-    // u is odd (every second coefficient is left out), and not.
+    // u is odd (every second coefficient is omitted), and not.
     const std::vector<std::string> paths{"u'' = -u - u^3; u(0) = 0; u'(0) = 1",
                                          "u'' = -u^2 + t; u(0) = 0; u'(0) = 1/2"};
     for (const std::string& u : paths) {
@@ -162,7 +162,7 @@ TEST_CASE("singular starts have their known series", "[ode][taylor_expansion]") 
     third[0] = 1;
     third[2] = rational(1, 3);
     CHECK(same(lane_emden("5"), series::power(third, rational(rational(-1) / 2), rational(1))));
-    // J_0(t), and the same about t = 2, in a variable of another name.
+    // J_0(t), and the same about t = 2, in a variable with another name.
     auto bessel = power_series<rational>::zero(exact_order);
     bessel[0] = 1;
     for (int k = 1; k <= exact_order; ++k) {
@@ -173,7 +173,7 @@ TEST_CASE("singular starts have their known series", "[ode][taylor_expansion]") 
     CHECK(same(
         first_series<rational>("variable x; (2*x - 4)*y'' + 2*y' + (2*x - 4)*y = 0; y(2) = 1; y'(2) = 0", exact_order),
         in_squares(bessel, 0)));
-    // As a system of first order.
+    // As a first-order system.
     CHECK(
         same(series_about_start<rational>("y' = w; w' = -2*w/t - y; y(0) = 1; w(0) = 0", exact_order)[0].truncated(12),
              n_one.truncated(12)));
@@ -183,7 +183,7 @@ TEST_CASE("singular starts have their known series", "[ode][taylor_expansion]") 
     const std::vector<rational> expected{
         1, 0, b, rational(4, 3), 0, rational(2 * b / 5), rational(1, 3), rational(3 * b * b / 70)};
     CHECK(atom.coefficients() == expected);
-    // A quotient of powers of t that is none: sin(y) + 1.
+    // A quotient of powers of t that is not a power: sin(y) + 1.
     CHECK(same(first_series<rational>("t*y' = t*sin(y) + t; y(0) = 0", exact_order),
                first_series<rational>("y' = sin(y) + 1; y(0) = 0", exact_order)));
 }
@@ -223,7 +223,7 @@ TEST_CASE("a symmetry of the start leaves out coefficients and nothing else", "[
     CHECK(stride("x'' = -t*sin(x); x(1) = 1; x'(1) = 0") == 1);
     CHECK(stride("x'' = -sin(x); x(0) = 1; x'(0) = 1") == 1);
     CHECK(stride("u'' = 6*u^2 + t; u(0) = 0; u'(0) = 0") == 5);
-    // The same solution through a start that hides it: y(0) = sqrt(2)^2 - 2 is 0, but not by its form.
+    // The same solution with an initial value in another form: y(0) = sqrt(2)^2 - 2 is 0, but not by its form.
     const std::string plain = "y'' = y^3 - y + t; y'(0) = 1; y(0) = ";
     const precision_scope scope(30);
     const auto a = first_series<mpfr>(plain + "0", 20);
@@ -272,7 +272,7 @@ TEST_CASE("in balls each coefficient holds the exact one", "[ode][taylor_expansi
             CHECK(contains(enclose(found[n], ball(mpfr(abs(exact[n]) * pow(mpfr(10), -100)))), ball(exact[n])));
             CHECK(overlaps(complex[n].re, found[n]));
             CHECK(contains_zero(complex[n].im));
-            // Balls of one recurrence depend on each other and lose up to a bit a degree.
+            // Balls of one recurrence depend on each other and lose up to a bit per degree.
             const mpfr size = abs(exact[n]) + abs(exact[std::max(0, n - 1)]) + abs(exact[std::max(0, n - 2)]);
             CHECK(certainly_less(radius_of(found[n]), ball(mpfr(size * pow(mpfr(10), -30) + pow(mpfr(10), -48)))));
         }
@@ -287,7 +287,7 @@ TEST_CASE("in balls each coefficient holds the exact one", "[ode][taylor_expansi
 TEST_CASE("expansions about other points continue the solution, complex ones too", "[ode][taylor_expansion]") {
     const precision_scope scope(60);
     using complex = complex_number<mpfr>;
-    // y = tan t, z = 1/(1 + t): to 1/2 + i/3 and on to 1/4 - i/5, within four decimal orders of the precision.
+    // y = tan t, z = 1/(1 + t): to 1/2 + i/3 and then to 1/4 - i/5, within four decimal orders of the precision.
     const explicit_system system(parse("y' = 1 + y^2; z' = -z^2 + 0*t; y(0) = 0; z(0) = 1"));
     const tape about_start = tape::about_start(system);
     const tape about_points = tape::about_points(system, {unknown("z") * (1 + variable()), variable()});
@@ -305,12 +305,12 @@ TEST_CASE("expansions about other points continue the solution, complex ones too
     const auto there = second.at(b - a);
     near_tan(there[0][0], b);
     CHECK(modulus_of(complex(there[1][0] * (complex(1) + b) - complex(1))) < pow(mpfr(10), -56));
-    // What is watched: z (1 + t) = 1, t itself.
+    // The observed expressions: z (1 + t) = 1, t itself.
     CHECK(modulus_of(complex(second.watched(0)[0] - complex(1))) < pow(mpfr(10), -56));
     CHECK(modulus_of(second.watched(0)[7]) < pow(mpfr(10), -50));
     CHECK(second.watched(1)[0] == a);
     CHECK(second.watched(1)[1] == complex(1));
-    // The arrays serve any number of points.
+    // The arrays can be reused for any number of points.
     second.about(complex(0), {{complex(0)}, {complex(1)}});
     CHECK(second.coefficients(0)[2] == complex(0));
     CHECK(modulus_of(complex(second.coefficients(0)[3] - complex(mpfr(1) / 3))) < pow(mpfr(10), -58));

@@ -1,4 +1,4 @@
-// theta, omega, periods, coefficients and norms to any number of digits, as a C++ user asks for them.
+// theta, omega, periods, coefficients and norms to any number of digits, as requested by a C++ user.
 #include "libration/pendulum/digits.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace libration::pendulum;
 
 namespace {
 
-// The same digits by both.
+// The same digits by both interfaces.
 template <class Rounded, class Proved>
 void check_both(const std::string& expected, const Rounded& by_rounding, const Proved& by_proof) {
     CHECK(by_rounding.text == expected);
@@ -35,7 +35,7 @@ error refused(const Call& call) {
 
 TEST_CASE("theta(10^12) has 60 digits in one line", "[pendulum][digits]") {
     const given_motion motion{.theta0 = "2.5", .omega0 = "-0.3"};
-    // As README has it since its first edition, from an exact solution in 80 digits.
+    // As in README since its first edition, from an exact solution in 80 digits.
     check_both("-1.28977566036974826206862501873454425528011995252167718066505", rounded::theta(motion, "1e12", 60),
                proved::theta(motion, "1e12", 60));
 }

@@ -1,4 +1,4 @@
-// Motions and times for the tests, from texts as the command takes them.
+// Motions and times for the tests, from texts as accepted by the command.
 #pragma once
 
 #include <string>
@@ -51,7 +51,7 @@ struct named_motion {
     motion m;
 };
 
-/// Motions of every regime that has a period, next to E = 2 and far from it, through top, bottom and points between.
+/// Motions of every regime that has a period, near E = 2 and far from it, through top, bottom and points between.
 inline std::vector<named_motion> periodic_motions() {
     return {{"E = 1e-3", with_energy("1e-3")},
             {"E = 1.71", with_energy("1.71")},
@@ -68,7 +68,7 @@ inline std::vector<named_motion> periodic_motions() {
             {"from (-50, -3)", with_state("-50", "-3")}};
 }
 
-/// Motions from the top, of energies of both regimes, near rest, next to E = 2 and fast.
+/// Motions from the top, of energies of both regimes, near rest, near E = 2 and fast.
 inline std::vector<named_motion> canonical_motions() {
     std::vector<named_motion> all;
     for (const std::string energy : {"1e-20", "1e-3", "0.1", "1", "1.71", "2.02", "4", "1e6"}) {
@@ -80,7 +80,7 @@ inline std::vector<named_motion> canonical_motions() {
     return all;
 }
 
-/// The separatrix, both ways.
+/// The separatrix, in both directions.
 inline std::vector<named_motion> critical_motions() {
     return {{"E = 2", with_energy("2")}, {"E = 2, clockwise", with_energy("2", -1)}};
 }

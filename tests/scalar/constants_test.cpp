@@ -28,8 +28,8 @@ TEMPLATE_LIST_TEST_CASE("pi satisfies Machin's formula", "[scalar][constants]", 
     using T = typename TestType::type;
     using std::atan;
     const typename TestType::precision precision;
-    // pi/4 = 4 atan(1/5) - atan(1/239). Four roundings (quotient, atan of either term) below 1 weigh at most epsilon
-    // each; the sum 4 atan(1/5) = 0.79 has half of that and so has the difference.
+    // pi/4 = 4 atan(1/5) - atan(1/239). Four roundings (quotient, atan of either term) below 1 contribute at most
+    // epsilon each; the sum 4 atan(1/5) = 0.79 has half of that and so has the difference.
     const T machin = atan(T(1) / 5) * 4 - atan(T(1) / 239);
     CHECK_THAT(T(pi<T>() / 4), tests::near<T>(machin, 2));
 }

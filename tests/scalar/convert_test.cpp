@@ -61,7 +61,7 @@ TEMPLATE_LIST_TEST_CASE("a widened value computes in the precision in force", "[
     const typename TestType::precision precision;
     const T one(1);
     const precision_scope scope(plenty);
-    // widen() makes a temporary, in whose precision Boost computes.
+    // widen() returns a temporary, in whose precision Boost computes.
     CHECK(widen(one) / 3 == mpfr(1) / 3);
     CHECK(widen(one) - pi<mpfr>() == 1 - pi<mpfr>());
 }

@@ -13,7 +13,7 @@ using namespace libration::pendulum;
 
 namespace {
 
-// Any start will do: what is counted does not depend on it but for zeros.
+// An arbitrary initial state: the counts depend only on its zeros.
 taylor_start<counted> start(parity of_theta) {
     const bool even = of_theta == parity::even;
     return {
@@ -60,7 +60,8 @@ TEST_CASE("counts nest without disturbing each other", "[scalar][counted]") {
 TEST_CASE("the loops of the recurrences have the products that their sums have", "[scalar][counted]") {
     for (const int n : {4, 20, 81, 160}) {
         INFO("N = " << n);
-        // (pendseries): two sums of j products for j = 1 .. N-2, one product for each a_j and four for the start.
+        // (pendseries): two sums of j products for j = 1 .. N-2, one product for each a_j and four for the initial
+        // state.
         CHECK(products([&] { taylor_by_sine_cosine(start(parity::any), n, counted(2.0)); }) == (n - 1) * (n - 1) + 4);
         // The convolution: sum_{j=0}^{N} (j+1) products.
         auto series = power_series<counted>::zero(n);

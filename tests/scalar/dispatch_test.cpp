@@ -28,7 +28,7 @@ TEST_CASE("a name gives the scalar and its name again", "[scalar][dispatch]") {
     CHECK(*chosen_type("quad") == typeid(quad));
     CHECK(*chosen_type("mpfr:50") == typeid(mpfr));
     CHECK(read_scalar("mpfr:77").digits == 77);
-    CHECK(read_scalar("double").digits == 17);  // digits that tell all doubles apart [IEEE 754]
+    CHECK(read_scalar("double").digits == 17);  // digits that distinguish all doubles [IEEE 754]
     CHECK(read_scalar("quad").digits == 36);
 }
 

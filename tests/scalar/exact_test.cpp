@@ -90,8 +90,8 @@ TEST_CASE("what is not a number is refused with what is wrong", "[scalar][exact]
 TEMPLATE_LIST_TEST_CASE("an exact number is rounded once when it meets a precision", "[scalar][exact]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    // Twice the error is within one unit in the last place, epsilon times the power of two below the value; the 2^-64
-    // that from_exact allows itself would show once in as many cases.
+    // Twice the error is within one unit in the last place, epsilon times the power of two below the value; the
+    // additional 2^-64 permitted to from_exact would be visible once in as many cases.
     const auto rounded_to = [](const std::string& text, const tests::expected_value& expected) {
         INFO(text);
         const T value = from_exact<T>(read_exact(text));

@@ -10,7 +10,7 @@ using namespace libration;
 using libration::tests::all_scalars;
 using libration::tests::near;
 
-// Half an epsilon for the function here, and for what it is compared with; libquadmath promises 2.
+// Half an epsilon for the function here, and for the reference; libquadmath guarantees 2.
 constexpr long few = 3;
 
 TEMPLATE_LIST_TEST_CASE("arsinh undoes sinh", "[scalar][inverse_hyperbolic]", all_scalars) {
@@ -20,7 +20,7 @@ TEMPLATE_LIST_TEST_CASE("arsinh undoes sinh", "[scalar][inverse_hyperbolic]", al
     for (const auto* text : {"1e-30", "1e-8", "0.1", "-0.75", "2", "-40", "200"}) {
         INFO(text);
         const T x = from_exact<T>(read_exact(text));
-        // The error of sinh x counts tanh(x)/x times: at most once.
+        // The error of sinh x is multiplied by tanh(x)/x: at most once.
         CHECK_THAT(arsinh(T(sinh(x))), near<T>(x, few));
     }
 }

@@ -1,4 +1,4 @@
-// Inner products of mpfr: one rounding of a sum in fixed point. Judged by exact fractions.
+// Inner products of mpfr: one rounding of a sum in fixed point. Compared with exact fractions.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
@@ -15,7 +15,7 @@ using tests::fraction_of;
 
 namespace {
 
-// Of the precision in force and of others, with exponents that spread over `spread` bits; some are 0.
+// Of the precision in force and of others, with exponents that vary by `spread` bits; some are 0.
 std::vector<mpfr> random_numbers(std::mt19937& random, int count, int spread) {
     std::uniform_int_distribution<int> exponent(-spread, spread);
     std::uniform_int_distribution<int> bits(1, 700);
@@ -78,10 +78,10 @@ TEST_CASE("an inner product of mpfr knows squares, nothing, and what is no numbe
     CHECK(inner_product(x.data(), 1, x.data(), 1, 3) == 25);
     CHECK(inner_product(x.data(), 1, x.data(), 1, 0) == 0);
     CHECK(inner_product(x.data() + 2, 1, x.data(), 1, 1) == 0);
-    // What cancels is exact where the terms are: 3 * 5 - 4 * 15/4.
+    // Cancellation is exact if the terms are: 3 * 5 - 4 * 15/4.
     const std::vector<mpfr> y{mpfr(5), mpfr(mpfr(15) / 4), mpfr(9)};
     CHECK(inner_product(x.data(), 1, y.data(), 1, 3) == 0);
-    // A sum of terms far below the largest one that cancels keeps what 2^-30 more than the precision holds.
+    // A sum of terms far below the largest one, which cancels, is accurate to 2^-30 beyond the precision.
     const std::vector<mpfr> ones{mpfr(1), mpfr(1), mpfr(1)};
     const std::vector<mpfr> cancel{mpfr(1), ldexp(mpfr(1), -180), mpfr(-1)};
     CHECK(inner_product(ones.data(), 1, cancel.data(), 1, 3) == ldexp(mpfr(1), -180));

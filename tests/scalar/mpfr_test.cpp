@@ -19,7 +19,7 @@ mpfr a_third_to(long digits) {
 
 }  // namespace
 
-// The trap behind every wrong digit of a run-time precision: more digits in force do not make a value better.
+// The common cause of wrong digits with a run-time precision: more digits in force do not make a value more accurate.
 TEST_CASE("a value keeps the precision it was born with", "[scalar][mpfr]") {
     const mpfr born = a_third_to(40);
     const precision_scope scope(100);
@@ -29,7 +29,7 @@ TEST_CASE("a value keeps the precision it was born with", "[scalar][mpfr]") {
     CHECK(bits_of(copy) == bits_of(born));
     CHECK(bits_of(assigned) == bits_of(born));
     CHECK(bits_of(mpfr(0)) > bits_of(born));
-    // An operation works at the precision in force; the digits that were never there stay away.
+    // An operation uses the precision in force; digits that were never computed do not appear.
     const mpfr sum = born + 0;
     CHECK(bits_of(sum) == bits_of(mpfr(0)));
     CHECK(sum == born);
@@ -44,7 +44,7 @@ TEST_CASE("an operation does not cut operands of more digits than are in force",
     CHECK(bits_of(narrow<mpfr>(fine)) == bits_of(mpfr(0)));
 }
 
-// Boost computes into a temporary operand to save an allocation, and keeps the precision that this one was born with.
+// Boost computes into a temporary operand to save an allocation, and keeps the precision with which it was created.
 TEST_CASE("an operation on a temporary of few digits has few digits", "[scalar][mpfr]") {
     const mpfr born = a_third_to(40);
     const precision_scope scope(100);

@@ -38,7 +38,7 @@ TEST_CASE("a scope holds the digits it was asked for, and few bits more", "[scal
         const double needed = static_cast<double>(asked) * std::log2(10);
         INFO(asked);
         CHECK(digits<mpfr>() >= needed);
-        // Boost takes 1000/301 bits a digit, 1.0000998 of log2(10), and 2 more.
+        // Boost uses 1000/301 bits per digit, 1.0000998 of log2(10), and 2 more.
         CHECK(digits<mpfr>() <= needed * 1.0001 + 3);
     }
 }
@@ -66,7 +66,7 @@ TEST_CASE("a thread starts from the global default and keeps its scopes to itsel
         in_scope = digits<mpfr>();
         mpfr_free_cache();
     });
-    CHECK(at_start == global);  // and not 300: every worker opens a scope of its own
+    CHECK(at_start == global);  // and not 300: every worker opens a separate scope
     CHECK(at_start < here);
     CHECK(in_scope < here);
     CHECK(digits<mpfr>() == here);

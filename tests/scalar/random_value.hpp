@@ -10,8 +10,8 @@
 
 namespace libration::tests {
 
-/// The exponents e, 2^(e-1) <= |x| < 2^e, of all finite values of T, subnormal ones included. For mpfr, whose own range
-/// is endless for practical purposes, beyond the range of all other scalars but short enough to be written out.
+/// The exponents e, 2^(e-1) <= |x| < 2^e, of all finite values of T, subnormal ones included. For mpfr, whose range is
+/// practically unlimited, beyond the range of all other scalars but short enough to be written out.
 template <class T>
 struct exponent_range {
     static constexpr bool has_subnormal = std::numeric_limits<T>::has_denorm == std::denorm_present;
@@ -33,7 +33,7 @@ public:
         for (int bits = 0; bits <= digits<T>() + chunk; bits += chunk) {
             value = ldexp(value + next_chunk(), -chunk);
         }
-        value = ldexp(value + 1, -1);  // in [1/2, 1]; the rounding of the sum is as good a value as any
+        value = ldexp(value + 1, -1);  // in [1/2, 1]; the rounding of the sum is acceptable
         const T result = ldexp(value, exponent());
         return bits_() % 2 == 0 ? result : T(-result);
     }
@@ -47,7 +47,7 @@ private:
         const std::uint64_t kind = bits_() % 4;
         return static_cast<int>(kind == 0 ? 0 : kind == 1 ? all_ones : bits_() & all_ones);
     }
-    // A quarter each at both ends of the range; 1 below the largest, for the significand may have rounded to 1.
+    // A quarter each at both ends of the range; 1 below the largest, because the significand may have rounded to 1.
     int exponent() {
         const exponent_range<T> range;
         const std::uint64_t kind = bits_() % 4;

@@ -182,7 +182,7 @@ TEST_CASE("approximants over b meet the wall shears of Falkner and Skan in print
         }
     }
     CHECK_THROWS_WITH(rows_about("approximants", {"lorenz", {"x(0)=1,2"}}, words),
-                      Catch::Contains("no known far behaviour"));
+                      Catch::Contains("no known asymptotic behaviour"));
 }
 
 // y = 1/(1 + e^-t) = 1/2 + t/4 - t^3/48 + ...: partial sums, [2/2] = (1/2 + t/4 + t^2/24)/(1 + t^2/12), and the cubic

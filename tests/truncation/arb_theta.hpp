@@ -1,4 +1,4 @@
-// Jacobi's functions by Arb's theta functions: a route that shares nothing with the descents but Arb's arithmetic.
+// Jacobi's functions by Arb's theta functions: a method that shares only Arb's arithmetic with the Landen descents.
 #pragma once
 
 #if __has_include(<flint/acb_modular.h>)
@@ -61,7 +61,7 @@ public:
     const ball& period() const { return period_; }
     const ball& ratio() const { return ratio_; }
 
-    /// cd, sd and nd, which have no zero in common and no poles near real arguments, at 2 K x.
+    /// cd, sd and nd, which have no common zero and no poles near real arguments, at 2 K x.
     std::array<ball, 3> over_dn(const ball& x) const {
         const auto [first, second, third, fourth] = arb_thetas(x, ratio_);
         const auto& [none, b, c, d] = at_zero_;

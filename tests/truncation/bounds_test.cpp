@@ -1,5 +1,5 @@
-// The bounds A and A2 of what a series and its resummation leave out, against the sums over the bounds of the
-// coefficients that they come from.
+// The bounds A and A2 of the truncation errors of a series and its resummation, compared with the sums over the bounds
+// of the coefficients from which they are derived.
 #include <string>
 #include <vector>
 
@@ -31,7 +31,7 @@ TEST_CASE("the bounds of the norms are the sums over those of the coefficients",
                 series += bounds.coefficient(n) * pow(bounds.rho, n);
             }
             of_series.push_back(quotient(bounds.series_norm(order), series));
-            // Of x^(N+1+j) it leaves u^(N+1) (1-u)^2 j(j-1)/2 at most, which is largest at u = (N+1)/(N+3).
+            // Of x^(N+1+j) the error is at most u^(N+1) (1-u)^2 j(j-1)/2, which is largest at u = (N+1)/(N+3).
             const ball u = ball(order + 1) / (order + 3);
             const ball shape = pow(u, order + 1) * (1 - u) * (1 - u);
             ball resummation(0);
@@ -42,7 +42,8 @@ TEST_CASE("the bounds of the norms are the sums over those of the coefficients",
             of_resummation.push_back(quotient(bounds.resummation_norm(order), resummation));
         }
     }
-    // 1/n of the first term stands for that of all others: the less, the more powers count. Below 1 it were no bound.
+    // 1/n of the first term is used for all others: the factor grows with the number of relevant powers.
+    // A factor below 1 would disprove the bound.
     CHECK_THAT(of_series, are_factors({1.187, 1.114, 1.065, 1.583, 1.36, 1.21, 1.253, 1.199, 1.098}));
     CHECK_THAT(of_resummation, are_factors({1.64, 1.449, 1.24, 2.807, 2.261, 1.677, 1.945, 1.662, 1.355}));
 }

@@ -1,4 +1,4 @@
-// Sums over the columns of singularities, and over single ones, that leave out all but a few.
+// Sums over the columns of singularities, and over single ones, truncated to a few.
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -29,8 +29,8 @@ TEST_CASE("few pairs of columns hold the motion", "[truncation][separatrix_sum]"
             factors.push_back(times_wider(found.slope, truth.omega));
         }
     }
-    // The last pair over cosh d - 1, against its sum with alternating signs, 1/(e^d + 1), or equal ones, 1/(e^d - 1):
-    // from 2 on, where e^d is large.
+    // The last pair over cosh d - 1, compared with its sum with alternating signs, 1/(e^d + 1), or equal ones, 1/(e^d -
+    // 1): from 2 on, where e^d is large.
     CHECK_THAT(factors, are_factors({2.58, 2.58, 2.598, 2.598, 2.598, 2.598, 2.06, 2.06, 2.06, 2.06, 2.06, 2.06, 2.051,
                                      2.051, 2.052, 2.052, 2.052, 2.052}));
 }
@@ -75,7 +75,7 @@ TEST_CASE("few powers of the uniform resummation hold the motion", "[truncation]
             }
         }
     }
-    // Theorem U is the same at every energy, and knows nothing of signs.
+    // Theorem U is the same at every energy, and does not use signs.
     CHECK_THAT(factors,
                are_factors({7.654, 7.516, 2.345, 2.348, 4.058, 4.082, 43.12, 39.09, 4.277, 4.211, 2.075, 2.07,
                             3.596, 3.554, 3.596, 3.554, 2.608, 2.615, 22.35, 20.91, 22.35, 20.91, 1.734, 1.726}));
@@ -103,8 +103,7 @@ TEST_CASE("few poles hold a coefficient", "[truncation][lattice_coefficients]") 
             factors.push_back(times_wider(found.front(), truth.scaled[n]));
         }
     }
-    // Theorem A1 puts all poles that are left out where the nearest might be, and S4 takes them with those that are
-    // kept.
+    // Theorem A1 places all omitted poles where the nearest might be, and S4 includes those that are kept.
     CHECK_THAT(factors,
                are_factors({3.344e+05, 1.421e+04, 3.984e+04, 64.22, 1.83e+05, 2249, 7.52e+06, 8792, 2.778e+04}));
 }
@@ -119,13 +118,13 @@ TEST_CASE("the sum of the fourth powers of all poles is below its bound", "[trun
             const auto view = view_from(m, phase_of(read_expansion_point(name), solution)).value();
             ball sum(0);
             for (const auto& pole : view.within(ball(view.radius() * 60))) {
-                // Both half planes; of mirror images one is listed, with twice the weight.
+                // Both half planes; of two symmetric poles one is listed, with twice the weight.
                 sum += ball(2 * std::abs(pole.weight)) / (pole.square * pole.square);
             }
             factors.push_back(midpoint_of(ball(view.fourth_powers() / sum)).convert_to<double>());
         }
     }
-    // Least where the nearest column is that of the point, and far from the others.
+    // Least if the nearest column is that of the point, and far from the others.
     CHECK_THAT(factors, are_factors({2.412, 2.402, 2.45, 2.282, 1.993, 2.339, 3.19, 1.507, 3.318, 9.396, 1.26, 9.811,
                                      5.188, 1.34, 5.451, 2.58, 2.612, 2.62}));
 }

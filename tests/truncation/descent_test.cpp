@@ -1,4 +1,4 @@
-// The arithmetic-geometric mean, Jacobi's functions and the incomplete integral by chains of too few levels.
+// The arithmetic-geometric mean, Jacobi's functions and the incomplete integral by Landen chains with too few levels.
 #include <vector>
 
 #include "libration/elliptic/incomplete_integral.hpp"
@@ -42,10 +42,10 @@ TEST_CASE("a chain of few levels holds Jacobi's functions", "[truncation][jacobi
         factors.push_back(times_wider(found.cn, at.cn));
         factors.push_back(times_wider(found.dn, at.dn));
     }
-    // am(v, k) is v - k^2/4 (v - sin v cos v) and dn is 1 - k^2/2 sin^2 v to first order, against k^2 v and k^2; on the
-    // way up the radii add where the errors cancel.
+    // am(v, k) is v - k^2/4 (v - sin v cos v) and dn is 1 - k^2/2 sin^2 v to first order, compared with k^2 v and k^2;
+    // in the ascent the radii add while the errors cancel.
     CHECK_THAT(factors, are_factors({7.241, 4.82, 13.3, 25.74, 44.69, 47.42, 109.8, 78.89, 237.1, 104.9, 78.18, 254}));
-    // Beyond K the signs would be wrong: refused, by the chain of few levels as well.
+    // Beyond K the signs would be wrong: throws, for the chain with few levels as well.
     CHECK_THROWS_AS(jacobi_at(ball(truth.period() * 101 / 100), landen_chain<ball>(m)), precision_exhausted);
     CHECK_THROWS_AS(jacobi_at(ball(truth.period() * 101 / 100), landen_chain<ball>(m, 1)), precision_exhausted);
 }
@@ -60,7 +60,7 @@ TEST_CASE("a chain of few levels holds the incomplete integral", "[truncation][i
         const landen_chain<ball> chain(m, levels);
         factors.push_back(times_wider(incomplete_integral(ball(sin(phi)), ball(cos(phi)), chain), truth));
     }
-    // The integrand is between 1 and 1/k_N', in the mean about half way.
+    // The integrand is between 1 and 1/k_N', in the mean about halfway.
     CHECK_THAT(factors, are_factors({7.019, 1.935, 2.117, 2.006}));
 }
 

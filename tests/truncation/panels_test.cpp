@@ -1,4 +1,4 @@
-// Polynomials of too low an order under the proved norms, and a search that ends too soon.
+// Polynomials of too low an order for the proved norms, and a search that ends too soon.
 #include <utility>
 #include <vector>
 
@@ -32,14 +32,14 @@ TEST_CASE("a panel of low order holds the function and two derivatives", "[trunc
             factors.push_back(times_wider(found.curvature, ball(f * f * f * q * q * 6)));
         }
     }
-    // At 1 the tail of the value is the geometric series itself, that of the slope n/(1-q) against n + q/(1-q).
+    // At 1 the tail of the value is the geometric series itself, that of the slope n/(1-q) compared with n + q/(1-q).
     CHECK_THAT(factors, are_factors({1, 1.111, 1, 3.188, 2.822, 2.843, 1, 1.154, 1.23, 4.781, 4.147, 3.743, 1, 1.2,
                                      1.415, 16.14, 13.72, 11.75}));
 }
 
 TEST_CASE("few steps of Newton's iteration hold the maximum and its place", "[truncation][proved_maximum]") {
     const precision_scope scope(4 * many_digits);
-    // s - s^3 + s^4/10 has its largest value where 1 - 3 s^2 + 2 s^3/5 = 0.
+    // s - s^3 + s^4/10 is largest where 1 - 3 s^2 + 2 s^3/5 = 0.
     const power_series<ball> f(std::vector<ball>{ball(0), ball(1), ball(0), ball(-1), ball(1) / 10});
     ball s = ball(3) / 5;
     for (int i = 0; i < 15; ++i) {
@@ -53,12 +53,12 @@ TEST_CASE("few steps of Newton's iteration hold the maximum and its place", "[tr
         factors.push_back(times_wider(found.value, value));
         factors.push_back(times_wider(found.place, ball((1 + place) / 2)));
     }
-    // f'^2/(2 mu) with mu next to |f''| is what is missing to the extreme value.
+    // The difference from the extreme value is f'^2/(2 mu) with mu near |f''|.
     CHECK_THAT(factors, are_factors({1, 1, 1, 1, 1, 1, 1, 1}));
 }
 
 TEST_CASE("panels of low order hold an error norm", "[truncation][proved_norm]") {
-    // Of polynomials that have more powers than the panels, which take the tail of theta for what they lack.
+    // For polynomials with more powers than the panels, which use the tail of theta for the missing ones.
     const precision_scope scope(40);
     const rational energy(1, 2);
     arc_errors sampled(motion::of_energy(energy));
@@ -68,7 +68,7 @@ TEST_CASE("panels of low order hold an error norm", "[truncation][proved_norm]")
         const auto truth = sampled.norm(arc_method::resummed, degree);
         factors.push_back(times_wider(found.value, ball(truth.norm)));
     }
-    // theta's own coefficients have signs, which theorem A1 does not see.
+    // theta's coefficients have signs, which theorem A1 does not use.
     CHECK_THAT(factors, are_factors({9.317, 2.767, 14.36}));
     CHECK_THROWS_AS(proved_arc_errors(libration::exactly(1), 2), libration::error);
 }

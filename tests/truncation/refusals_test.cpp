@@ -1,4 +1,4 @@
-// What the proofs refuse, and the ways that they take for few inputs: next to zeros, of wide balls, of many digits.
+// Inputs that the proofs reject, and branches taken by few inputs: near zeros, for wide balls, for many digits.
 #include <optional>
 #include <vector>
 
@@ -24,12 +24,12 @@ TEST_CASE("a descent refuses what is not positive and what is too wide", "[trunc
     CHECK_THROWS_AS(landen_nome(ball(1), ball(0), quarter), libration::error);
     CHECK_THROWS_AS(landen_nome(ball(-1), ball(1), quarter), libration::error);
     CHECK_THROWS_AS(landen_nome(enclose(ball(1), ball(1) / 2), ball(ball(1) / 2), quarter), precision_exhausted);
-    // Nothing is to be descended where a_0 = b_0.
+    // No descent is needed if a_0 = b_0.
     CHECK(contains(landen_nome(ball(1), ball(1), ball(0)).mean(), ball(1)));
 }
 
 TEST_CASE("theta by division and next to its zeros is that of both parts together", "[truncation][landen_motion]") {
-    // 6100 digits take three terms of the theta series, 400 and more the divisions in fewer bits.
+    // 6100 digits take three terms of the theta series; from 400 digits the divisions use fewer bits.
     for (const long count : {30L, 400L, 1500L, 6100L}) {
         const precision_scope scope(count);
         const landen_motion motion(rational(171, 100), rational(29, 100));
@@ -91,7 +91,7 @@ TEST_CASE("decimals before the point and zeros that are known are printed", "[tr
     const auto printed = proved_decimals(5, noise, [] { return std::vector<bool>{true}; });
     CHECK(printed[0].text == "0");
     CHECK(printed[1].text == "2.0000");
-    // A first run of too few digits, and a value that is not 0 in the second.
+    // A first run with too few digits, and a value that is nonzero in the second.
     const auto loss = [] { return std::vector<ball>{enclose(ball(2), pow(ball(10), 22 - working_digits()))}; };
     CHECK(proved_decimals(5, loss, [] { return std::vector<bool>{true}; })[0].text == "2.0000");
     CHECK_THROWS_AS(proved_decimals(5, noise, [] { return std::vector<bool>{false, true}; }), libration::error);
@@ -149,7 +149,7 @@ TEST_CASE("a parameter keeps the one of m and 1 - m that was given, and no modul
     CHECK_THROWS_AS(real_parameter::from_modulus(read_exact("-1/2")), libration::error);
     CHECK(real_parameter::from_modulus(read_exact("1/2")).m().coefficient == rational(1, 4));
     const precision_scope scope(30);
-    // 1 - 1e-40 has no 30 digits that tell it from 1.
+    // 30 digits do not distinguish 1 - 1e-40 from 1.
     const auto m = real_parameter::from_complement(read_exact("1e-40")).reduced();
     CHECK(overlaps(m.complement, pow(ball(10), -20)));
     CHECK_NOTHROW(real_parameter::from_complement(read_exact("1e-40")).within());
@@ -157,7 +157,7 @@ TEST_CASE("a parameter keeps the one of m and 1 - m that was given, and no modul
 }
 
 TEST_CASE("the turns of a formula next to an odd multiple of pi are decided", "[truncation][motion]") {
-    // An approximation of 64 bits takes these for pi and 3 pi, and the next turn.
+    // In 64 bits these round to pi and 3 pi, in the next turn.
     CHECK(wind(read_exact("pi+1e-30")).turns == 1);
     CHECK(wind(read_exact("pi+1e-30")).rest.sign == -1);
     CHECK(wind(read_exact("pi-1e-30")).turns == 0);

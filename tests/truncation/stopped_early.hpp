@@ -1,4 +1,4 @@
-// A truncation stopped long before the precision would stop it, so that its bound alone is what keeps the ball a proof.
+// A truncation stopped long before the precision requires it, so that only its bound makes the ball an enclosure.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace libration::tests {
 
-/// Many more digits than any truncation here leaves: what is seen of a radius is the bound, and no rounding.
+/// Many more digits than any truncation here attains: the radius is the bound, without visible rounding.
 inline constexpr long many_digits = 150;
 
-/// How many times wider than what was left out the bound is: the radius over the distance of the midpoint from the
-/// truth, which the ball has to hold.
+/// The ratio of the bound to the truncation error: the radius over the distance of the midpoint from the true value,
+/// which the ball must contain.
 inline double times_wider(const ball& stopped, const ball& truth) {
     INFO(text_of(stopped) << " for " << text_of(truth));
     REQUIRE(is_finite(stopped));
@@ -28,7 +28,7 @@ inline double times_wider(const ball& stopped, const ball& truth) {
     return midpoint_of(ball(radius_of(stopped) / left_out)).convert_to<double>();
 }
 
-/// Factors within 2 percent of the expected ones: a bound that was halved, or is of another power, has others.
+/// Factors within 2 percent of the expected ones: a halved bound, or one of another power, has different factors.
 class factors_matcher : public Catch::MatcherBase<std::vector<double>> {
 public:
     explicit factors_matcher(std::vector<double> expected) : expected_(std::move(expected)) {}

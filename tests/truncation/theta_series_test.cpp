@@ -1,4 +1,4 @@
-// The theta series of few terms: in the Taylor coefficients, at the small nome of a descent, and of that nome itself.
+// The theta series with few terms: in the Taylor coefficients, at the small nome of a descent, and for the nome.
 #include <utility>
 #include <vector>
 
@@ -63,14 +63,14 @@ TEST_CASE("few pairs of a theta series hold its Taylor coefficients", "[truncati
             }
         }
     }
-    // 4 q^P e^(f H) bounds two terms and all behind them, at any power of t: a single one has f^j/j! of it.
+    // 4 q^P e^(f H) bounds two terms and all following ones, at any power of t: a single one has f^j/j! of it.
     CHECK_THAT(factors,
                are_factors({11.06, 101.8, 102.8, 41.75, 212.7, 9.33e+04, 14.75, 81.45, 37.39, 81.31, 212.7, 3.732e+04,
                             13.83, 31.41, 24.19, 17.2,  13.82, 47.43,    13.84, 31.41, 24.19, 17.22, 13.82, 47.43}));
 }
 
 TEST_CASE("as few pairs as are asked for are no fewer than the bound needs", "[truncation][theta_taylor]") {
-    // Next to the nome 1 pairs grow before they fall: 2 would leave out far more than twice the first of the others.
+    // Near the nome 1 pairs grow before they decrease: 2 would omit far more than twice the first of the others.
     const precision_scope scope(many_digits);
     std::vector<double> factors;
     for (const ball& nome : {ball(ball(1) / 2), ball(ball(9) / 10)}) {
@@ -92,7 +92,7 @@ TEST_CASE("few terms of the series of a nome hold it", "[truncation][landen_nome
             factors.push_back(times_wider(nome.square_power(1), truth.nome));
         }
     }
-    // |p_j| <= 4^(2j+1) is 16 times 4 at j = 1, more behind; 2^-l is up to twice e.
+    // |p_j| <= 4^(2j+1) is 16 times 4 at j = 1, more after it; 2^-l is up to twice e.
     CHECK_THAT(factors, are_factors({36.05, 76.46, 286.7, 40.61, 96.99, 519.2, 51.53, 156.2, 1708}));
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("descents of few levels hold the motion", "[truncation][landen_motion]
             factors.push_back(times_wider(found.omega, truth.omega));
         }
     }
-    // Both truncations at once, and radii that add on the way back.
+    // Both truncations at once, and radii that add in the ascent.
     CHECK_THAT(factors,
                are_factors({16.64, 147.7, 6.698, 69.68, 19.92, 219.1, 174.9, 365, 19.04, 45.88, 86.61, 209.7}));
 }

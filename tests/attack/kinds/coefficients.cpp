@@ -1,4 +1,4 @@
-// Taylor coefficients, in long series too.
+// Taylor coefficients, also of long series.
 #include <fmt/core.h>
 
 #include "attack/question.hpp"
@@ -41,7 +41,7 @@ asked_series any_series(choices& next) {
 
 }  // namespace
 
-// A list of coefficients counts as one statement for each unknown.
+// A list of coefficients counts as one statement per unknown.
 outcome ask_coefficient(choices& next) {
     const asked_series asked = any_series(next);
     const bool is_long = next.one_in(12);

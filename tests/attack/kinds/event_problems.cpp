@@ -8,7 +8,7 @@ namespace libration::attack {
 
 namespace {
 
-// Those after the start, in their order.
+// The events after the initial time, in their order.
 std::vector<known_event> after_start(std::vector<known_event> events) {
     std::erase_if(events, [](const known_event& each) { return sign_of(each.since) <= 0; });
     std::ranges::stable_sort(events, [](const known_event& a, const known_event& b) {
@@ -17,7 +17,7 @@ std::vector<known_event> after_start(std::vector<known_event> events) {
     return events;
 }
 
-// Levels: anywhere, near the start on either side, the start itself typed alike or in another way.
+// Levels: anywhere, near the initial value on either side, the initial value itself typed alike or differently.
 constant level_near(const constant& start, choices& next) {
     switch (next.below(6)) {
         case 0: return start;
@@ -122,7 +122,7 @@ asked_events fall(choices& next) {
     return made;
 }
 
-// A level that a monotone function passes once, or never, seen through other coordinates.
+// A level that a monotone function passes once, or never, in other coordinates.
 asked_events passage(choices& next) {
     const constant a = any_constant(next);
     const constant u = any_constant(next);
@@ -133,7 +133,7 @@ asked_events passage(choices& next) {
         made.problem = alone(moved);
         made.condition = "y = " + level.text;
     } else {
-        // y = u + x^2: no influence of u on x, but of x on y.
+        // y = u + x^2: u does not influence x, but x influences y.
         made.problem = bent(growth(constant_of(-1), constant_of(1)), moved, 1);
         made.condition = "y-x^2 = " + level.text;
     }

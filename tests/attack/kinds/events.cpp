@@ -1,4 +1,4 @@
-// Times of events, and how many there are before a time: starts on and next to the section among them.
+// Times of events, and their number before a time, also for initial points on and near the section.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,16 +14,16 @@ namespace libration::attack {
 
 namespace {
 
-// The question about them.
+// A question about events.
 struct event_question {
     asked_events asked;
     ode::event_request request;
     std::string options;
-    std::optional<rational> before;  ///< since the start
+    std::optional<rational> before;  ///< since the initial time
     int way = 0;
     long digits = 0;
 
-    // Those that count, up to `before` and including it.
+    // The events that count, up to `before` and including it.
     std::vector<known_event> wanted() const {
         std::vector<known_event> all = asked.events;
         std::erase_if(all, [&](const known_event& each) {
@@ -35,7 +35,7 @@ struct event_question {
     bool touched() const {
         return std::ranges::any_of(asked.events, [](const known_event& each) { return each.way == 0; });
     }
-    // Whether one lies at `before` exactly, or may.
+    // Whether an event is at `before` exactly, or may be.
     bool at_end() const {
         return before && std::ranges::any_of(asked.events, [&](const known_event& each) {
                    return sign_of([&] { return mpfr(each.since() - real(*before)); }) == 0;
@@ -70,7 +70,7 @@ void judge_events(const event_question& question, const std::vector<ode::printed
     }
 }
 
-// Where the next of the events that were found is, by what a message says of it.
+// Checks the facts in a message about the event after those that were found.
 verdict judged_next_event(const event_question& question, std::size_t found, const std::string& message) {
     const auto facts = facts_of(message);
     std::vector<known_event> all = question.asked.events;
@@ -137,7 +137,7 @@ void end_before(event_question& question, const rational& since) {
     question.options += " --before=" + text;
 }
 
-// A time a little before or behind one of the events, or at it, or anywhere.
+// A time slightly before or after one of the events, or at it, or anywhere.
 rational end_of_search(const asked_events& asked, choices& next) {
     if (asked.events.empty() || next.one_in(4)) {
         return decimal_fraction(next.between(1, 4000), 3);
@@ -159,7 +159,7 @@ outcome ask_event(choices& next) {
     }
     const auto wanted = static_cast<long>(question.wanted().size());
     if (wanted < question.request.count && question.asked.all) {
-        end_before(question, end_of_search(question.asked, next));  // it would search for ever
+        end_before(question, end_of_search(question.asked, next));  // otherwise the search would not end
     }
     question.options += fmt::format(" --count {}", question.request.count);
     return judged_question(std::move(question));

@@ -12,7 +12,7 @@ namespace libration::attack {
 
 namespace {
 
-// Those that closed forms list, at least.
+// Distance up to which closed forms list all singularities.
 constexpr double all_listed = 50;
 
 truth modulus_of_place(const place& at) {
@@ -44,7 +44,7 @@ solved_problem any_singular(choices& next) {
     }
 }
 
-// The facts of a refusal: bounds of the radius.
+// The facts in an error message: bounds of the radius.
 verdict judged_radius_refusal(const std::string& message, const truth& radius) {
     const auto facts = facts_of(message);
     for (const auto& lower : {facts.nothing_within, facts.radius_at_least}) {
@@ -77,7 +77,7 @@ struct map_row {
     bool proved;
 };
 
-// Each row has a singularity of its own unknown where it says, and no singularity is without a row.
+// Each row has a singularity of its unknown at its position, and every singularity has a row.
 void judge_map(const solved_problem& problem, double within, const program_answer& answer, outcome& result) {
     std::vector<map_row> rows;
     for (std::size_t i = 1; i < answer.lines.size(); ++i) {

@@ -1,4 +1,4 @@
-// Parameters and starts for which a condition holds, and periodic orbits.
+// Parameters and initial values that satisfy a condition, and periodic orbits.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace libration::attack {
 
 namespace {
 
-// A problem with an unknown number that is `value`, guessed nearby.
+// A problem with an unknown number that is `value`, with a guess nearby.
 struct asked_unknown {
     std::string text, name, condition;
     truth value;
@@ -49,7 +49,7 @@ asked_unknown of_oscillator(choices& next) {
             fmt::format("y(1) = {}", c.text), value};
 }
 
-// Y = v + u^2, v' = a v, u' = u: the start of Y from its value later.
+// Y = v + u^2, v' = a v, u' = u: the initial value of Y from its value later.
 asked_unknown of_bent(choices& next) {
     const constant a = any_constant(next);
     const constant c = any_constant(next);
@@ -98,7 +98,7 @@ outcome ask_unknown(choices& next) {
 // u' = a u - w v - b u (u^2 + v^2), v' = w u + a v - b v (u^2 + v^2): the circle of radius sqrt(a/b), period 2 pi/w;
 // X = u, Y = v + k u^2.
 outcome ask_orbit(choices& next) {
-    // The orbit attracts like exp(-2 a t): within one period not beyond the usual precision.
+    // The orbit attracts like exp(-2 a t): within one period not beyond the default precision.
     const constant a = next.one_in(2) ? near_one(next) : constant_of(rational(1, next.between(1, 9)));
     const constant w = next.one_in(2) ? near_one(next) : constant_of(next.between(1, 9));
     const long b = next.between(1, 4);
@@ -123,7 +123,7 @@ outcome ask_orbit(choices& next) {
         const auto orbit = ode::proved_periodic_orbit(system_of(text), digits);
         const truth period = [=] { return mpfr(8 * atan(mpfr(1)) / w.value()); };
         result.add(judged(orbit.period, digits, period), "period = " + orbit.period.text);
-        // One coordinate is held: at (r, 0) the other one moves along the section. With k = 0 that is y = 0.
+        // One coordinate is fixed: at (r, 0) the other one moves along the section. With k = 0 that is y = 0.
         if (k == 0) {
             result.add(judged(orbit.start[0], digits, radius), "x = " + orbit.start[0].text);
         }

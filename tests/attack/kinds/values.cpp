@@ -17,7 +17,7 @@ std::string value_command(const std::string& text, const std::string& time, long
     return fmt::format("libration reference --problem \"{}\" --time={} --digits {}", text, time, digits);
 }
 
-// The values at one time, judged; refusals are judged by `refused`.
+// Checks the values at one time; errors are checked by `refused`.
 template <class Refused>
 outcome asked_values(const solved_problem& problem, const rational& since, long digits, const Refused& refused) {
     outcome result;
@@ -76,7 +76,7 @@ outcome ask_value(choices& next) {
     });
 }
 
-// Unknowns that the equations keep at 0, next to others that move.
+// Unknowns that the equations keep at 0, together with others that move.
 outcome ask_zero(choices& next) {
     const component u = any_component(next);
     const constant rate = any_constant(next);
@@ -102,7 +102,7 @@ outcome ask_zero(choices& next) {
     return asked_values(problem, since, next.between(1, 40), [](const std::string&) { return verdict::refused; });
 }
 
-// Times behind a singularity.
+// Times after a singularity.
 outcome ask_refusal(choices& next) {
     solved_problem problem = alone(next.one_in(2) ? pole(any_constant(next), any_constant(next))
                                                   : tangent(any_constant(next), any_constant(next)));
@@ -114,7 +114,7 @@ outcome ask_refusal(choices& next) {
     outcome result = asked_values(problem, since, next.between(1, 30), [&](const std::string& message) {
         return judged_existence(message, from, from + problem.forward);
     });
-    // No value exists there on this solution: whatever was printed is false.
+    // No value exists there on this solution: any printed value is false.
     const auto printed = result.counts[static_cast<std::size_t>(verdict::right)];
     for (long i = 0; i < printed; ++i) {
         result.add(verdict::wrong, "a value behind a singularity");

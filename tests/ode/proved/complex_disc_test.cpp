@@ -1,4 +1,5 @@
-// Discs of theorems T and V along paths in the complex plane against closed forms, on every sheet that they reach.
+// Discs of theorems T and V along paths in the complex plane, compared with closed forms on every sheet that they
+// reach.
 #include "libration/ode/proved/complex_disc.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,7 +26,7 @@ bool holds(const complex_ball& outside, const complex_ball& value) {
     return overlaps(outside.re, value.re) && overlaps(outside.im, value.im);
 }
 
-// By straight lines through the corners, in steps of half a radius.
+// Along straight segments through the corners, in steps of half a radius.
 complex_set moved(const complex_flow& flow, complex_set now, const std::vector<complex_ball>& corners) {
     for (const complex_ball& corner : corners) {
         for (bool arrived = false; !arrived;) {
@@ -66,8 +67,8 @@ TEST_CASE("discs follow closed forms round poles", "[ode][proved][singularity]")
     CHECK(certainly_less(complex_disc(tangent, beyond).radius().exact(), distance));
 }
 
-// y = (1 + 2t/3)^(3/2) solves y' = y^(1/3): once round t = -3/2 it is -1 at the start, and 1 after two turns. The root
-// is carried along, for the principal one of y would jump.
+// y = (1 + 2t/3)^(3/2) solves y' = y^(1/3): once round t = -3/2 it is -1 at the initial point, and 1 after two turns.
+// The root is continued along the path, because the principal one of y would jump.
 TEST_CASE("discs go to other sheets", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const complex_flow flow(explicit_system(parse("y' = y^(1/3); y(0) = 1")), 100);
@@ -78,7 +79,7 @@ TEST_CASE("discs go to other sheets", "[ode][proved][singularity]") {
     CHECK(holds(values_of(moved(flow, twice))[0], complex_ball(1)));
 }
 
-// A start that is not exact widens the set as the derivative of the flow does, 1/(1 - t/3)^2 for y' = y^2 from 1/3.
+// An inexact initial value widens the set as the derivative of the flow does, 1/(1 - t/3)^2 for y' = y^2 from 1/3.
 TEST_CASE("uncertain starts are carried in the frame", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const complex_flow few(explicit_system(parse("y' = y^2; y(0) = 1/3")), 100);  // 1/3 to 100 bits
@@ -90,8 +91,8 @@ TEST_CASE("uncertain starts are carried in the frame", "[ode][proved][singularit
     CHECK(certainly_less(radius_of(value.re), ball(64 * 3) * pow(ball(2), -101)));
 }
 
-// 1/(1 - z) from the exact start 1, by one step of 9/10 of the proved radius: of 100 bits the series leaves out more
-// than 2^-40 there, so that without its tail the enclosure would miss.
+// 1/(1 - z) from the exact initial value 1, by one step of 9/10 of the proved radius: with 100 bits the series omits
+// more than 2^-40 there, so that without its tail the enclosure would not contain the value.
 TEST_CASE("a long step holds what its series leaves out", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const complex_flow flow(explicit_system(parse("y' = y^2; y(0) = 1")), 100);
@@ -102,16 +103,16 @@ TEST_CASE("a long step holds what its series leaves out", "[ode][proved][singula
     CHECK(certainly_less(pow(ball(2), -60), radius_of(value.re)));
 }
 
-// 1/3 is no number of 100 bits.
+// 1/3 is not representable in 100 bits.
 TEST_CASE("a start that is rounded has its width", "[ode][proved][singularity]") {
     const complex_flow flow(explicit_system(parse("y' = y^2; y(0) = 1/3")), 100);
     const precision_scope scope(90);
     CHECK(holds(values_of(flow.start())[0], complex_ball(ball(1) / 3)));
 }
 
-// From the starts 1 + i e, |e| <= d, by 2i/5 to 2/5: there 1/(1/(1 + i e) - 2/5) is 25/9 i e off 5/3 to first order. On
-// the way the derivative of the flow turns by 44 degrees and back: a map that turned errors the other way would leave a
-// twentieth of it.
+// From the initial values 1 + i e, |e| <= d, by 2i/5 to 2/5: there 1/(1/(1 + i e) - 2/5) is 25/9 i e off 5/3 to first
+// order. Along the path the derivative of the flow rotates by 44 degrees and back: a map that rotated errors in the
+// other direction would leave a twentieth of it.
 TEST_CASE("an imaginary error turns with the flow", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const complex_flow flow(explicit_system(parse("y' = y^2; y(0) = 1")), 150);
@@ -144,8 +145,8 @@ TEST_CASE("integrals along a step", "[ode][proved][singularity]") {
     CHECK(holds(disc.integral(0, z, complex_ball(1), ball(2), 2), weighted));
 }
 
-// sin(t)/t and (1 + t^2/3)^(-1/2), whose radius is sqrt(3): the disc about 0 is one of theorem S, those behind it of T.
-// Of 150 bits the first step keeps 120, and a dozen steps of half a radius 110.
+// sin(t)/t and (1 + t^2/3)^(-1/2), whose radius is sqrt(3): the disc about 0 is one of theorem S, the following ones of
+// theorem T. Of 150 bits the first step retains 120, and a dozen steps of half a radius 110.
 TEST_CASE("discs lead away from a singular start", "[ode][proved][singularity]") {
     const precision_scope scope(60);
     const std::string text = "t*y'' + 2*y' + t*y^n = 0; y(0) = 1; y'(0) = 0; ";

@@ -1,4 +1,4 @@
-// Krawczyk's test against closed forms, published digits, and maps that have no zero or two near each other.
+// Krawczyk's test compared with closed forms, published digits, and maps with no zero or two near each other.
 #include "libration/ode/proved/proved_root.hpp"
 
 #include <catch2/catch.hpp>
@@ -43,7 +43,7 @@ TEST_CASE("a square root is proved, and none of a negative number", "[ode][prove
     CHECK_THROWS_AS(proved_root(square_is(0), {number(rational(3, 2))}, 20), error);  // a double zero
 }
 
-// A derivative that may vanish in every box proves nothing, however well Newton's method settles.
+// A derivative that may vanish in every box proves nothing, however well Newton's method converges.
 TEST_CASE("no root is proved where the derivative over its box is not known", "[ode][proved]") {
     const map_of_unknowns open = [](const std::vector<ball>& x, long, long) {
         const ball slope = is_exact(x[0]) ? x[0] * 2 : widened(ball(0), magnitude(10U));

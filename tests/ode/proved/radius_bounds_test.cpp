@@ -1,5 +1,5 @@
-// Loops and coverings against closed forms, and what must not be proved: a loop that misses the singularity, a disc
-// that is too large, a covering with a hole.
+// Loops and coverings compared with closed forms, and what must not be proved: a loop that misses the singularity, a
+// disc that is too large, a covering with a hole.
 #include "libration/ode/proved/radius_bounds.hpp"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ TEST_CASE("a loop round a simple pole, and one that misses it", "[ode][proved][s
     CHECK(loop_about(flow, {}, beside, magnitude::of(1, -20), 2, {0}).evidence == loop_evidence::none);
 }
 
-// Double poles have neither residue nor change: the first weight sees them, with 2 pi i/d.
+// Double poles have neither residue nor change: the first weight detects them, with 2 pi i/d.
 TEST_CASE("loops round double poles and branch points", "[ode][proved][singularity]") {
     const precision_scope scope(50);
     const complex_flow wp(typed("u'' = 6*u^2; u(0) = 1; u'(0) = 2"), 150);  // u = 1/(1 - t)^2
@@ -92,7 +92,7 @@ TEST_CASE("coverings end below the radius and are refused beyond it", "[ode][pro
     const covering found = covered_disc(flow, below, {2}, limits);
     CHECK(found.complete);
     CHECK(covers(found.discs, 1.5707, std::numbers::pi / 2));
-    // Without some single disc there is a hole.
+    // Without any single disc there is a hole.
     const covering near = covered_disc(flow, exact_near(quarter * 99 / 100), {2}, {});
     CHECK(near.complete);
     CHECK(covers(near.discs, 1.555, std::numbers::pi / 2));
@@ -103,7 +103,7 @@ TEST_CASE("coverings end below the radius and are refused beyond it", "[ode][pro
         holed = holed || !covers(fewer, 1.555, std::numbers::pi / 2);
     }
     CHECK(holed);
-    // Beyond the radius, by little and by much.
+    // Beyond the radius, slightly and far.
     CHECK_FALSE(covered_disc(flow, exact_near(quarter * (ball(1) + tenth_to(6))), {2}, limits).complete);
     CHECK_FALSE(covered_disc(flow, exact_near(quarter * 2), {2}, limits).complete);
     CHECK_FALSE(covered_disc(flow, exact_near(quarter * (ball(1) + tenth_to(3))), {1}, limits).complete);
@@ -185,12 +185,12 @@ TEST_CASE("a pole with complex exponents is shown by a smaller loop", "[ode][pro
         t += step;
     }
     const double radius = std::abs(t * direction - 6.0 / f[0]);
-    // Steps twice as long move it by 5e-9, and its error falls with their fourth power; the bounds are 2e-8 apart.
+    // Steps twice as long change it by 5e-9, and its error falls with their fourth power; the bounds are 2e-8 apart.
     CHECK(midpoint_of(found.lower).convert_to<double>() < radius + 5e-9);
     CHECK(radius < midpoint_of(found.upper).convert_to<double>() + 5e-9);
 }
 
-// y = (1 + t^2/3)^(-1/2): R = sqrt(3), from a start where the equation is singular. A covering of more is refused.
+// y = (1 + t^2/3)^(-1/2): R = sqrt(3), from a singular initial point. A covering of more is rejected.
 TEST_CASE("the radius about a singular start", "[ode][proved][singularity]") {
     const auto star = [](const std::string& n) {
         return explicit_system(changed(parse(std::string(problem_text("lane_emden"))), "n = " + n));
@@ -206,12 +206,12 @@ TEST_CASE("the radius about a singular start", "[ode][proved][singularity]") {
     const complex_flow flow(star("5"), 120);
     const covering more = covered_disc(flow, exact_near(exact * (ball(1) + tenth_to(6))), {2}, {.finest_bits = 24});
     CHECK_FALSE(more.complete);
-    // sin(t)/t is entire: nothing bounds it from above.
+    // sin(t)/t is entire: there is no upper bound.
     CHECK_THROWS_AS(prove_radius(star("1"), 10), error);
     CHECK_THROWS_AS(prove_radius(explicit_system(parse(std::string(problem_text("thomas_fermi")))), 10), error);
 }
 
-// 1/(7/3 - t), the tangent, 1/(1 - t)^2, and Painleve's second equation at a complex pole; not a place beside, nor a
+// 1/(7/3 - t), the tangent, 1/(1 - t)^2, and Painleve's second equation at a complex pole; not a nearby point, nor a
 // branch point.
 TEST_CASE("poles are zeros in regular coordinates", "[ode][proved][singularity]") {
     const precision_scope scope(60);
@@ -248,7 +248,7 @@ TEST_CASE("poles are zeros in regular coordinates", "[ode][proved][singularity]"
     }
 }
 
-// The tangent from the start -1: poles at 3 pi/4 and -pi/4, none of which is the mirror image of another.
+// The tangent from the initial point -1: poles at 3 pi/4 and -pi/4, which are not symmetric to each other.
 TEST_CASE("all singularities of a map are proved, mirror images once", "[ode][proved][singularity]") {
     const precision_scope scope(40);
     const explicit_system system = typed("y' = 1 + y^2; y(0) = -1");
@@ -267,14 +267,14 @@ TEST_CASE("all singularities of a map are proved, mirror images once", "[ode][pr
         const ball away = std::min(magnitude(at - quarter * 3), magnitude(at + quarter)).exact();
         CHECK(certainly_less(away, tenth_to(12)));
     }
-    // 1/(1 + c exp(-t)): poles 2 pi i apart, and their mirror images, which are proved by them.
+    // 1/(1 + c exp(-t)): poles 2 pi i apart, and the points symmetric to them, which are proved by them.
     const explicit_system growth(parse(std::string(problem_text("logistic"))));
     const auto column = singularities_of(growth, {.within = 10, .digits = 20});
     REQUIRE(column.all.size() == 4);
     const auto poles = prove_singularities(growth, column.all, 12);
     CHECK(poles.size() == 4);
     CHECK(std::ranges::all_of(poles, [](const auto& each) { return each.pole_order == 1; }));
-    // Of another kind as the search has it: the place alone. No place: nothing.
+    // Of a different kind than in the search: the position alone. No position: nothing.
     auto doubted = map.all.front();
     doubted.kind = singularity_kind::branch_pole;
     CHECK(prove_singularity(system, doubted, mpfr("1e-10")).pole_order == 0);
@@ -292,7 +292,7 @@ TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity
     CHECK(mpfr(bounds.lower) <= mpfr(7) / 3);
     CHECK(mpfr(7) / 3 <= mpfr(bounds.upper));
     CHECK(mpfr(bounds.upper) - mpfr(bounds.lower) < mpfr("1e-9"));
-    // More digits than are proved: outwards all the same.
+    // More digits than are proved: still rounded outwards.
     const auto fine = outward_decimals(prove_radius(typed("y' = y^2; y(0) = 3/7"), 4), 12);
     CHECK(mpfr(fine.lower) <= mpfr(7) / 3);
     CHECK(mpfr(7) / 3 <= mpfr(fine.upper));

@@ -1,5 +1,5 @@
-// Each unknown has its digits relative to itself: closed forms at all sizes, mixed sizes in one system, units of measure,
-// exact zeros, sparse series, and what is left when one value or time is not decided.
+// Each unknown has its digits relative to itself: closed forms at all sizes, mixed sizes in one system, units of
+// measure, exact zeros, sparse series, and the remaining results if one value or time is undecided.
 #include <catch2/catch.hpp>
 #include <functional>
 #include <string>
@@ -32,13 +32,13 @@ std::vector<std::string> digits_at(const std::string& text, const rational& time
     return all;
 }
 
-// Whether the decimal misses a number by less than one unit of its last digit.
+// Whether the error of the decimal is less than one unit of its last digit.
 bool is_within_unit(const std::string& decimal, const ball& truth, long digits) {
     const ball printed = constant_value<ball>::of(parse_constant(decimal).constant());
     return certainly_less(abs(printed - truth), abs(truth) * pow(ball(10), 1 - digits));
 }
 
-// The decimals at a time against closed forms.
+// The decimals at a time compared with closed forms.
 void check(const std::string& text, const rational& time, const std::vector<ball>& truths, long digits = 20) {
     CAPTURE(text);
     const auto found = digits_at(text, time, digits);
@@ -98,7 +98,7 @@ TEST_CASE("stiff problems have digits of what has died out", "[ode][proved]") {
          exp(t * -100) * sin(t * 100) * -100});
 }
 
-// y -> 2^k y and t -> 2^m t change nothing but exponents.
+// y -> 2^k y and t -> 2^m t change only exponents.
 TEST_CASE("units of measure do not change the proof", "[ode][proved]") {
     const precision_scope scope(100);
     const auto state = [](const std::string& text, const rational& time) {
@@ -123,7 +123,7 @@ TEST_CASE("units of measure do not change the proof", "[ode][proved]") {
     }
 }
 
-// Of a polynomial no coefficient limits the radius; of an entire function they limit it to about the unit.
+// The coefficients of a polynomial do not limit the radius; those of an entire function limit it to about the unit.
 TEST_CASE("the unit of time does not change the proof", "[ode][proved]") {
     const precision_scope scope(60);
     for (const int power : {-1000, -400, -3, 5, 1000}) {
@@ -154,7 +154,7 @@ TEST_CASE("what is 0 for all times is proved to be 0", "[ode][proved]") {
 TEST_CASE("what only begins at 0 is not taken for 0", "[ode][proved]") {
     const precision_scope scope(40);
     const ball t = ball(1) / 4;
-    // z feeds y through a product of two that are 0 at the start.
+    // z influences y through a product of two factors that are 0 at the initial point.
     check("x' = 1; y' = x*z; z' = x; x(0) = 0; y(0) = 0; z(0) = 0", rational(1, 4), {t, t * t * t * t / 8, t * t / 2});
     check("x' = y^2; y' = z; z' = 1e-500; x(0) = 0; y(0) = 0; z(0) = 0", 1,
           {power_of_ten(-1000) / 20, power_of_ten(-500) / 2, power_of_ten(-500)});
@@ -186,7 +186,7 @@ TEST_CASE("series with gaps are as good as others", "[ode][proved]") {
     }
 }
 
-// x - y is 0, which no run proves; the order of the unknowns is x, z, y.
+// x - y is 0, which no run can prove; the order of the unknowns is x, z, y.
 TEST_CASE("a value that is not decided leaves the others", "[ode][proved]") {
     const auto part = part_of("x' = -x + z^2; y' = -y + z^2; z' = x - y; x(0) = 1/3; y(0) = 1/3; z(0) = 0",
                               {number(rational(1)), number(rational(0)), number(rational(2))}, 20);

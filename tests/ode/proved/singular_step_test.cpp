@@ -1,5 +1,5 @@
-// Theorem S against closed forms: the step from a regular singular start, what comes behind it, and a remainder that
-// has to be seen.
+// Theorem S compared with closed forms: the step from a regular singular initial point, the following ones, and a
+// remainder that must be visible.
 #include "libration/ode/proved/singular_step.hpp"
 
 #include <catch2/catch.hpp>
@@ -55,7 +55,7 @@ TEST_CASE("the step from a singular start holds closed forms", "[ode][proved][si
     }
 }
 
-// With a list that is cut after a few powers the remainder is as large as the bound says, and not much smaller: the
+// With a list that is truncated after a few powers the remainder is as large as the bound, and not much smaller: the
 // next power alone is within a factor of a thousand of it, at a quarter of the radius.
 TEST_CASE("theorem S bounds what a short list leaves out", "[ode][proved][singular]") {
     const precision_scope scope(60);
@@ -79,14 +79,14 @@ TEST_CASE("theorem S bounds what a short list leaves out", "[ode][proved][singul
         CHECK(certainly_less(missing, bound));
         CHECK(certainly_less(bound, missing * 1'000));
     }
-    // Beyond the radius, sqrt(3), nothing is bounded.
+    // Beyond the radius, sqrt(3), there is no bound.
     taylor_expansion<ball> expansion(of, 48);
     expansion.about_start();
     CHECK_FALSE(bounded_singular_tail(of, expansion, 40, magnitude(2U)));
 }
 
-// sin(t)/t: 110 a_10 = -a_8, and so on: what the powers of t on the right side move beyond the list is all of its
-// remainder.
+// sin(t)/t: 110 a_10 = -a_8, and so on: the remainder consists of the powers of t beyond the list on the right-hand
+// side.
 TEST_CASE("theorem S counts what powers of the distance move beyond a list", "[ode][proved][singular]") {
     const precision_scope scope(80);
     const auto system = lane_emden("1");
@@ -106,8 +106,7 @@ TEST_CASE("theorem S counts what powers of the distance move beyond a list", "[o
     }
 }
 
-// Derivatives of what is left out: from one term on their bound falls only where the distance is not too near the
-// radius.
+// Derivatives of the remainder: from one term on their bound decreases only if the distance is not too near the radius.
 TEST_CASE("a series about a singular start holds values and slopes in its disc", "[ode][proved][singular]") {
     const precision_scope scope(60);
     for (const int degree : {11, 41, 201}) {
@@ -125,7 +124,7 @@ TEST_CASE("a series about a singular start holds values and slopes in its disc",
             CHECK(overlaps(beside[1].im, -s / 3 * exact * exact * exact));
             CHECK(contains_zero(beside[0].im));
         }
-        // Near the start the next power is all of the remainder.
+        // Near the initial point the next power is all of the remainder.
         const ball s = exact_midpoint(series.radius().exact() / 64);
         const auto state = series.at(s);
         CHECK(overlaps(state[0], plummer(s)));
@@ -150,8 +149,8 @@ TEST_CASE("solutions from singular starts have proved digits", "[ode][proved][si
     CHECK(holds(states[2][0], plummer(ball(10))));
 }
 
-// The first zero for n = 1 is pi; those of n = 2, 3, 4 are printed [Boyd2011] with 20 digits, of which sources doubt
-// the last.
+// The first zero for n = 1 is pi; those of n = 2, 3, 4 are printed [Boyd2011] with 20 digits, the last of which is
+// questioned by other sources.
 TEST_CASE("the first zeros of Lane-Emden functions", "[ode][proved][singular]") {
     const auto zero = [](const std::string& n, long digits) {
         event_request request;
@@ -162,8 +161,8 @@ TEST_CASE("the first zeros of Lane-Emden functions", "[ode][proved][singular]") 
     CHECK(zero("3", 20).substr(0, 19) == "6.89684861937696037");
 }
 
-// With y(t) a solution for n = 5, c y(c^2 t) is another, with the start c: dy/dc = y + 2 t y' at c = 1. For n = 1 the
-// equation is linear, and the condition number 1. Three digits of these numbers are proved.
+// With y(t) a solution for n = 5, c y(c^2 t) is another, with the initial value c: dy/dc = y + 2 t y' at c = 1. For n =
+// 1 the equation is linear, and the condition number 1. Three digits of these numbers are proved.
 TEST_CASE("condition numbers from singular starts", "[ode][proved][singular]") {
     const precision_scope scope(40);
     const auto conditions = [](const std::string& n, const std::string& time) {
@@ -184,7 +183,7 @@ TEST_CASE("condition numbers from singular starts", "[ode][proved][singular]") {
         const auto of_sinc = conditions("1", time);
         CHECK(close(of_sinc.moved[0].by_start, sinc(t)));
     }
-    // y = p sin(q t)/(q t): a start and a frequency as parameters.
+    // y = p sin(q t)/(q t): an initial value and a frequency as parameters.
     const auto opened =
         proved_conditions(parse("t*y'' + 2*y' + q^2*t*y = 0; y(0) = p; y'(0) = 0; p = 3; q = 2"), {typed("1")}, 20);
     const ball by_p = sin(ball(2)) / 2 * 3;
@@ -192,7 +191,7 @@ TEST_CASE("condition numbers from singular starts", "[ode][proved][singular]") {
     CHECK(certainly_less(abs(ball(opened.front().moved[0].by_start) - abs(by_p)), abs(by_p) / 1'000));
     const ball both = abs(by_p) + abs(by_q);
     CHECK(certainly_less(abs(ball(opened.front().moved[0].by_parameters) - both), both / 1'000));
-    // At the start itself nothing is said, and not where the equation fixes a start that is not 0.
+    // There is no value at the initial point itself, nor if the equation fixes a nonzero initial value.
     CHECK_THROWS_AS(conditions("5", "0"), error);
     CHECK_THROWS_AS(proved_conditions(parse("t*y' = 2 - y; y(0) = 2"), {typed("1")}, 10), error);
 }

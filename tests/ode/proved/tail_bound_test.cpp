@@ -1,5 +1,5 @@
-// Theorem T against closed forms: the bound holds at every distance, is not much larger than the truth, and never
-// reaches a singularity.
+// Theorem T compared with closed forms: the bound holds at every distance, is not much larger than the true error, and
+// never reaches a singularity.
 #include "libration/ode/proved/tail_bound.hpp"
 
 #include <algorithm>
@@ -129,7 +129,7 @@ TEST_CASE("nothing is proved at a radius that a singularity is inside of", "[ode
     }
 }
 
-// x = t^2/2 and y = t^2 are errors alone at order 1, and z = t^5/10 comes from the product of both.
+// x = t^2/2 and y = t^2 are only in the error at order 1, and z = t^5/10 comes from the product of both.
 TEST_CASE("the product of two errors is an error", "[ode][proved]") {
     const precision_scope scope(40);
     const bounded all("x' = t; y' = 2*t; z' = x*y; x(0) = 0; y(0) = 0; z(0) = 0", 1, {ball(0), ball(0), ball(0)});

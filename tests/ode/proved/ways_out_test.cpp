@@ -1,4 +1,5 @@
-// Where proofs of solutions end or turn aside: sets about 0, infinite maps, events between steps, limits.
+// Cases in which proofs of solutions end or take special branches: sets about 0, infinite maps, events between steps,
+// limits.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ TEST_CASE("a set about 0 is marched", "[ode][proved]") {
     CHECK(arb_contains((*state)[0].handle(), exact_midpoint(edge * 99 / 100).handle()) != 0);
 }
 
-// Where the flow presses the set together, by exp(-80), the centre is worth more bits again: of 2^-40 2^-155 are left.
+// Where the flow contracts the set, by exp(-80), the centre gains bits again: of 2^-40 2^-155 are left.
 TEST_CASE("precision rises where a set shrinks", "[ode][proved]") {
     const precision_scope scope(80);
     proved_march march(typed("y' = 20 - 20*y; y(0) = 2"), {about(ball(2), -40)}, 200);
@@ -79,7 +80,7 @@ TEST_CASE("a march ends where a quotient has no value", "[ode][proved]") {
     CHECK(end_from(about(pow(ball(2), -60), -59)) == march_end::precision);
 }
 
-// y = t - c with the zero c where a quarter of the first step ends: it is on both sides of it, and counted once.
+// y = t - c with the zero c at the end of a quarter of the first step: it is on both sides of it, and counted once.
 TEST_CASE("an event between two pieces of a step is one", "[ode][proved]") {
     constexpr long bits = 100;
     proved_march march(typed("y' = 1 + z; z' = -z; y(0) = 0; z(0) = 1"), bits);
@@ -133,7 +134,7 @@ TEST_CASE("unknowns that conditions do not hold, or whose solutions end", "[ode]
     CHECK_THROWS_WITH(find("y' = k*y^2; y(0) = 1; k = 3", "k", "y"), Catch::Contains("better initial guess"));
 }
 
-// With y = 0 all that its start does to it is 0, which no width hides.
+// With y = 0 the effect of its initial value is 0, which no width conceals.
 TEST_CASE("an unknown that is 0 has no relative condition", "[ode][proved][condition]") {
     const auto found = proved_conditions(parse("y' = y*sin(z); z' = z; y(0) = 0; z(0) = 1/3"), {time_of("1")}, 10);
     CHECK(found.front().moved[0].by_start == 0);
@@ -157,7 +158,7 @@ TEST_CASE("coverings that are small, and that have a limit", "[ode][proved][sing
     const covering limited = covered_disc(flow, exact_midpoint(ball(99) / 100), {1}, {.most_discs = 3});
     CHECK_FALSE(limited.complete);
     CHECK(limited.reason.find("more than 3 discs") != std::string::npos);
-    // A path that begins with a stay, and one whose discs become too small.
+    // A path that begins with a stationary segment, and one whose discs become too small.
     CHECK(loop_about(flow, {complex_ball(0)}, complex_ball(1), magnitude::of(1, -8), 0, {0}).evidence ==
           loop_evidence::integral);
     const complex_flow kepler(typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2); x(0) = 2/5; x'(0) = 0; "
@@ -168,7 +169,7 @@ TEST_CASE("coverings that are small, and that have a limit", "[ode][proved][sing
         loop_about(kepler, {}, exact_midpoint(complex_ball(ball(0), ball(collision))), magnitude::of(1, -30), 0, {0}));
 }
 
-// About an equilibrium, y = 0 and z = t, the variations alone say how far: v' = t v.
+// About an equilibrium, y = 0 and z = t, only the variations determine the step: v' = t v.
 TEST_CASE("discs about equilibria", "[ode][proved][singularity]") {
     const precision_scope scope(40);
     const complex_flow flow(typed("y' = y*z + y^2; z' = 1; y(0) = 0; z(0) = 0"), 100);
@@ -181,7 +182,7 @@ TEST_CASE("discs about equilibria", "[ode][proved][singularity]") {
     CHECK_THROWS_AS(disc.values_over(complex_ball(disc.radius().exact() * 2)), error);
 }
 
-// 1/y over a set that holds 0.
+// 1/y over a set that contains 0.
 TEST_CASE("a set over which a quotient has no value has no disc", "[ode][proved][singularity]") {
     const complex_flow flow(typed("y' = 1/y; y(0) = 1"), 100);
     const complex_set wide{complex_ball(0), {complex_ball(1)}, {0}, error_frame({magnitude(2U), magnitude(2U)})};
@@ -213,7 +214,7 @@ TEST_CASE("conditions at infinity without what they need", "[ode][proved]") {
     const precision_scope scope(30);
     CHECK_THROWS_AS(tritronquee_far_out(0, 3), precision_exhausted);
     CHECK_THROWS_AS(tritronquee_far_out(6, 0), precision_exhausted);  // s = 5/8
-    // S - r log S is the same at the start and at the end.
+    // S - r log S is the same at the initial and the final time.
     const ball s(100);
     const ball i(3);
     const ball rho(60);

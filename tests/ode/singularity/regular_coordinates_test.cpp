@@ -1,4 +1,4 @@
-// Coordinates in which poles are zeros against the equations themselves, and what has none.
+// Coordinates in which poles are zeros, compared with the equations themselves, and cases without any.
 #include "libration/ode/singularity/regular_coordinates.hpp"
 
 #include <catch2/catch.hpp>

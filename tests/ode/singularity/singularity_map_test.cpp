@@ -1,4 +1,4 @@
-// The map of singularities against lattices, closed forms and published digits.
+// The map of singularities compared with lattices, closed forms and published digits.
 #include "libration/ode/singularity/singularity_map.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::complex<double> place(const found_singularity& each) {
     return {static_cast<double>(each.offset.re), static_cast<double>(each.offset.im)};
 }
 
-// 16 units of double: places are rounded to it.
+// 16 units of double: positions are rounded to it.
 constexpr double slack = 16 * 2.220446049250313e-16;
 
 }  // namespace
@@ -88,8 +88,8 @@ TEST_CASE("kinds in words", "[ode][singularity]") {
     CHECK(words_of(singularity_kind::logarithm, 0) == "logarithm");
 }
 
-// No loop closes round the pair that is nearest for b = 1. From 400 coefficients the radius is 3.7694 +- 0.0112:
-// `radius --problem falkner_skan --set b=1 --order 400 --scalar mpfr:40`.
+// No loop closes round the nearest pair for b = 1. From 400 coefficients the radius is 3.7694 +- 0.0112: `radius
+// --problem falkner_skan --set b=1 --order 400 --scalar mpfr:40`.
 TEST_CASE("a nearest pair round which singularities of other sheets accumulate", "[ode][singularity]") {
     singularity_request request;
     request.within = 3.9;

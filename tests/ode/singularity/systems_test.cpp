@@ -1,4 +1,4 @@
-// Maps of systems: every unknown has the singularities of its own closed form, and no others.
+// Maps of systems: every unknown has the singularities of its closed form, and no others.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -42,7 +42,7 @@ bool is_at(const found_singularity& each, const mpfr& re, const mpfr& im = 0) {
     return mpfr(modulus_of(away)) <= each.uncertainty;
 }
 
-// A problem in one unknown, which `name` stands for, and its singularities in closed form.
+// A problem in one unknown, denoted by `name`, and its singularities in closed form.
 struct solved_problem {
     std::string text;
     std::vector<complex_number<mpfr>> places;
@@ -93,7 +93,7 @@ solved_problem drawn_problem(const std::string& name, std::mt19937& random) {
     }
 }
 
-// What depends on the problem `on` of one of these kinds: with its singularities, or without any.
+// Unknowns that depend on the problem `on` of one of these kinds: with its singularities, or without any.
 struct tally {
     int rows = 0, covered = 0, missed = 0, doubled = 0, foreign = 0, exponents = 0;
 
@@ -133,7 +133,7 @@ tally tallied(int systems, unsigned seed) {
         std::string text;
         const std::size_t count = 2 + random() % 2;
         for (std::size_t k = 0; k < count; ++k) {
-            // One in four is a copy of the first in another unknown: equal places.
+            // One in four is a copy of the first in another unknown: equal positions.
             std::mt19937 again = random;
             parts.push_back(drawn_problem(names[k], random));
             if (k + 1 < count && random() % 4 == 0) {
@@ -162,7 +162,7 @@ tally tallied(int systems, unsigned seed) {
 
 }  // namespace
 
-// 1/(1 - t) and tan t: the tangent has nothing at 1, and 1/(1 - t) nothing elsewhere.
+// 1/(1 - t) and tan t: the tangent is regular at 1, and 1/(1 - t) elsewhere.
 TEST_CASE("unknowns that do not influence each other have maps of their own", "[ode][singularity][systems]") {
     const precision_scope scope(40);
     const auto map = map_within("y' = y^2; z' = 1 + z^2; y(0) = 1; z(0) = 0", 5);
@@ -255,7 +255,7 @@ TEST_CASE("what an unknown depends on shows where it is singular itself", "[ode]
     CHECK(is_at(poles[2], log(mpfr(2)), 2 * pi<mpfr>()));
 }
 
-// z = 1/(1 + log(1 - t)) has a pole at 1 - 1/e, and 1/log at 1, which is no power.
+// z = 1/(1 + log(1 - t)) has a pole at 1 - 1/e, and 1/log at 1, which is not a power.
 TEST_CASE("an exponent that does not settle is not stated", "[ode][singularity][systems]") {
     const precision_scope scope(40);
     const auto z = of_unknown(map_within("y' = y^2; z' = y*z^2; y(0) = 1; z(0) = 1", 2), 1);
@@ -266,7 +266,7 @@ TEST_CASE("an exponent that does not settle is not stated", "[ode][singularity][
     CHECK(z[1].kind == singularity_kind::unclear);
 }
 
-// Linear in its own unknown, with coefficients that are entire functions of the others.
+// Linear in the unknown, with coefficients that are entire functions of the others.
 TEST_CASE("chains of linear equations are entire", "[ode][singularity][systems]") {
     CHECK(has_entire_solutions(typed("y' = y; z' = y^2*z + sin(y); y(0) = 1; z(0) = 1")));
     CHECK_FALSE(has_entire_solutions(typed("y' = z; z' = y^2*z; y(0) = 1; z(0) = 1")));
@@ -300,7 +300,7 @@ TEST_CASE("maps at any scale of time and unknowns", "[ode][singularity][systems]
     }
 }
 
-// The evidence is of the unknown of the row: a regular unknown has none.
+// The evidence belongs to the unknown of the row: a regular unknown has none.
 TEST_CASE("a proof is for the unknown of its row", "[ode][proved][singularity][systems]") {
     const precision_scope scope(40);
     // x' = 0, in a form in which y occurs.
@@ -332,7 +332,7 @@ TEST_CASE("the radius of a system is that of its nearest unknown", "[ode][proved
     CHECK(certainly_less(ball(1) / 2, radius.upper));
     CHECK(radius.evidence->evidence.unknown == 1);
     CHECK(radius.systems == 2);
-    // Each covering begins with a disc about the start.
+    // Each covering begins with a disc about the initial point.
     CHECK(std::ranges::count_if(radius.cover.discs, [](const auto& each) { return each.centre == 0.0; }) == 2);
     // 1/(s - t)
     for (const char* const scale : {"1e-100", "1e-4", "1e100"}) {

@@ -23,7 +23,7 @@ TEST_CASE("a Pade approximant has the coefficients of theta that it was made of"
         const int parity = arc.level().regime == regime::rotation ? 1 : 0;
         for (const int count : {1, 2, 5, 8}) {
             const auto f = pade_from_top(arc, count);
-            // At x = 1e-6 what the two leave of each other is the first power beyond them.
+            // At x = 1e-6 the difference of the two is the first power beyond them.
             const mpfr x("1e-6");
             const int next = 2 * count - parity + 2;
             const auto series = series_from_top(arc, next + 20);
@@ -41,10 +41,10 @@ TEST_CASE("a pole on the way to the bottom is seen", "[descent_pade]") {
         const auto pole = pade_from_top(arc, 2).first_pole();
         INFO("E = " << energy);
         REQUIRE(pole);
-        // The end of the way is a few units off, and a quotient of coefficients.
+        // The end of the arc is a few units off, and a quotient of coefficients.
         CHECK_THAT(*pole, near(mpfr(sqrt(mpfr(12 / (mpfr(energy) - 1))) / arc.effective_period()), 100));
     }
-    // Here it lies behind the bottom, or the poles are complex.
+    // Here it is beyond the bottom, or the poles are complex.
     CHECK_FALSE(pade_from_top(arc_of<mpfr>(with_energy("1.71")), 2).first_pole());
     CHECK_FALSE(pade_from_top(arc_of<mpfr>(with_energy("0.5")), 2).first_pole());
     CHECK_FALSE(pade_from_top(arc_of<mpfr>(with_energy("1.71")), 8).first_pole());

@@ -38,7 +38,7 @@ std::vector<rational> random_energies() {
     return result;
 }
 
-// The largest |f - theta| at 24 points of the way down, in 60 digits: below the norm, so a bound of the norm bounds it.
+// The largest |f - theta| at 24 points of the arc, in 60 digits: below the norm, so a bound of the norm bounds it.
 template <class F>
 mpfr largest_error(const exact_solution<mpfr>& solution, const F& f) {
     mpfr worst(0);

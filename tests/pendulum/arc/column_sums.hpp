@@ -1,4 +1,4 @@
-// The rest that the nearest columns of singularities leave, column by column: for the tests of its series.
+// The remainder after the nearest columns of singularities, column by column: for the tests of its series.
 #pragma once
 
 #include <vector>
@@ -27,8 +27,8 @@ inline std::vector<mpfr> sech_series(const mpfr& a, int order) {
     return s;
 }
 
-/// b_n, n >= 1: a pair has the slope (-1)^p 2 [sech(a + z) - sech(a - z)], in rotation the sum of both. exp(-2 60)
-/// ends the columns, or another end.
+/// b_n, n >= 1: a pair has the slope (-1)^p 2 [sech(a + z) - sech(a - z)], in rotation the sum of both. exp(-2 60) ends
+/// the columns, or another end.
 inline std::vector<mpfr> column_by_column(pendulum::regime r, const mpfr& y, int columns, int order, int end = 60) {
     const bool rotates = r == pendulum::regime::rotation;
     std::vector<mpfr> b(static_cast<std::size_t>(order) + 1, mpfr(0));

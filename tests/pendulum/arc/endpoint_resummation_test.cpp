@@ -26,7 +26,7 @@ TEMPLATE_LIST_TEST_CASE("the derivatives at the bottom are those of the expansio
         const motion m = with_energy(energy);
         const fundamental_arc<T> arc = arc_of<T>(m);
         const auto endpoint = arc_endpoint(arc, 12);
-        // About the bottom by way of the exact solution, and the recurrence without symmetry.
+        // About the bottom by the exact solution, and the recurrence without symmetry.
         const auto expected =
             expand_by(recurrence::sine_cosine, exact_solution<T>(m), read_expansion_point("bottom"), 11);
         const auto in_periods = rescale(expected.scaled, T(arc.effective_period() / expected.scale));

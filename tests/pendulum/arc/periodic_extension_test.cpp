@@ -55,7 +55,7 @@ TEMPLATE_LIST_TEST_CASE("the extension is within bound A2 of the exact solution 
                 const exact time = libration::exactly(rational(hundredth(engine), 100));
                 INFO(name << " at " << time.text << ", N = " << order);
                 const T expected = solution(time).theta;
-                // Roundings of theta, of its whole turns, and of omega* T* on the way.
+                // Roundings of theta, of its whole turns, and of omega* T* in between.
                 const T rounding = epsilon<T>() * (abs(expected) + bounds.effective_period + 4);
                 CHECK(abs(T(extension(time).value - expected)) <= bounds.resummation_norm(order) + rounding);
             }
@@ -72,7 +72,7 @@ TEMPLATE_LIST_TEST_CASE("an extension of the exact descent is the exact solution
         const exact_solution<T> solution(m);
         const motion canonical = motion::of_energy(m.energy().value_or(2));
         if (!m.energy()) {
-            continue;  // the canonical motion of the same energy is known where that is rational
+            continue;  // the canonical motion of the same energy is known if that is rational
         }
         const exact_solution<T> arc(canonical);
         const T period = effective_period(energy_level_of<T>(m));

@@ -44,7 +44,7 @@ TEMPLATE_LIST_TEST_CASE("the descent goes from the top to the bottom of the exac
         CHECK_THAT(d.top().omega, near<T>(top.omega, 2));
         CHECK_THAT(d.bottom().value, near<T>(bottom.theta, 1));
         CHECK_THAT(d.bottom().slope, near<T>(bottom.omega, 2));
-        CHECK((d.bottom().slope < 0) == (fraction(energy) < 2));  // the bob of libration falls towards smaller angles
+        CHECK((d.bottom().slope < 0) == (fraction(energy) < 2));  // libration moves towards smaller angles
     }
     CHECK_THROWS_AS(arc_of<T>(with_energy("2")), libration::error);
 }

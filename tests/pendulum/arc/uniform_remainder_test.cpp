@@ -1,4 +1,4 @@
-// The rest that the columns leave, against the sum of the Taylor series of every column, and theorem U.
+// The remainder after the columns, compared with the sum of the Taylor series of every column, and theorem U.
 #include "libration/pendulum/arc/uniform_remainder.hpp"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ TEST_CASE("theorem U bounds every coefficient, by a factor down to 1.2", "[colum
         }
     }
     INFO("largest |b_n| over its bound: " << closest);
-    CHECK(closest > mpfr("0.8"));  // measured 0.856: it is no idle bound
+    CHECK(closest > mpfr("0.8"));  // measured 0.856: the bound is sharp
     CHECK(closest < mpfr("0.9"));
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("the bound of the remainder is 4.5e-17 for libration and 1.4e-16 for r
     CHECK(to_decimal(swing.norm(32), 2) == "4.5e-17");
     CHECK(to_decimal(turn.norm(31), 2) == "1.4e-16");
     CHECK(swing.norm(33) == swing.norm(32));
-    // The sum of the bounds of the coefficients left out, added one by one.
+    // The sum of the bounds of the omitted coefficients, added one by one.
     for (const auto& bounds : {swing, turn, uniform_bounds<mpfr>{0, 3}}) {
         for (const int order : {1, 2, 7, 32}) {
             const mpfr x = mpfr(9) / 10;

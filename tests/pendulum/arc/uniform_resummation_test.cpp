@@ -1,4 +1,4 @@
-// The uniform resummation against the exact solution and against the sum over all columns, rounded and proved.
+// The uniform resummation compared with the exact solution and with the sum over all columns, rounded and proved.
 #include "libration/pendulum/arc/uniform_resummation.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using namespace libration::tests;
 
 namespace {
 
-// theta and its slope in x on the way down.
+// theta and its slope in x on the arc.
 jet<mpfr> exact_at(const exact_solution<mpfr>& solution, const mpfr& effective_period, const mpfr& x) {
     const auto state = solution.from_top(x);
     return {state.theta, state.omega * effective_period};
@@ -183,7 +183,7 @@ TEST_CASE("its rate is below 1/3 at every energy, and is that of the coefficient
         CHECK(uniform_convergence_rate(bounds, 1) < mpfr(1) / 3);
         CHECK(uniform_convergence_rate(bounds, 2) < mpfr(1) / 5);
     }
-    // |b_n| is (8/n) |sin(n phi)| rate^n but for further poles: the largest of some, to the power 1/n.
+    // |b_n| is (8/n) |sin(n phi)| rate^n up to further poles: the largest of some, to the power 1/n.
     const auto o = energy_level_of<mpfr>(with_energy("1.71"));
     const auto bounds = top_bounds<mpfr>::of(o);
     const auto rest = uniform_remainder(o.regime, half_column_distance(o), 1, 160);

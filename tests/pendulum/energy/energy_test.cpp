@@ -71,7 +71,7 @@ TEMPLATE_LIST_TEST_CASE("E and 2-E of a state have all their digits", "[energy]"
 TEMPLATE_LIST_TEST_CASE("E and 2-E keep their digits many turns away", "[energy]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    std::string theta0;  // 2e30 pi + 2 pi/3 cut after 40 decimals: 2-E is near 1e-40, and only the digits say so
+    std::string theta0;  // 2e30 pi + 2 pi/3 cut to 40 decimals: 2-E is near 1e-40 and depends on the last digits
     {
         const precision_scope wide(200);
         const mpfr angle = pi<mpfr>() * mpfr("2e30") + pi<mpfr>() * 2 / 3;
@@ -115,7 +115,7 @@ TEMPLATE_LIST_TEST_CASE("a scalar says when it cannot hold the energy", "[energy
 TEMPLATE_LIST_TEST_CASE("the modulus of an orbit is a pair of full precision", "[energy]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    // Quotient and square root, half an ulp each, of operands good to half an ulp; the square below doubles them.
+    // Quotient and square root, half an ulp each, of operands correct to half an ulp; the square below doubles them.
     const long roundings = 4;
     for (const auto& [name, m] : periodic_motions()) {
         INFO(name);

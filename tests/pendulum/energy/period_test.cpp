@@ -19,7 +19,7 @@ T period_of(const motion& m) {
     return effective_period(energy_level_of<T>(m)) * quarters_per_period(m.regime());
 }
 
-// Relative error of T*: k' is good to 2 ulps, dlog K/dlog k' is below 1, the mean of K stops within an ulp, and pi,
+// Relative error of T*: k' is correct to 2 ulps, dlog K/dlog k' is below 1, the mean of K stops within an ulp, and pi,
 // the quotients and the rate add their roundings.
 constexpr long period_ulps = 4;
 
@@ -129,7 +129,7 @@ TEMPLATE_LIST_TEST_CASE("partial sums of both series of K are the sums of fracti
                 new_sum = {binomials - artanhs + atanh(k) / k, mpfr(0)};
             }
             const auto o = energy_level_of<T>(with_energy(energy));
-            // Half an ulp a sum, of random sign, as long as the decreasing terms change it.
+            // Half an ulp per sum, of random sign, as long as the decreasing terms change it.
             CHECK_THAT(effective_period_series(o, order), near<T>(old_sum, 3 + order / 4));
             CHECK_THAT(effective_period_resummed(o, order), near<T>(new_sum, 3 + order / 4));
         }

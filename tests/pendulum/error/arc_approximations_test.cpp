@@ -1,4 +1,4 @@
-// The approximations side by side: that each takes the coefficients it is said to take.
+// The approximations in comparison: each uses the stated coefficients.
 #include "libration/pendulum/error/arc_approximations.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace libration::tests;
 
 namespace {
 
-// The coefficients of powers of t that are not 0, from the series of both ends themselves.
+// The nonzero coefficients of powers of t, from the series of both ends themselves.
 int numbers_taken(const fundamental_arc<mpfr>& arc, const approximation_size& size) {
     const auto counted = [](const mpfr& x) { return x != 0; };
     const auto top = arc_series(arc, size.order).coefficients();
@@ -75,7 +75,7 @@ TEST_CASE("rates a coefficient are those of the headers", "[descent_approximatio
     CHECK(*convergence_rate(approximation::eighth, bounds) == bounds.rho * bounds.rho);
     CHECK(*convergence_rate(approximation::uniform, bounds) < mpfr(1) / 9);
     CHECK(*convergence_rate(approximation::two_point, bounds) == two_point_rate(bounds));
-    // The two-point expansion has the better rate than the uniform resummation where the header says.
+    // The two-point expansion has a better rate than the uniform resummation where the header states so.
     const auto better = [](const std::string& energy) {
         const auto b = top_bounds<mpfr>::of(energy_level_of<mpfr>(with_energy(energy)));
         return *convergence_rate(approximation::two_point, b) < *convergence_rate(approximation::uniform, b);

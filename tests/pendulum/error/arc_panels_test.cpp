@@ -14,7 +14,7 @@ TEST_CASE("the panels of an arc hold theta and its slope as Jacobi's functions g
     const auto points = chebyshev_points(301);
     const std::vector<motion> motions{motion::of_energy(rational(1, 2)), motion::of_energy(rational(171, 100)),
                                       motion::of_energy(rational(4), -1),
-                                      // T*/K~' is 8 with 130 panels, most of them without points enough.
+                                      // T*/K~' is 8 with 130 panels, most of them without enough points.
                                       motion::of_energy(rational(2) - rational(1, integer("10000000000"))),
                                       motion::of_energy(rational(1, 1'000'000))};
     for (const motion& m : motions) {

@@ -20,7 +20,7 @@ TEST_CASE("errors from the omitted terms are those of the approximations in many
     const std::vector<double> points{0.125, 0.5, 0.75, 0.96875, 1};
     for (const std::string energy : {"1.71", "2.02"}) {
         const auto arc = arc_of<mpfr>(with_energy(energy));
-        const int highest = 800;  // leaves out (T*/R)^760, below 1e-25 of the error
+        const int highest = 800;  // omits (T*/R)^760, below 1e-25 of the error
         std::vector<long double> a;
         const auto series = arc_series(arc, highest);
         a.reserve(series.coefficients().size());
@@ -47,7 +47,7 @@ TEST_CASE("errors from the omitted terms are those of the approximations in many
                     continue;
                 }
                 // 760 steps of half an epsilon, and the resummed error at 31/32 cancels (1-x)^2 N^2: 3 digits are
-                // granted.
+                // permitted.
                 CHECK(abs(widen(errors[i]) / expected - 1) < widen(epsilon<long double>()) * 380'000);
             }
         }

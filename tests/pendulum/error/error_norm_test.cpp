@@ -11,7 +11,7 @@ using libration::tests::near;
 
 namespace {
 
-// The error of an approximation at x, by the definition: a polynomial against the sum over separatrix solutions.
+// The error of an approximation at x, by the definition: a polynomial minus the sum over separatrix solutions.
 template <class F>
 mpfr error_at(const motion& m, const F& approximation, const mpfr& x) {
     const separatrix_sum<mpfr> sum(m);
@@ -104,7 +104,7 @@ TEST_CASE("theta is asked for where the error of a low order may be largest", "[
     const rounded_grid grid;
     const auto places = grid.places_above(&error, mpfr(error.largest.norm * mpfr(99) / 100));
     CHECK(places.size() < grid.points().size() / 3);
-    // All where the error is above the level are among them.
+    // They include all points where the error is above the level.
     std::size_t next = 0;
     for (std::size_t i = 0; i < grid.points().size(); ++i) {
         next += next < places.size() && places[next] < i ? 1 : 0;
@@ -117,7 +117,7 @@ TEST_CASE("theta is asked for where the error of a low order may be largest", "[
 
 TEST_CASE("the norms carry the digits that the order takes away", "[error_norm]") {
     const motion m = motion::of_energy(rational(1, 2));
-    // At E = 1/2 the rate is 10^-0.24 a power: N = 80 is about 1e-23.
+    // At E = 1/2 the rate is 10^-0.24 per power: N = 80 is about 1e-23.
     CHECK(digits_below(m, 80) > 23);
     CHECK(digits_below(m, 80) < 60);
 }

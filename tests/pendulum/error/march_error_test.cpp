@@ -18,7 +18,7 @@ TEST_CASE("the march on the separatrix misses by its truncation where the step i
     // Rounding is far below both: the two arithmetics agree.
     const auto rounded = separatrix_march_error<double>(rational(1, 50), 500, 100);
     CHECK(abs(rounded.norm / coarse.norm - 1) * 1000 < 1);
-    // The growth e^t of neighbours is what makes the norm: without it, at most e^10 less, at least a little.
+    // The norm is dominated by the growth e^t of neighbours: without it, at most e^10 less, at least a little.
     CHECK(fine.undone < fine.norm);
     CHECK(fine.undone * exp(mpfr(11)) > fine.norm);
 }

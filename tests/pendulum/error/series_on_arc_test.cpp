@@ -1,4 +1,4 @@
-// The lists for radius tests against the exact solution, and their ratios against what theory says of them.
+// The lists for radius tests compared with the exact solution, and their ratios with theory.
 #include "libration/pendulum/error/series_on_arc.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ TEMPLATE_LIST_TEST_CASE("the list about a point sums to the exact solution next 
         for (const rational& x : {rational(0), rational(1) / 3, rational(1) / 2, rational(1)}) {
             INFO("E = " << energy << ", x = " << x.str());
             const motion m = motion::of_energy(rational(energy));
-            // 1/8 unit further, 9/64 of a radius: what is left out is (9/64)^130 = 2e-111.
+            // 1/8 unit further, 9/64 of a radius: the omitted terms are (9/64)^130 = 2e-111.
             const auto list = series_on_arc<T>(m, x, 130, rational(9) / 8);
             T sum(0);
             for (int n = 130; n >= 0; --n) {

@@ -23,7 +23,7 @@ TEST_CASE("the cosine is rational exactly at multiples of 60 and 90 degrees", "[
         for (int above = -40; above <= 40; ++above) {
             const exact angle{rational(above, below), unit::pi, ""};
             INFO(above << " pi / " << below);
-            // Niven: cos(q pi) is rational only where 2 cos(q pi) is a whole number.
+            // Niven: cos(q pi) is rational only if 2 cos(q pi) is an integer.
             const mpfr twice = cos(pi<mpfr>() * above / below) * 2;
             const mpfr off = abs(twice - round(twice));
             const auto cosine = rational_cosine(angle);

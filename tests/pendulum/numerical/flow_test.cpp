@@ -13,7 +13,7 @@ using namespace libration::tests;
 TEMPLATE_LIST_TEST_CASE("the flow follows the exact solution", "[pendulum][flow]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    // Three units a step and the growth of the flow, which is below e^3 here.
+    // Three units per step and the growth of the flow, which is below e^3 here.
     const auto expected = state_of<T>(with_state("1", "1/2"), "3");
     flow<T> along(T(1), T(1) / 2);
     const auto state = along.advance_to(T(3));

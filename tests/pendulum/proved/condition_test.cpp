@@ -42,7 +42,7 @@ mpfr felt(const typed_motion& typed, std::optional<exact> typed_motion::*number,
     return abs(mpfr(midpoint_of(change) * pow(mpfr(10), 40)));
 }
 
-// The rest of the condition's definition; three digits are promised.
+// The rest of the condition's definition; three digits are guaranteed.
 bool agrees(const typed_motion& typed, const char* time, const mpfr& of_numbers) {
     const precision_scope scope(80);
     const exact instant = read_exact(time);

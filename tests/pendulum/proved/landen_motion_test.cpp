@@ -60,7 +60,7 @@ std::vector<typed_case> random_cases(int count) {
 }  // namespace
 
 TEST_CASE("the Landen motion encloses the rows of the table", "[landen_motion]") {
-    // The rows are right to a unit of their 60th digit. Of the 80 digits the time takes as many as it has before its
+    // The rows are correct to a unit of their 60th digit. The time uses as many of the 80 digits as it has before its
     // point, and the quotients near E = 2 the size of 1/k' < 10^11.
     const precision_scope scope(100);
     int rows = 0;
@@ -176,7 +176,7 @@ TEST_CASE("the Landen motion refuses what has no period", "[landen_motion]") {
     CHECK_THROWS_AS(landen_motion(rational(2), rational(0)), libration::error);
     CHECK_THROWS_AS(landen_motion(rational(0), rational(2)), libration::error);
     CHECK_THROWS_AS(landen_motion(rational(1), rational(2)), libration::error);
-    // A turn cannot be told where the time has more digits than the precision.
+    // A turn cannot be determined if the time has more digits than the precision.
     const landen_motion rotation(rational(3), rational(-1));
     CHECK_THROWS_AS(rotation.state_at(rotation.phase_at(fraction("1e60"))), precision_exhausted);
 }

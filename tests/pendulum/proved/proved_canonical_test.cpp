@@ -1,4 +1,4 @@
-// The route in fixed point and the choice of routes, against the route in balls at twice the precision.
+// The route in fixed point and the choice of routes, compared with the route in balls at twice the precision.
 #include "libration/pendulum/proved/proved_canonical.hpp"
 
 #include <catch2/catch.hpp>
@@ -74,7 +74,8 @@ TEST_CASE("the libration in fixed point encloses what twice the precision enclos
 }
 
 TEST_CASE("both routes serve every energy and time", "[pendulum][proved_canonical]") {
-    // cos z = 0 exactly never happens at a rational time; T/4 to 20 digits is next to it. The others are left to balls.
+    // cos z = 0 exactly never happens at a rational time; T/4 to 20 digits is near it. The others are computed by
+    // balls.
     for (const char* energy : {"1", "1.71", "0.001", "1.9999999", "2.5", "1.00000000000000000000000001"}) {
         for (const char* time : {"0", "0.7", "1.8540746773013719184", "-3", "1e20", "1e60"}) {
             INFO("E " << energy << " at " << time);

@@ -1,4 +1,4 @@
-// The two routes of a proved motion against each other, against the other arithmetic, and at its exact points.
+// The two routes of a proved motion compared with each other, with other arithmetic, and at its exact points.
 #include "libration/pendulum/proved/proved_motion.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,7 @@ TEST_CASE("the Landen steps and the exact solution in balls enclose the same sta
             const auto second = slow(read_exact(time));
             CHECK(overlaps(first.theta, second.theta));
             CHECK(overlaps(first.omega, second.omega));
-            // 1e9 loses 30 of the 200 bits, and the way near the top a few more.
+            // 1e9 loses 30 of the 200 bits, and the path near the top a few more.
             CHECK(certainly_less(radius_of(first.theta), ldexp(ball(1), -140)));
         }
     }

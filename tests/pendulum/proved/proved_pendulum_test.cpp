@@ -19,7 +19,7 @@ using namespace libration::tests;
 
 namespace {
 
-// Contains the table's value up to that one's last digit.
+// Contains the table's value up to the last digit of the table.
 bool contains_table(const ball& x, const std::string& text) {
     const expected_value expected = decimal(text);
     return contains(enclose(x, ball(expected.uncertainty)), ball(expected.value));
@@ -35,7 +35,7 @@ TEST_CASE("balls of the exact solution contain the table of motions", "[pendulum
                                   << " at " << row.at("time"));
             const motion m = motion_of(row);
             const auto state = state_of<ball>(m, row.at("time"));
-            // A few roundings at each of up to 20 levels; theta has them relative to itself where it counts turns.
+            // A few roundings at each of up to 20 levels; theta has them relative to itself if it counts turns.
             CHECK_THAT(state.theta,
                        encloses(decimal(row.at("theta")), 2'000, mpfr(1 + abs(decimal(row.at("theta")).value))));
             CHECK_THAT(state.omega,

@@ -1,4 +1,4 @@
-// Proved theta and its condition, against closed forms and against the exact solution in other arithmetic.
+// Proved theta and its condition, compared with closed forms and with the exact solution in other arithmetic.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ TEST_CASE("proved theta is the exact solution of mpfr, to all of its places", "[
             const ball theta = proved_theta(energy, gap, read_exact(instant).coefficient, 40);
             const precision_scope scope(60);
             const mpfr other = exact_solution<mpfr>(motion::of_energy(energy))(read_exact(instant)).theta;
-            // The other route is right to a few of its own 60 digits times theta, below 1e7 here.
+            // The other route is correct to a few of its 60 digits times theta, below 1e7 here.
             CHECK(certainly_less(abs(theta - ball(other)), pow(ball(10), -40)));
             CHECK(certainly_less(radius_of(theta), pow(ball(10), -40)));
         }

@@ -1,4 +1,4 @@
-// The sampler against proved values, at times in any order, near and late.
+// The sampler compared with proved values, at times in any order, near and late.
 #include "libration/pendulum/sampler/sampler.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 
 using fixed_scalars = std::tuple<double, long double, quad>;
 
-// Digits for times of 10^9 periods, and for what E = 10^-20 or gaps of 10^-100 cancel.
+// Digits for times of 10^9 periods, and for the cancellation at E = 10^-20 or gaps of 10^-100.
 constexpr long proof_digits = 160;
 
 std::vector<named_motion> all_motions() {
@@ -101,7 +101,7 @@ struct named_arrays {
     std::vector<T> omega;
 };
 
-// In double once with each set of vector instructions of this processor.
+// In double once with each available set of vector instructions.
 template <class T>
 std::vector<named_arrays<T>> sampled_arrays(const sampler<T>& sample, const std::vector<T>& times) {
     std::vector<named_arrays<T>> all;
@@ -181,7 +181,7 @@ TEST_CASE("the sampler reduces times beyond its clock in mpfr", "[pendulum][samp
     const precision_scope scope(800);
     for (const named_motion& named : all_motions()) {
         std::vector<double> times{1e18, 0.5, -1e15};
-        // Elsewhere omega = e^-t would leave even the range of mpfr, or theta that of double.
+        // Otherwise omega = e^-t would leave even the range of mpfr, or theta that of double.
         if (has_passages(named.m) && named.name != "E = 1e300") {
             times.insert(times.end(), {1e300, -1e200});
         }
@@ -280,7 +280,7 @@ TEST_CASE("a motion has fewer than 110 panels", "[pendulum][sampler]") {
     CHECK(half_cycle_panels<double>(with_energy("0")).size() == 1);
     for (const std::string energy : {"1e-300", "1e-10", "1", "3", "1e10", "1e100"}) {
         INFO("E = " << energy);
-        // Far from E = 2 the way to the top takes at most 2 units of pi/2.
+        // Far from E = 2 the path to the top takes at most 2 units of pi/2.
         CHECK(half_cycle_panels<double>(with_energy(energy)).size() <= 40);
     }
 }

@@ -29,8 +29,8 @@ T radius_at_top(const std::string& energy) {
     return radius_at<T>(with_energy(energy), "0");
 }
 
-// T* and K~' are good to 4 ulps each (period_test); the hypotenuse averages them and adds half an ulp of the
-// sum and of the root.
+// T* and K~' are correct to 4 ulps each (period_test); the hypotenuse averages them and adds half an ulp of the sum and
+// of the root.
 constexpr long radius_ulps = 5;
 
 }  // namespace

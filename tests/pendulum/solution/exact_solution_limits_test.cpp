@@ -1,4 +1,4 @@
-// The exact solution where something is extreme or missing: no period, no motion, huge times, units, mixed precisions.
+// The exact solution in extreme or degenerate cases: no period, no motion, huge times, units, mixed precisions.
 #include <catch2/catch.hpp>
 #include <optional>
 #include <stdexcept>
@@ -31,7 +31,7 @@ TEMPLATE_LIST_TEST_CASE("a Taylor series of the differential equation carries on
             const rational step(1, 16);
             const auto here = solution(read_exact(time));
             const auto there = solution(libration::exactly(rational(fraction(time) + step)));
-            // (pendseries) knows nothing of elliptic functions; (1/16 / 1.4)^90 is below 1e-120.
+            // (pendseries) does not use elliptic functions; (1/16 / 1.4)^90 is below 1e-120.
             const auto series =
                 taylor_by_sine_cosine<T>({here, energies<T>(m), parity::any}, 90, from_rational<T>(step));
             const jet<T> carried = evaluate(series, T(1));
@@ -126,7 +126,7 @@ TEMPLATE_LIST_TEST_CASE("with a length and a gravity times are seconds and theta
                         all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;
-    // 9.81 m/s^2 and 0.0981 m: 100/s^2, ten units of time a second, and omega0 in rad/s.
+    // 9.81 m/s^2 and 0.0981 m: 100/s^2, ten units of time per second, and omega0 in rad/s.
     const motion in_seconds = motion::of_state(read_exact("2.5"), read_exact("-3"), rational(100));
     const motion plain = with_state("2.5", "-0.3");
     for (const std::string time : {"0", "0.73", "1e6"}) {

@@ -62,7 +62,7 @@ TEMPLATE_LIST_TEST_CASE("sine and cosine of the half angle belong to the angle",
         for (const std::string time : {"0", "0.7", "-2.5", "T/8"}) {
             INFO(name << " at " << time);
             const auto s = state_of<T>(m, time);
-            const T scale = at_least_one(s.theta);  // what the rounding of theta alone costs
+            const T scale = at_least_one(s.theta);  // the cost of rounding theta alone
             CHECK_THAT(T(s.half_sine * s.half_cosine * 2), near<T>(T(sin(s.theta)), theta_ulps, scale));
             CHECK_THAT(T(s.half_cosine * s.half_cosine - s.half_sine * s.half_sine),
                        near<T>(T(cos(s.theta)), theta_ulps, scale));

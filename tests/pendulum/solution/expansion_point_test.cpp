@@ -23,7 +23,7 @@ TEMPLATE_LIST_TEST_CASE("a fraction of T* after the top is the phase of that tim
             INFO("E = " << *m.energy() << ", direction " << m.direction() << ", x = " << eighths << "/8");
             const rational x(eighths, 8);
             const phase<T> found = phase_from_top<T>(m, x, effective_period);
-            // A canonical motion starts at the top, and its clock knows T; half way both ends are the nearest.
+            // A canonical motion starts at the top, and its phase map has T; halfway both ends are the nearest.
             const exact time{x / quarters_per_period(m.regime()), unit::period, ""};
             const phase<T> expected = solution.phases().at(time);
             if (eighths != 4) {

@@ -15,7 +15,7 @@ using namespace libration::tests;
 
 namespace {
 
-// The first route is good to 4 ulps (exact_solution_test); the pairs add roundings of random sign, and shrink.
+// The first route is correct to 4 ulps (exact_solution_test); the pairs add roundings of random sign, and shrink.
 long allowed(long pairs) { return 4 + pairs / 16; }
 
 }  // namespace

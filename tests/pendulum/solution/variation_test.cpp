@@ -1,4 +1,4 @@
-// The closed variation of the solution against neighbouring motions, and against closed forms.
+// The closed form of the variation of the solution compared with neighbouring motions, and with closed forms.
 #include "libration/pendulum/solution/variation.hpp"
 
 #include <catch2/catch.hpp>
@@ -31,8 +31,8 @@ rational step() { return {integer(1), integer(1) << 200U}; }
 // x plus a 2^-200 of it.
 exact moved(const exact& x) { return {rational(x.coefficient * (1 + step())), x.measure, x.text}; }
 
-// The difference quotient of so small a step is right to 2^-200 times second derivatives, below 2^60 here, and what
-// 500 bits leave of 200.
+// The difference quotient of so small a step is correct to 2^-200 times second derivatives, below 2^60 here, and to the
+// bits that are left of 500 after 200.
 mpfr quotient(const mpfr& after, const mpfr& before, const exact& x) {
     return (after - before) / (from_exact<mpfr>(moved(x)) - from_exact<mpfr>(x));
 }
@@ -53,7 +53,7 @@ TEST_CASE("the derivatives by the start are those of neighbouring motions", "[pe
             const exact time = typed(instant);
             const motion m = motion::of_state(theta0, omega0);
             if (m.regime() == regime::separatrix && from_exact<double>(time) > 50) {
-                continue;  // the neighbours part from it by e^t times the step
+                continue;  // the neighbours diverge from it by e^t times the step
             }
             const variation<mpfr> v(m);
             const auto at = pair_of(m, v, time);

@@ -52,7 +52,8 @@ std::vector<mpfr> lattice_sum(const std::string& energy, int order, int box, con
     return sums;
 }
 
-// What the poles outside the box can add to n a_n R^n/8: at most 8 m poles of index sum m at distance m * shortest.
+// The contribution of the poles outside the box to n a_n R^n/8: at most 8 m poles of index sum m at distance m *
+// shortest.
 mpfr left_out(const std::string& energy, int n, int box) {
     const auto lattice = singularities<mpfr>(with_energy(energy)).value();
     const mpfr radius = lattice.radius(phase_map<mpfr>::at_quarter(1));
@@ -86,7 +87,7 @@ TEMPLATE_LIST_TEST_CASE("coefficients are sums over all singularities", "[coeffi
             if (has_power(energy, n)) {
                 INFO("E = " << energy << ", n = " << n);
                 const expected_value expected = expected_coefficient(energy, n, box, widen(e.scale));
-                // 4 ulps of the start and one a power, as against the table.
+                // 4 ulps of the initial value and one per power, as for the table.
                 CHECK_THAT(e.scaled[n], near<T>(expected, 4 + n, T(T(8) / n)));
             }
         }
@@ -138,7 +139,7 @@ TEMPLATE_LIST_TEST_CASE("on the separatrix the coefficients are those of +-i pi/
         }
         const T expected = beta * 4 / n * (n % 4 == 1 ? 1 : -1);
         INFO(n);
-        // 41^-n is left out.
+        // 41^-n is omitted.
         CHECK_THAT(a[n], near<T>(expected_value{widen(expected), pow(mpfr(41), -n)}, 4 + n));
     }
 }
@@ -156,7 +157,7 @@ TEST_CASE("in double the coefficients to order 1000 stay below 2e-13 of 8/(n R^n
         }
         INFO("E = " << energy << ", " << worst);
         CHECK(worst < 2e-13);  // DESIGN section 3
-        CHECK(worst > 1e-15);  // it is not nothing
+        CHECK(worst > 1e-15);  // it is nonzero
     }
 }
 

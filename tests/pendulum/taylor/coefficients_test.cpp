@@ -35,7 +35,7 @@ const std::vector<place> places{{"0.5", "top"},  {"1.71", "top"},    {"1.71", "b
                                 {"2.02", "top"}, {"2.02", "bottom"}, {"2.02", "1.1"},    {"10", "bottom"},
                                 {"2", "bottom"}, {"2", "-0.7"},      {"1e-20", "T/3"},   {"1e6", "top"}};
 
-// In units of 8/n (a_n R^n has this size): 4 ulps of the state that the series starts from, and one for every power of
+// In units of 8/n (a_n R^n has this size): 4 ulps of the state at which the series starts, and one for every power of
 // R, which is itself off by about one.
 long allowed(int n) { return 4 + n; }
 

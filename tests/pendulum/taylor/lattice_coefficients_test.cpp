@@ -1,4 +1,4 @@
-// The sums over singularities against the recurrence, which shares nothing with them but the motion.
+// The sums over singularities compared with the recurrence, with which they share only the motion.
 #include "libration/pendulum/taylor/lattice_coefficients.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<named_motion> motions() {
 
 const std::vector<std::string> points{"top", "bottom", "start", "T/8"};
 
-// At E = 2: about the bottom, and before and behind it.
+// At E = 2: about the bottom, before and after it.
 const std::vector<std::string> critical_points{"bottom", "-0.7", "3"};
 
 void compare_on_balls(const named_motion& from, const std::string& at, int order) {
@@ -57,7 +57,7 @@ void compare_on_balls(const named_motion& from, const std::string& at, int order
         INFO("n = " << n);
         const ball& sum = sums[static_cast<std::size_t>(n - begin)];
         CHECK(overlaps(sum, checked.scaled[static_cast<int>(n)]));
-        // In units of 8/n: an eighth of an epsilon for the poles left out, and the rounding to 20 digits.
+        // In units of 8/n: an eighth of an epsilon for the omitted poles, and the rounding to 20 digits.
         CHECK_FALSE(certainly_less(epsilon<ball>() * 8 / n, radius_of(sum)));
         CHECK((is_exact(sum) && contains_zero(sum)) == !view->powers().has(n));
     }
@@ -96,7 +96,7 @@ TEMPLATE_LIST_TEST_CASE("an expansion is that of the recurrence on both sides of
             REQUIRE(found.scaled.order() == order);
             for (int n = 0; n <= order; ++n) {
                 INFO("n = " << n);
-                // 4 ulps of the start and one a power, of the recurrence.
+                // 4 ulps of the initial value and one per power, of the recurrence.
                 CHECK_THAT(found.scaled[n], near<T>(checked.scaled[n], 4 + n, T(T(8) / std::max(n, 1))));
             }
         }
@@ -121,7 +121,7 @@ TEMPLATE_LIST_TEST_CASE("the sums are right to a few ulps, however large the pow
             const mpfr power = exp(mpfr(log(mpfr(widen(scale) * 2 / pi<mpfr>())) * n));
             expected = power * 4 / n * (n % 4 == 1 ? 1 : -1);
         }
-        // A power of 3, the first after n = 3001, is left out far below epsilon; 1/n and the product round.
+        // A power of 3, the first after n = 3001, is omitted far below epsilon; 1/n and the product round.
         CHECK_THAT(sum, near<T>(expected_value{expected, mpfr(0)}, 4));
     }
 }

@@ -1,4 +1,4 @@
-// Theorem A1: what the poles left out add is below its bound, and not far below.
+// Theorem A1: the contribution of the omitted poles is below its bound, and not far below.
 #include "libration/pendulum/taylor/singularity_view.hpp"
 
 #include <catch2/catch.hpp>
@@ -63,7 +63,7 @@ TEST_CASE("what is left out of the sum for a coefficient is below theorem A1", "
             INFO("E = " << energy << " about " << at);
             const motion m = with_energy(energy);
             const auto view = view_of(m, at);
-            // The poles within R alone; the recurrence is the whole sum, at n = 40 or the next power there is.
+            // The poles within R alone; the recurrence is the whole sum, at n = 40 or the next power that exists.
             const auto whole =
                 expand_by(recurrence::symmetric_squares, exact_solution<ball>(m), read_expansion_point(at), n + 1);
             const long power = view.powers().next(n);

@@ -1,4 +1,4 @@
-// The quotient of thetas against the recurrence and the sums over singularities, which share nothing with it but the
+// The quotient of thetas compared with the recurrence and the sums over singularities, with which it shares only the
 // motion.
 #include "libration/pendulum/taylor/theta_series.hpp"
 
@@ -50,8 +50,8 @@ void compare_on_balls(const named_motion& from, const std::string& at, int order
     for (int n = 1; n <= order; ++n) {
         INFO("n = " << n);
         CHECK(overlaps(a[n], checked.scaled[n]));
-        // One rounding of a_n, which is up to 10 times 8/n at these motions, to the working precision; of what is
-        // computed with 64 bits more far less than that is lost.
+        // One rounding of a_n, which is up to 10 times 8/n at these motions, to the working precision; the loss of the
+        // computation with 64 bits more is far smaller.
         CHECK(certainly_less(radius_of(a[n]), epsilon<ball>() * 8 * 8 / n));
     }
 }
@@ -90,7 +90,7 @@ TEMPLATE_LIST_TEST_CASE("without balls it is right to a few ulps", "[theta_serie
             const auto sums = lattice_coefficients<T>(from.m, point, scale, 120).between(100, 120);
             for (int n = 100; n <= 120; ++n) {
                 INFO("n = " << n);
-                // A rounding of the thetas, two of the sums, and an eighth for the poles they leave out.
+                // A rounding of the thetas, two of the sums, and an eighth for the omitted poles.
                 CHECK_THAT(a[n], near<T>(sums[static_cast<std::size_t>(n - 100)], 4, T(T(8) / n)));
             }
         }
@@ -116,7 +116,7 @@ TEST_CASE("long expansions at many digits are made of thetas and narrower than b
             for (int n = 1; n <= order; ++n) {
                 INFO("n = " << n);
                 CHECK(overlaps(found.scaled[n], checked.scaled[n]));
-                // One rounding of the quotient; two of the sums and an eighth of an epsilon for the poles left out.
+                // One rounding of the quotient; two of the sums and an eighth of an epsilon for the omitted poles.
                 CHECK(certainly_less(radius_of(found.scaled[n]), epsilon<ball>() * 4 * 8 / n));
                 CHECK(is_exact(found.scaled[n]) == !view->powers().has(n));
             }
@@ -144,7 +144,7 @@ TEST_CASE("long expansions of mpfr at many digits are made of thetas where the p
             const auto checked = taylor_coefficients(start_at(fine, phase_of(point, fine)), order, found.scale);
             for (int n = 1; n <= order; ++n) {
                 INFO("n = " << n);
-                // One rounding of the quotient; two of the sums and an eighth for the poles left out.
+                // One rounding of the quotient; two of the sums and an eighth for the omitted poles.
                 CHECK(abs(mpfr(found.scaled[n] - checked[n])) * n <= ulp * 4 * 8);
             }
         }

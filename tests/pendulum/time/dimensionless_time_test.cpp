@@ -30,7 +30,7 @@ TEMPLATE_LIST_TEST_CASE("times are numbers, and multiples of T are multiples of 
         }
         CHECK(elapsed_periods<T>(m, read_exact("3T/4")) == from_rational<T>(rational(3, 4)));
         const motion scaled = m.with_squared_frequency(rational(4));
-        CHECK(dimensionless_time<T>(scaled, read_exact("3")) == T(6));  // sqrt(4) units of time in a second
+        CHECK(dimensionless_time<T>(scaled, read_exact("3")) == T(6));  // sqrt(4) units of time per second
         CHECK(dimensionless_time<T>(scaled, read_exact("T")) == dimensionless_time<T>(m, read_exact("T")));
     }
     CHECK_THROWS_AS(dimensionless_time<T>(with_energy("2"), read_exact("T")), libration::error);

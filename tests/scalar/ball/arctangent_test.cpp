@@ -14,7 +14,7 @@ using namespace libration;
 
 namespace {
 
-// Arb's, of a quotient that is rounded at 64 bits more.
+// Arb's value, of a quotient that is rounded at 64 bits more.
 ball by_arb(const ball& y, const ball& x, slong bits) {
     ball result;
     arb_div(result.handle(), y.handle(), x.handle(), bits + 64);
@@ -28,7 +28,7 @@ ball pi_of(slong bits) {
     return result;
 }
 
-// Fractions n/d with |n/d| <= 1, rounded to so many bits; half of them corner cases with d a power of 2.
+// Fractions n/d with |n/d| <= 1, rounded to this many bits; half of them corner cases with d a power of 2.
 class random_balls {
 public:
     explicit random_balls(slong bits) : bits_(bits) {}
@@ -87,7 +87,7 @@ TEST_CASE("relations between Gaussian primes are as small as the table says", "[
     const precision_scope scope(90);
     check_relations(coarse_relations, coarse_scale);
     check_relations(fine_relations, fine_scale);
-    // The fine ones go on where the coarse ones end.
+    // The fine relations continue where the coarse ones end.
     const long end = coarse_relations.back().size;
     const long begin = fine_relations.front().size >> static_cast<unsigned>(fine_scale - coarse_scale);
     CHECK((end / begin >= 2 && end / begin < 8));
@@ -120,7 +120,7 @@ TEST_CASE("the angle by Gaussian primes is Arb's", "[scalar][ball_arctangent]") 
             INFO(bits << " bits, " << i);
             const ball value = arctangent_of_quotient(y, x, bits);
             CHECK(overlaps(value, by_arb(y, x, bits)));
-            // One rounding, which the radius of Arb's has too, and another of the quotient.
+            // One rounding, which Arb's radius contains too, and another of the quotient.
             CHECK(is_narrow(value, bits - 3));
             if (const auto angle = angle_by_primes(y, x, bits)) {
                 ++served;
@@ -154,7 +154,7 @@ TEST_CASE("the angle by Gaussian primes holds for wide and special balls", "[sca
         const ball x = next();
         const ball value = arctangent_of_quotient(y, x, bits);
         INFO("known to 2^-" << k);
-        // Both ends, and a radius within twice that of Arb's.
+        // Both ends, and a radius within twice that of Arb.
         CHECK(overlaps(value, by_arb(lower_bound(y), x, bits)));
         CHECK(overlaps(value, by_arb(upper_bound(y), x, bits)));
         CHECK(certainly_less(radius_of(value), radius_of(by_arb(y, x, bits)) * 2 + epsilon<ball>()));

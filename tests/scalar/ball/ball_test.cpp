@@ -33,7 +33,7 @@ public:
             },
             [&] { return rational(integer(whole(-1'000'000, 1'000'000)), integer(whole(1, 1'000'000))); });
     }
-    /// In (0, 1), 10^-6 or more from both ends: as corner cases, multiples of 1/64 and what is next to them.
+    /// In (0, 1), 10^-6 or more from both ends: as corner cases, multiples of 1/64 and their neighbours.
     rational inside() {
         return corners_.half(
             [&] {
@@ -47,7 +47,7 @@ private:
     corner_numbers corners_{20260229};  // any fixed seed
 };
 
-// A function on balls beside the same on mpfr, and its domain as an interval of fractions.
+// A function on balls with the same function on mpfr, and its domain as an interval of fractions.
 struct function_pair {
     const char* name;
     std::function<ball(const ball&)> of_balls;
@@ -93,7 +93,7 @@ const std::vector<function_pair>& functions() {
 expected_value more_digits(const function_pair& f, const rational& x) {
     const precision_scope scope(working_digits() + 60);
     const mpfr value = f.of_numbers(from_rational<mpfr>(x));
-    return {value, (abs(value) + 1) * epsilon<mpfr>() * 1'000'000};  // the condition of no function here is above 10^6
+    return {value, (abs(value) + 1) * epsilon<mpfr>() * 1'000'000};  // no condition number here exceeds 10^6
 }
 
 }  // namespace
@@ -205,7 +205,7 @@ TEST_CASE("a decision is proved or refused", "[scalar][ball]") {
     CHECK(decided_sign(third) == 1);
     CHECK(decided_sign(-third) == -1);
     CHECK(decided_sign(ball(0)) == 0);
-    const ball difference = third * 3 - 1;  // 0, and no precision shows it
+    const ball difference = third * 3 - 1;  // 0, which cannot be proved at any precision
     CHECK(contains_zero(difference));
     CHECK_THROWS_AS(decided_sign(difference), precision_exhausted);
     CHECK(certainly_less(third, ball(1)));

@@ -8,7 +8,7 @@ using namespace libration;
 
 namespace {
 
-// 1/3 to so many bits, wider by 2^-width.
+// 1/3 to this many bits, wider by 2^-width.
 ball third(long width) { return enclose(ball(ball(1) / 3), ldexp(ball(1), -width)); }
 
 ball power_of_ten(int n) { return pow(ball(10), n); }
@@ -32,11 +32,11 @@ TEST_CASE("a value is compared with all numbers of the truth", "[scalar][compari
 TEST_CASE("what the truth does not decide is not compared", "[scalar][comparison]") {
     const precision_scope scope(60);
     const rational off(333'334, 1'000'000);
-    // An error of 6.7e-7 +- 2^-24 (6e-8), and +- 2^-21 (4.8e-7), against a tolerance of 7e-7: the midpoint keeps it.
+    // An error of 6.7e-7 +- 2^-24 (6e-8), and +- 2^-21 (4.8e-7), for a tolerance of 7e-7: the midpoint is within it.
     CHECK_FALSE(compare(off, {third(24)}, error_bound(power_of_ten(-8) * 70), 5, false));
     CHECK_FALSE(compare(off, {third(21)}, error_bound(power_of_ten(-8) * 70), 4, true));
     CHECK_FALSE(compare(off, {third(21)}, error_bound(power_of_ten(-8) * 60), 4, true));
-    // A tolerance beyond the whole ball is kept, but the error has no three digits yet.
+    // A tolerance larger than the whole ball holds, but the error does not have three digits yet.
     CHECK_FALSE(compare(off, {third(24)}, error_bound(power_of_ten(-6)), 5, false));
     const auto last = compare(off, {third(24)}, error_bound(power_of_ten(-6)), 5, true);
     REQUIRE(last);

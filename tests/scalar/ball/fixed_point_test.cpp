@@ -18,8 +18,8 @@ struct sample {
     rational member;
 };
 
-// Numbers between 2^-20 and 2^5, half of them corner cases and the others such that no binary number holds, with radii up
-// to 2^20 units.
+// Numbers between 2^-20 and 2^5, half of them corner cases and the others not representable in binary, with radii up to
+// 2^20 units.
 class samples {
 public:
     explicit samples(int n) : n_(n) {}
@@ -50,7 +50,7 @@ private:
     tests::corner_numbers corners_{5};
 };
 
-// Exactly: Arb compares without rounding.
+// Exact: Arb compares without rounding.
 bool holds(const fixed_ball& x, const rational& number) {
     fmpq_t member;
     fmpq_init(member);
@@ -97,7 +97,7 @@ TEST_CASE("fixed point encloses roots, and its radii are not wasteful", "[scalar
             if (x.below() * 1024 > 1 && y.below() * 1024 > 1) {
                 const fixed_ball mean = geometric_mean(x, y);
                 CHECK(contains(mean.to_ball(), sqrt(from_rational<ball>(rational(a * b)))));
-                // sqrt(x x) is as uncertain as x: 2^-10 and 2^-20 more for what is not known exactly, and the cut unit.
+                // sqrt(x x) is as uncertain as x: plus 2^-10 and 2^-20 for inexact factors, and the truncated unit.
                 CHECK(geometric_mean(x, x).radius() <= x.radius() * (1 + 1.0 / 256) + 2);
             }
         }
@@ -111,7 +111,7 @@ TEST_CASE("fixed point takes the radius of a ball with it", "[scalar][ball_fixed
         const ball wide = enclose(third, ldexp(ball(1), 10 - 64L * n));
         const fixed_ball x(n, wide);
         CHECK(contains(x.to_ball(), wide));
-        // 2^10 units, a unit for what is cut, and 2^-20 more for each of two roundings.
+        // 2^10 units, a unit for truncation, and 2^-20 more for each of two roundings.
         CHECK(x.radius() < 1024 * (1 + 1.0 / 256) + 1);
         CHECK(x.radius() > 1024);
     }

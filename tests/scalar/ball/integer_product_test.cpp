@@ -1,5 +1,5 @@
-// Products of integer polynomials against products of GMP's integers, with the implementation as argument: where the
-// operands are aimed at the bound of the transform, FLINT's own product fails the same laws up to version 3.6.0.
+// Products of integer polynomials compared with products of GMP's integers, with the implementation as argument: for
+// operands near the bound of the transform, FLINT's product fails the same tests up to version 3.6.0.
 #include "libration/scalar/ball/integer_product.hpp"
 
 #include <flint/fmpz_poly.h>
@@ -20,7 +20,7 @@ using namespace libration::tests;
 
 namespace {
 
-// Every product of integer polynomials of this program of tests is checked: the scope lasts as long as the process.
+// Every product of integer polynomials in this test program is checked: the scope lasts as long as the process.
 const product_check_scope in_all_tests;
 
 using polynomial = std::vector<integer>;
@@ -76,7 +76,7 @@ unsigned long bits_of(const polynomial& a) {
     return bits;
 }
 
-// The substitution of Kronecker with mpz_mul alone.
+// Kronecker substitution with mpz_mul alone.
 polynomial by_gmp(const polynomial& a, const polynomial& b, std::size_t count) {
     const unsigned long width = bits_of(a) + bits_of(b) + 2 + mpz_sizeinbase(integer(a.size()).backend().data(), 2);
     const integer product = packed(a, 0, a.size(), width) * packed(b, 0, b.size(), width);
@@ -142,8 +142,8 @@ operands corner_operands(corner_numbers& next, long most_terms, long most_bits) 
     return of;
 }
 
-// All ones, the shorter of 2^l terms, s + t + l + 1 a multiple of 64, and signs so that a coefficient of the largest size
-// is negative: as near to the bound of the transform as integers come.
+// All ones, the shorter of 2^l terms, s + t + l + 1 a multiple of 64, and signs so that a coefficient of the largest
+// size is negative: as near to the bound of the transform as integers can be.
 operands aimed_operands(corner_numbers& next, long most_log, long most_bits) {
     const bool square = next.one_in(4);
     const long log = square ? 2 * next.between(1, (most_log - 1) / 2) + 1 : next.between(3, most_log);

@@ -1,4 +1,4 @@
-// Products and quotients of whole sequences of balls against one coefficient after the other.
+// Products and quotients of whole sequences of balls, compared with coefficient-by-coefficient computation.
 #include "libration/scalar/ball/polynomial.hpp"
 
 #if __has_include(<flint/arb_poly.h>)
@@ -23,7 +23,7 @@ using namespace libration::tests;
 
 namespace {
 
-// Of the size of 1, with the radius of a rounding, and without a pattern.
+// Of size 1, with the radius of a rounding, and without a pattern.
 std::vector<ball> sines(long first, std::size_t count) {
     std::vector<ball> all;
     all.reserve(count);
@@ -37,14 +37,14 @@ std::vector<ball> sines(long first, std::size_t count) {
 using ball_product =
     std::function<std::vector<ball>(const ball* a, int a_terms, const ball* b, int b_terms, int count, slong bits)>;
 
-// Arb's, with FLINT's product of integer polynomials.
+// Arb's product, with FLINT's product of integer polynomials.
 std::vector<ball> unguarded_product(const ball* a, int a_terms, const ball* b, int b_terms, int count, slong bits) {
     std::vector<ball> c(static_cast<std::size_t>(count));
     _arb_poly_mullow(c.front().handle(), a->handle(), a_terms, b->handle(), b_terms, count, bits);
     return c;
 }
 
-// sum_k a_k b_{n-k} of exact balls, exactly or in so many bits.
+// sum_k a_k b_{n-k} of exact balls, exactly or in this many bits.
 ball exact_sum(const std::vector<ball>& a, const std::vector<ball>& b, int n, slong bits) {
     ball sum;
     for (int k = std::max(0, n + 1 - static_cast<int>(b.size())); k <= n && k < static_cast<int>(a.size()); ++k) {
@@ -62,7 +62,7 @@ std::vector<ball> members(corner_numbers& next, const std::vector<ball>& a) {
     return inside;
 }
 
-// Corner cases about a geometric sequence, some of them 0.
+// Corner cases near a geometric sequence, some of them 0.
 std::vector<ball> corner_sequence(corner_numbers& next, int terms, long bits, long far) {
     std::vector<ball> all;
     const long slope = next.between(-20, 20);
@@ -98,7 +98,7 @@ ball_operands corner_operands(corner_numbers& next, int most_terms, long bits, l
     return of;
 }
 
-// All ones, so that the integers of the one block stand at the bound of the transform (integer_product.hpp).
+// All ones, so that the integers of the single block are at the bound of the transform (integer_product.hpp).
 ball_operands aimed_operands(corner_numbers& next) {
     const long log = next.between(4, 7);
     const auto terms = std::size_t{1} << static_cast<unsigned>(log);
@@ -127,7 +127,7 @@ int wrong_ones(const ball_product& by, corner_numbers& next, int products) {
     return wrong;
 }
 
-// A product contains the sums at numbers of its operands; about `checked` of its coefficients are looked at.
+// A product contains the sums at numbers of its operands; about `checked` of its coefficients are tested.
 void require_products(const ball_product& by, corner_numbers& next, int products, int most_terms, long far,
                       int checked) {
     for (int i = 0; i < products; ++i) {
@@ -194,7 +194,8 @@ TEST_CASE("a sequence is multiplied by a part of itself", "[ball_polynomial][bal
     }
 }
 
-// 1/k! +- 2^-bits of it, and signs without a pattern: far from geometric, so that a block holds sizes far apart.
+// 1/k! +- 2^-bits of it, with signs without a pattern: far from geometric, so that a block contains very different
+// sizes.
 std::vector<ball> inverse_factorials(int terms, slong bits) {
     std::vector<ball> all;
     ball term(1);
@@ -224,7 +225,7 @@ TEST_CASE("the radii of a product are those of its sums written out", "[ball_pol
     }
 }
 
-// (1 +- r) + (1 +- r) x + ...: the largest numbers of the operands have the largest sums, which the radii must reach.
+// (1 +- r) + (1 +- r) x + ...: the largest numbers of the operands have the largest sums, which the radii must cover.
 TEST_CASE("radii of products reach the largest sums, also where neighbours share them", "[ball_polynomial][ball]") {
     const precision_scope scope(20);
     const ball wide = enclose(ball(1), ball(1) / 8);
@@ -241,7 +242,7 @@ TEST_CASE("radii of products reach the largest sums, also where neighbours share
     }
 }
 
-// q with b q = a at numbers of the balls, one after the other in many bits.
+// q with b q = a at numbers of the balls, term by term in many bits.
 std::vector<ball> quotient_by_recurrence(const std::vector<ball>& a, const std::vector<ball>& b, slong bits) {
     std::vector<ball> q(a.size());
     for (std::size_t n = 0; n < a.size(); ++n) {
@@ -309,7 +310,7 @@ TEST_CASE("a whole product is that of its coefficients, alone and for long seque
                 INFO(asked << " digits, " << n << " of " << count);
                 CHECK(overlaps(c[n],
                                scalar_traits<ball>::sum_of_products(a.data(), 1, &b[n], -1, static_cast<int>(n) + 1)));
-                // Two radii in each of up to 200 products, and as much for the blocks.
+                // Two radii in each of up to 200 products, and the same for the blocks.
                 CHECK(certainly_less(radius_of(c[n]), epsilon<ball>() * 1000));
             }
         }

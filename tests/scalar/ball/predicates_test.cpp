@@ -1,4 +1,4 @@
-// The ends, hulls and signs of balls, of balls with more bits than the working precision too: outwards, never inwards.
+// The end points, hulls and signs of balls, also with more bits than the working precision: rounded outwards only.
 #include "libration/scalar/ball/predicates.hpp"
 
 #include "proved.hpp"
@@ -9,7 +9,7 @@ using namespace libration;
 
 namespace {
 
-// 1/3 to 100 digits, +- 2^-50, in the 20 digits of the caller.
+// 1/3 to 100 digits, +- 2^-50, in the caller's 20 digits.
 ball long_third() {
     const precision_scope scope(100);
     return enclose(ball(ball(1) / 3), ldexp(ball(1), -50));

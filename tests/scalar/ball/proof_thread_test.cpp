@@ -1,4 +1,4 @@
-// A thread that saw a failure below FLINT computes nothing again.
+// A thread in which FLINT failed is not used again.
 #include "libration/scalar/ball/proof_thread.hpp"
 
 #include <flint/flint.h>
@@ -19,7 +19,7 @@ using namespace libration;
 
 namespace {
 
-// The thread that the next proof of this one is computed in.
+// The thread in which the next proof is computed.
 std::thread::id next_thread() {
     std::thread::id found;
     REQUIRE(in_proof_thread([&] {
@@ -47,7 +47,7 @@ TEST_CASE("after a failure of FLINT another thread computes", "[scalar][ball]") 
     };
     CHECK(in_proof_thread([]() -> bool { flint_abort(); }) == call_ending::flint_failure);
     check_other();
-#if !defined(__SANITIZE_ADDRESS__)  // which ends the process for such sizes itself
+#if !defined(__SANITIZE_ADDRESS__)  // which ends the process for such sizes
     CHECK(in_proof_thread([] { return flint_malloc(SIZE_MAX / 4) != nullptr; }) == call_ending::no_memory);
     check_other();
     CHECK(in_proof_thread([] { return flint_calloc(SIZE_MAX / 16, 4) != nullptr; }) == call_ending::no_memory);
@@ -87,7 +87,7 @@ TEST_CASE("a proof has the usual floating-point environment, and the caller keep
     const precision_scope caller(33);
     int rounding = -1;
     next_thread();
-    std::thread([&] {  // whose proof thread begins with this environment
+    std::thread([&] {  // its proof thread starts with this environment
         std::fesetround(FE_DOWNWARD);
         in_proof_thread([&] {
             rounding = std::fegetround();

@@ -1,4 +1,4 @@
-// Formulas of numbers against values made without this library, their grammar, and what is refused.
+// Formulas of numbers compared with values computed without this library, their grammar, and rejected ones.
 #include "libration/scalar/text/expression_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr long reference_digits = 60;
 
-// What a reader says that refuses; "accepted" where it does not.
+// The error message of a reader; "accepted" if there is none.
 std::string refusal(const std::string& text, error_kind kind = error_kind::argument) {
     try {
         read_exact(text);
@@ -203,7 +203,7 @@ TEST_CASE("what no precision decides is said so", "[scalar][expression]") {
     CHECK(sign_of_exact(read_exact("exp(pi)-pi-20")) == -1);
 }
 
-// Whether the bounds of a typed number hold the truth, in bits whose last place the truth decides.
+// Whether the bounds of a typed number contain the true value, in bits whose last place is decided by the true value.
 bool within_bounds(const std::string& text, long bits, const ball& truth) {
     const exact number = read_exact(text);
     if (!number.formula) {

@@ -14,7 +14,7 @@ TEST_CASE("the distance of words counts letters left out, too many, wrong and ex
     CHECK(letters_apart("pariod", "period") == 1);
     CHECK(letters_apart("peroid", "period") == 1);
     CHECK(letters_apart("", "abc") == 3);
-    CHECK(letters_apart("kitten", "sitting") == 3);  // Levenshtein's own example
+    CHECK(letters_apart("kitten", "sitting") == 3);  // Levenshtein's original example
     CHECK(letters_apart("sitting", "kitten") == 3);
 }
 

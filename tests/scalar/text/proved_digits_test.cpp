@@ -1,4 +1,4 @@
-// A bound against the first digit of its decimal.
+// A bound compared with the first digit of its decimal.
 #include "libration/scalar/text/proved_digits.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ TEST_CASE("a proved decimal has a digit", "[scalar]") {
     CHECK_FALSE(has_a_digit({"9.99e-1000001", "1.01e-1000001"}));
     CHECK(has_a_digit({"123.4", "100"}));
     CHECK_FALSE(has_a_digit({"123.4", "1.01e2"}));
-    // 0 with a bound, which is all that is known; infinity; fractions, which are exact.
+    // 0 with a bound, where nothing else is known; infinity; fractions, which are exact.
     CHECK(has_a_digit({"0", "1e-60"}));
     CHECK(has_a_digit({"inf", "0"}));
     CHECK(has_a_digit({"22/7", "0"}));

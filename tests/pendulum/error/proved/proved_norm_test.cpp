@@ -30,7 +30,7 @@ TEST_CASE("proved norms hold those of refined samples", "[proved_norm]") {
                 INFO("E = " << text << ", N = " << order << ", resummed " << (method == arc_method::resummed));
                 const proved_maximum found = proved.norm(method, order);
                 const norm_at<mpfr> other = sampled.norm(method, order);
-                // The sampled maximum is right to the digits that were added, and so is its place to half of them.
+                // The sampled maximum is correct to the added digits, and its position to half of them.
                 const ball unit = ball(other.norm) * pow(ball(10), -wanted);
                 CHECK(overlaps(found.value, enclose(ball(other.norm), unit)));
                 CHECK(certainly_less(radius_of(found.value), unit));
