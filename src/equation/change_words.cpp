@@ -37,7 +37,7 @@ std::string started_in(const std::string& left) {
 [[noreturn]] void refuse(const std::string& change, const std::string& left, const char* what,
                          const std::vector<std::string>& own) {
     throw input_error("--set", change, fmt::format("does not name a {} of this problem{}", what, suggestion(left, own)),
-                      own.empty() ? fmt::format("leave it out: there is no {}", what)
+                      own.empty() ? fmt::format("leave it out, as there is no {}", what)
                                   : fmt::format("choose one of its own, {}", fmt::join(own, ", ")));
 }
 

@@ -110,7 +110,7 @@ TEST_CASE("a row that no proof reaches leaves the others their verdicts", "[comm
     CHECK(done.out.find("\n1e400,1,,,,undecided,\n1/2,1.6487212707,1.6487212707") != std::string::npos);
     CHECK(done.out.find("\n-1e300,1,,,,undecided,\n1e401,1,,,,undecided,\n1,2.5,2.7182818") != std::string::npos);
     CHECK(done.err.find("rows.csv:2: time '1e400' is not reached: the proof has reached ") != std::string::npos);
-    CHECK(done.err.find("rows.csv:5: time '1e401' is beyond that of another row") != std::string::npos);
+    CHECK(done.err.find("rows.csv:5: time '1e401' is beyond the time of another row") != std::string::npos);
     CHECK(done.err.find("rows.csv: 5 rows, 1 ok, 1 miss, 0 malformed, 3 undecided") != std::string::npos);
 }
 

@@ -12,8 +12,8 @@ namespace libration::tests {
 
 /// Whether the last sentence of a message is a remedy.
 inline bool has_remedy(const std::string& line) {
-    static const words verbs{"write ", "give ", "add ",   "use ", "choose ", "ask ",
-                             "make ",  "name ", "leave ", "run ", "see "};
+    static const words verbs{"write ", "give ",  "add ", "use ", "choose ",  "ask ",    "make ",
+                             "name ",  "leave ", "run ", "see ", "replace ", "shorten "};
     const auto colon = line.rfind(": ");
     return colon != std::string::npos && std::any_of(verbs.begin(), verbs.end(), [&](const std::string& verb) {
                return line.compare(colon + 2, verb.size(), verb) == 0;

@@ -80,12 +80,12 @@ TEST_CASE("what the approximants of Sakiadis' layer predict is the published tab
     };
     at(5, "-0.464241808775", "1.57791591603", "-1.9379232426");  // [Barlow2017], the table of Sakiadis
     at(7, "-0.445957694266", "1.61001774844", "-2.0928590899");
-    CHECK_THROWS_WITH(predicted_sakiadis(system, 3), Catch::Contains("4 at least"));
+    CHECK_THROWS_WITH(predicted_sakiadis(system, 3), Catch::Contains("at least 4"));
 }
 
 TEST_CASE("a problem without a known far behaviour is refused", "[problem][asymptotic]") {
     CHECK_THROWS_WITH(of("lorenz"), Catch::Contains("has no known asymptotic behaviour"));
-    CHECK_THROWS_WITH(of("rayleigh", {"R'(0) = 1"}), Catch::Contains("from rest alone"));
+    CHECK_THROWS_WITH(of("rayleigh", {"R'(0) = 1"}), Catch::Contains("only from rest"));
 }
 
 }  // namespace problem_far_behaviour_test
