@@ -37,6 +37,13 @@ constexpr long most_bits_of_collocation = 1024;
 // Steps of collocation without a fast mode after which it is no longer needed.
 constexpr int steps_without_fast_modes = 3;
 
+// Steps of Taylor series in the rest of the way that take as long as the preparation of collocation, at least.
+unsigned long steps_worth_collocation(long bits) {
+    constexpr unsigned long at_200_bits = 1000;
+    const auto times = static_cast<unsigned long>(std::max(200L, bits));
+    return at_200_bits * times * times * times / (200 * 200 * 200);
+}
+
 singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
     return system.singular() ? proved_singular_step(system, bits, route)
                              : singular_step{system, enclosed_start(system, bits), {}};
@@ -341,9 +348,15 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
 
 bool proved_march::may_use_collocation(const ball& rest) const {
     const bool fits = lifted_.given == lifted_.leaves.size() && lifted_.given <= most_unknowns_of_collocation;
-    return fits && bits_ <= most_bits_of_collocation && is_exact(time_) &&
-           route_.integrator != integrator_choice::taylor && !derivative_ && steps_ >= next_question_ &&
-           now_->length * magnitude(static_cast<unsigned long>(cost_of_collocation)) <= magnitude(rest);
+    if (!fits || bits_ > most_bits_of_collocation || !is_exact(time_) || derivative_ || steps_ < next_question_) {
+        return false;
+    }
+    switch (route_.integrator) {
+        case integrator_choice::taylor: return false;
+        case integrator_choice::collocation: return true;
+        case integrator_choice::automatic: break;
+    }
+    return now_->length * magnitude(steps_worth_collocation(bits_)) <= magnitude(rest);
 }
 
 // Checked after 8, 16, 32, ... steps.
