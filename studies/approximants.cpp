@@ -218,30 +218,30 @@ study_plan plan(const study_request& request) {
         });
 }
 
-const problem& problems_of_study() {
-    static const problem result(
-        "problems with a known far behaviour",
-        {{.name = "problem",
-          .option = "--problems",
-          .help = "problems of the catalogue with a known asymptotic behaviour: LIST",
-          .unit = "",
-          .form = axis_form::words,
-          .remedy = "write names such as blasius,sir",
-          .check =
-              [](const exact& each) {
-                  const auto& known = problems_with_far_behaviour();
-                  if (std::find(known.begin(), known.end(), each.text) == known.end()) {
-                      std::string names;
-                      for (const std::string& name : known) {
-                          names += (names.empty() ? "" : ", ") + name;
-                      }
-                      throw error(
-                          error_kind::argument, "list", "",
-                          "has '" + each.text + "', whose asymptotic behaviour is not known: choose among " + names);
-                  }
-              },
-          .coordinate = "problem",
-          .to_coordinate = {}}});
+const problem_family& problems_of_study() {
+    static const problem_family result{
+        .name = "problems with a known far behaviour",
+        .axes = {{.name = "problem",
+                  .option = "--problems",
+                  .help = "problems of the catalogue with a known asymptotic behaviour: LIST",
+                  .unit = "",
+                  .form = axis_form::words,
+                  .remedy = "write names such as blasius,sir",
+                  .check =
+                      [](const exact& each) {
+                          const auto& known = problems_with_far_behaviour();
+                          if (std::find(known.begin(), known.end(), each.text) == known.end()) {
+                              std::string names;
+                              for (const std::string& name : known) {
+                                  names += (names.empty() ? "" : ", ") + name;
+                              }
+                              throw error(error_kind::argument, "list", "",
+                                          "has '" + each.text +
+                                              "', whose asymptotic behaviour is not known: choose among " + names);
+                          }
+                      },
+                  .coordinate = "problem",
+                  .to_coordinate = {}}}};
     return result;
 }
 

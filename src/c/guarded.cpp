@@ -6,6 +6,7 @@
 #include "libration/digits/memory_need.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/supplied_quotient.hpp"
+#include "libration/scalar/text/list_items.hpp"
 
 namespace libration::c {
 
@@ -155,13 +156,11 @@ std::string trimmed(std::string_view text) {
 
 std::vector<std::string> items_of(const std::string& list, const char* name) {
     std::vector<std::string> items;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        items.push_back(trimmed(std::string_view(list).substr(begin, end - begin)));
+    for (const std::string_view each : list_items(list)) {
+        items.push_back(trimmed(each));
         if (items.back().empty()) {
             throw error(error_kind::argument, name, list, "has an empty item");
         }
-        begin = end + 1;
     }
     return items;
 }

@@ -20,22 +20,15 @@ namespace libration::c {
 namespace {
 
 libration_problem make_problem(const std::string& text, const std::string& settings) {
-    const bool typed = text.find('=') != std::string::npos;
-    ode::equation_system equations = ode::parse(typed ? text : std::string(problem_text(trimmed(text))));
+    problem read(trimmed(text));
     for (const auto& [name, value] : settings_of(settings, "settings")) {
         std::string change = name;
         change += " = ";
         change += value;
-        equations = ode::changed(std::move(equations), change);
+        read.set(change);
     }
-    const ode::explicit_system system(equations);
-    libration_problem made{std::move(equations), system, {}};
-    for (const auto& unknown : system.unknowns()) {
-        for (int j = 0; j < unknown.order; ++j) {
-            made.names.push_back(ode::primed(unknown.name, j));
-        }
-    }
-    return made;
+    const ode::explicit_system system(read.equations());
+    return {read.equations(), system, ode::names_of_state(system)};
 }
 
 exact time_of(const std::string& text) {

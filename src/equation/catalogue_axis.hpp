@@ -5,27 +5,27 @@
 #include <vector>
 
 #include "libration/problem/catalogue.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 
 namespace libration {
 
 /// Its only axis: --problems.
-inline const problem& catalogue_as_problem() {
-    static const problem result{"catalogue",
-                                {{.name = "problem",
-                                  .option = "--problems",
-                                  .help = "names of the catalogue: a,b,c, or all",
-                                  .unit = "",
-                                  .form = axis_form::words,
-                                  .remedy = "write names of `libration problems`, or all",
-                                  .check =
-                                      [](const exact& word) {
-                                          if (word.text != "all") {
-                                              static_cast<void>(problem_text(word.text));
-                                          }
-                                      },
-                                  .coordinate = "problem",
-                                  .to_coordinate = {}}}};
+inline const problem_family& catalogue_as_problem() {
+    static const problem_family result{"catalogue",
+                                       {{.name = "problem",
+                                         .option = "--problems",
+                                         .help = "names of the catalogue: a,b,c, or all",
+                                         .unit = "",
+                                         .form = axis_form::words,
+                                         .remedy = "write names of `libration problems`, or all",
+                                         .check =
+                                             [](const exact& word) {
+                                                 if (word.text != "all") {
+                                                     static_cast<void>(problem_text(word.text));
+                                                 }
+                                             },
+                                         .coordinate = "problem",
+                                         .to_coordinate = {}}}};
     return result;
 }
 

@@ -20,7 +20,6 @@ namespace libration {
 
 namespace {
 
-constexpr const char* nearer_times_remedy = "choose times nearer to the initial point";
 constexpr const char* problem_times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
 using complex = complex_number<mpfr>;
@@ -57,16 +56,6 @@ std::vector<ode::solution_state<complex>> states_along(const ode::explicit_syste
     const precision_scope wide(numbers.scalar.digits + digits_beyond);
     return with_scalar(numbers.scalar, 0,
                        [&]<class T>() { return in_wide_numbers(ode::states_along<T>(system, corners, times)); });
-}
-
-std::vector<std::string> names_of_values(const ode::explicit_system& system) {
-    std::vector<std::string> names;
-    for (const auto& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            names.push_back(ode::primed(each.name, j));
-        }
-    }
-    return names;
 }
 
 // The largest change of an invariant at each time; empty if the problem states none or its initial point is singular.
@@ -126,7 +115,7 @@ table table_along(const ode::explicit_system& system, const std::vector<ode::com
     }
     const auto states = states_along(system, corners, at, numbers);
     std::vector<column> columns{{"time_re", ""}, {"time_im", ""}};
-    for (const std::string& name : names_of_values(system)) {
+    for (const std::string& name : ode::names_of_state(system)) {
         columns.push_back({name + "_re", ""});
         columns.push_back({name + "_im", ""});
     }
@@ -148,7 +137,7 @@ table table_along(const ode::explicit_system& system, const std::vector<ode::com
 
 std::vector<column> columns_of_states(const ode::explicit_system& system) {
     std::vector<column> columns{{"time", ""}};
-    for (const std::string& name : names_of_values(system)) {
+    for (const std::string& name : ode::names_of_state(system)) {
         columns.push_back({name, ""});
     }
     columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"time_typed", ""}});
@@ -177,13 +166,17 @@ std::vector<exact> times_of_problem(const std::string& words) {
     return times;
 }
 
+void refuse_times(const error& missing) {
+    throw input_error("--times", missing.value(), missing.reason(), "choose times nearer to the initial point");
+}
+
 partial_table problem_trajectory(const solution& of, const std::vector<exact>& times, const arithmetic& numbers,
                                  const std::function<void(double)>& progress) {
     partial_table found =
         states_table(of, times, {.scalar = numbers.scalar, .digits = numbers.digits, .progress = progress});
     if (found.missing && found.missing->kind() == error_kind::argument) {
         if (found.rows.rows().empty()) {
-            throw input_error("--times", found.missing->value(), found.missing->reason(), nearer_times_remedy);
+            refuse_times(*found.missing);
         }
         found.missing = error(error_kind::undecided, "time", found.missing->value(), found.missing->reason());
     }

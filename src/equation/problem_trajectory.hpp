@@ -24,6 +24,9 @@ std::vector<ode::number> constants_of(const std::vector<exact>& times);
 /// time,<unknown and its lower derivatives>...,digits,rigour,time_typed.
 std::vector<column> columns_of_states(const ode::explicit_system& system);
 
+/// Throws input_error for times of which `missing` states that they are not reached.
+[[noreturn]] void refuse_times(const error& missing);
+
 /// The states of a solution (states_table): in mpfr each value correct to one unit in its last digit, by a closed form
 /// or by two integrations that differ in order and in precision (two-method), in fixed scalars as one integration
 /// computes it (heuristic), in balls each digit proved. Throws input_error if no time is reached in arithmetic that

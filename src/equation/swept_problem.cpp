@@ -56,7 +56,7 @@ axis axis_of(const set_axis& each) {
             .to_coordinate = {}};
 }
 
-problem axes_of(const swept_problem& of) {
+problem_family axes_of(const swept_problem& of) {
     const auto names = of.system.unknowns();
     const auto require_unknown = [names](const exact& word) {
         if (std::ranges::find(names, word.text) == names.end()) {
@@ -68,7 +68,7 @@ problem axes_of(const swept_problem& of) {
     for (const std::string& each : names) {
         listed += (listed.empty() ? "" : ",") + each;
     }
-    problem result{of.name, {}};
+    problem_family result{of.name, {}};
     for (const set_axis& each : of.sets) {
         result.axes.push_back(axis_of(each));
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 
 namespace libration {
 
@@ -28,7 +28,7 @@ struct swept_problem {
     std::string text;
     ode::equation_system system;
     std::vector<set_axis> sets;  ///< parameters in the order of the text, then initial values
-    problem axes;                ///< of the sets, of times and of unknowns
+    problem_family axes;         ///< of the sets, of times and of unknowns
 
     /// The system with these values, one for each of the sets, solved for its highest derivatives. Throws error if
     /// there is no solution.

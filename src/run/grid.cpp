@@ -7,23 +7,12 @@
 #include "libration/scalar/enclose.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/list_items.hpp"
 #include "libration/scalar/text/whole_number.hpp"
 
 namespace libration {
 
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const auto end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) {
-            return parts;
-        }
-        text.remove_prefix(end + 1);
-    }
-}
 
 // An item's complaint names the item, unless it is the whole text.
 [[noreturn]] void refuse(std::string_view item, std::string_view whole, const std::string& reason) {
@@ -133,9 +122,9 @@ std::vector<exact> read_range(const std::vector<std::string_view>& parts) {
 
 std::vector<exact> read_grid(std::string_view text) {
     std::vector<exact> values;
-    for (const std::string_view item : split(text, ',')) {
+    for (const std::string_view item : list_items(text)) {
         try {
-            const auto parts = split(item, ':');
+            const auto parts = list_items(item, ':');
             if (parts.size() == 1) {
                 values.push_back(read_exact(item));
                 continue;
@@ -161,7 +150,7 @@ int read_count(std::string_view text, int largest) {
 
 std::vector<int> read_counts(std::string_view text, int largest) {
     std::vector<int> values;
-    for (const std::string_view item : split(text, ',')) {
+    for (const std::string_view item : list_items(text)) {
         try {
             values.push_back(read_count(item, largest));
         } catch (const error& problem) {

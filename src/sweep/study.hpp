@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equation/swept_problem.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_plan.hpp"
 
@@ -73,7 +73,7 @@ struct study {
     /// How to read the figure and what it shows: whole sentences for a reader of the report. Measured numbers are
     /// written as {{...}} and are taken from the tables (text/measured_text.hpp).
     std::string reading = {};
-    const problem* of = nullptr;  ///< whose axes it has, in addition to those of every study
+    const problem_family* of = nullptr;  ///< whose axes it has, in addition to those of every study
     std::vector<study_parameter> parameters = {};
     std::vector<study_parameter> quick = {};    ///< (option, argument) of a run of at most one second, for the tests
     double seconds = 0;                         ///< with the default parameters, on two cores

@@ -5,7 +5,6 @@
 
 #include "equation/problem_trajectory.hpp"
 #include "libration/problem/axis.hpp"
-#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -30,8 +29,7 @@ table problem_table(const table_problem& of, const std::vector<exact>& times, lo
     const auto columns = columns_of(of.system, style);
     const partial_table values = problem_trajectory(*of.solution, times, {{scalar_kind::arbitrary, digits}, digits});
     if (values.missing) {
-        throw input_error("--times", values.missing->value(), values.missing->reason(),
-                          "choose times nearer to the start");
+        refuse_times(*values.missing);
     }
     table result = [&] {
         auto all = columns;

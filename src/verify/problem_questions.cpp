@@ -12,12 +12,10 @@
 namespace libration {
 
 problem_layout::problem_layout(ode::explicit_system system, ode::equation_system equations)
-    : system_(std::move(system)), equations_(std::move(equations)) {
-    all_ = ode::components_of(system_);
-    for (const ode::solution_component& each : all_) {
-        names_.push_back(ode::primed(system_.unknowns()[each.unknown].name, static_cast<int>(each.derivative)));
-    }
-}
+    : system_(std::move(system)),
+      equations_(std::move(equations)),
+      names_(ode::names_of_state(system_)),
+      all_(ode::components_of(system_)) {}
 
 std::vector<known_column> problem_layout::known() const {
     std::vector<known_column> columns{{"time", {"time", system_.variable()}}};

@@ -14,7 +14,7 @@
 #include "libration/problem/known/proved/painleve_1.hpp"
 #include "libration/problem/known/proved/sakiadis.hpp"
 #include "libration/problem/known/proved/thomas_fermi.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 #include "named_choice.hpp"
 #include "sweep/study.hpp"
 
@@ -248,8 +248,8 @@ study_plan plan(const study_request& request) {
         [all](std::size_t i) { return std::vector<table>{rows_of_kind(all[i])}; });
 }
 
-const problem& values_in_print() {
-    static const problem result("values in print", {proved::axis_of(values_to_choose())});
+const problem_family& values_in_print() {
+    static const problem_family result{.name = "values in print", .axes = {proved::axis_of(values_to_choose())}};
     return result;
 }
 

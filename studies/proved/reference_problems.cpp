@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "libration/ode/proved/condition_numbers.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 #include "named_choice.hpp"
 #include "reference_files.hpp"
 #include "solution_facts.hpp"
@@ -140,8 +140,8 @@ study_plan plan(const study_request& request) {
     return result;
 }
 
-const problem& problems_of_study() {
-    static const problem result("test problems", {proved::axis_of(problems_to_choose())});
+const problem_family& problems_of_study() {
+    static const problem_family result{.name = "test problems", .axes = {proved::axis_of(problems_to_choose())}};
     return result;
 }
 

@@ -6,7 +6,7 @@
 
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/constants.hpp"
 #include "sweep/study.hpp"
@@ -148,10 +148,10 @@ axis axis_named(const std::string& name, const std::string& help) {
             .to_coordinate = {}};
 }
 
-const problem& epidemics() {
-    static const problem result{"SIR epidemics",
-                                {axis_named("reproduction", "r S(0)/a: LIST or a:b:count"),
-                                 axis_named("infected", "r I(0)/a: LIST or a:b:count")}};
+const problem_family& epidemics() {
+    static const problem_family result{"SIR epidemics",
+                                       {axis_named("reproduction", "r S(0)/a: LIST or a:b:count"),
+                                        axis_named("infected", "r I(0)/a: LIST or a:b:count")}};
     return result;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libration/ode/proved/condition_numbers.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 #include "named_choice.hpp"
 #include "solution_facts.hpp"
 #include "solver_peers.hpp"
@@ -252,18 +252,19 @@ void check_tolerance(const exact& each) {
     }
 }
 
-const problem& problems_of_study() {
-    static const problem result("test problems", {proved::axis_of(problems_to_choose()),
-                                                  proved::axis_of(solvers_to_choose()),
-                                                  {.name = "tolerance",
-                                                   .option = "--tolerances",
-                                                   .help = "requested tolerances of the solvers, relative and absolute",
-                                                   .unit = "",
-                                                   .form = axis_form::numbers,
-                                                   .remedy = "write a list such as 1e-4,1e-8,1e-12",
-                                                   .check = check_tolerance,
-                                                   .coordinate = "tolerance",
-                                                   .to_coordinate = {}}});
+const problem_family& problems_of_study() {
+    static const problem_family result{.name = "test problems",
+                                       .axes = {proved::axis_of(problems_to_choose()),
+                                                proved::axis_of(solvers_to_choose()),
+                                                {.name = "tolerance",
+                                                 .option = "--tolerances",
+                                                 .help = "requested tolerances of the solvers, relative and absolute",
+                                                 .unit = "",
+                                                 .form = axis_form::numbers,
+                                                 .remedy = "write a list such as 1e-4,1e-8,1e-12",
+                                                 .check = check_tolerance,
+                                                 .coordinate = "tolerance",
+                                                 .to_coordinate = {}}}};
     return result;
 }
 

@@ -59,8 +59,8 @@ std::map<std::string, rooms> order_of_rooms() {
         time = energy + rooms{"pendulum/time"}, solution = time + rooms{"pendulum/solution"},
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
         arc = taylor + rooms{"pendulum/arc"},
-        proofs = balls + functions + rooms{"function/ball", "approximant/proved", "elliptic/proved",
-                                           "ode/ball",      "ode/singularity",    "ode/rigorous",       "ode/proved"},
+        proofs = balls + functions + rooms{"function/ball",   "approximant/proved", "elliptic/proved", "ode/ball",
+                                           "ode/singularity", "ode/rigorous",       "ode/proved"},
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
@@ -378,7 +378,7 @@ TEST_CASE("a crooked house is noticed", "[house]") {
                       convergence = "include/libration/convergence/radius_verdict.hpp",
                       elliptic = "include/libration/elliptic/jacobi.hpp",
                       pendulum = "include/libration/pendulum/energy/period.hpp", sweep = "src/sweep/study.hpp",
-                      problem = "include/libration/problem/problem.hpp",
+                      problem = "include/libration/problem/problem_family.hpp",
                       known = "include/libration/problem/known/pendulum.hpp", study = "studies/error_norm.cpp",
                       command = "src/main.cpp";
     const house straight{{scalar, ""},   {series, ""},   {approximant, ""}, {convergence, ""},

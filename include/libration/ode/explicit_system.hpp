@@ -87,4 +87,7 @@ private:
     std::vector<definition> exact_;
 };
 
+/// The names of the unknowns and their lower derivatives, in order: x, x', ...
+std::vector<std::string> names_of_state(const explicit_system& system);
+
 }  // namespace libration::ode

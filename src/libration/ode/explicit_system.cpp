@@ -177,4 +177,14 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
     }
 }
 
+std::vector<std::string> names_of_state(const explicit_system& system) {
+    std::vector<std::string> names;
+    for (const unknown_function& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            names.push_back(primed(each.name, j));
+        }
+    }
+    return names;
+}
+
 }  // namespace libration::ode

@@ -38,12 +38,12 @@ expression in_states(const expression& e, const state_places& states, const std:
 
 }  // namespace
 
-first_order_form::first_order_form(const explicit_system& system) : unknowns_(system.unknowns()) {
+first_order_form::first_order_form(const explicit_system& system)
+    : names(names_of_state(system)), unknowns_(system.unknowns()) {
     const state_places states = states_of(unknowns_);
     for (const unknown_function& each : system.unknowns()) {
         for (int j = 0; j < each.order; ++j) {
             leaves.push_back(unknown("y" + std::to_string(leaves.size())));
-            names.push_back(primed(each.name, j));
             given.push_back(unknown(each.name, j));
         }
     }

@@ -50,7 +50,7 @@ TEST_CASE("a fraction stands as a decimal, exact where it ends, and as it was ty
 }
 
 TEST_CASE("the axes of energy and gap are one coordinate", "[problem]") {
-    const problem& pendulum = pendulum_problem();
+    const problem_family& pendulum = pendulum_problem();
     REQUIRE(pendulum.axes.size() == 6);
     CHECK(pendulum.axes[0].name == "energy");
     CHECK(pendulum.axes[1].name == "gap");

@@ -12,9 +12,11 @@
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/step_length.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
-#include "libration/ode/rigorous/collocation_integrator.hpp"
+#include "libration/ode/rigorous/tube.hpp"
 
 namespace libration::ode {
+
+class collocation_phase;
 
 /// Progress callback, called occasionally between two steps with the time reached by a run and the bits it began with.
 /// An exception that it throws ends the run, which can be continued afterwards.
@@ -100,8 +102,8 @@ public:
     long bits() const { return bits_; }
     /// A bound of the set, |x_i - c_i|.
     magnitude width() const;
-    /// How many of the steps were of collocation.
-    long collocation_steps() const { return collocation_steps_; }
+    /// The number of steps of collocation.
+    long collocation_steps() const;
 
 private:
     struct expansions;
@@ -117,10 +119,11 @@ private:
     bool stopped_by_bounds();
     std::vector<ball> flow_of_centre(const ball& distance) const;
     std::vector<ball> whole_set() const;
-    bool may_use_collocation(const ball& rest) const;
+    tube_set tube_of_set() const;
     bool begins_collocation(const ball& rest);
-    void end_collocation();
     void step_of_collocation();
+    bool loses_an_unknown(const tube_set& set) const;
+    void end_collocation();
     void count_steps(long count);
 
     lifted_system lifted_;
@@ -142,12 +145,7 @@ private:
     march_end end_ = march_end::none;
     std::vector<ball> before_;
     std::optional<explicit_system> singular_;  ///< if it begins after a singular initial point
-    std::unique_ptr<collocation_integrator> collocation_;
-    bool in_collocation_ = false;
-    long collocation_steps_ = 0;
-    long steps_of_phase_ = 0;  ///< consecutive steps of collocation
-    magnitude length_to_pay_;
-    long next_question_, questions_apart_;  ///< the steps after which stiffness is checked
+    std::unique_ptr<collocation_phase> collocation_;
 };
 
 }  // namespace libration::ode

@@ -9,39 +9,39 @@
 
 namespace libration::ode {
 
-/// Steps of theorem K for the polynomial form of a system, in sequence: where each begins in the set in which the last
-/// one ended, its tube holds every solution that began in the first set.
+/// Steps of theorem K for the polynomial form of a system, in sequence: each begins with the set in which the previous
+/// one ended, so that its tube contains every solution that began in the first set.
 ///
-/// A step: Newton's method for the polynomials that satisfy the equation in Chebyshev-Radau nodes, with the eigenvalues
-/// of f_y in the middle; those that die within the step are fast. V has constant fast columns, the eigenvectors, and slow
-/// ones that solve v' = f_y v, kept from step to step as long as their number and their angles permit. The length is
-/// such that the last coefficients are below what the bits are worth, and that no unknown decays by more than about
-/// 10^-5, so that each has its digits relative to itself. None of this is relied on: the tube is proved from the
-/// polynomials alone.
+/// The polynomials of a step satisfy the equation at Chebyshev-Radau nodes, by Newton's method. Modes, by the eigenvalues
+/// of f_y in the middle, that decay within the step are fast. V has constant fast columns, the eigenvectors, and slow ones
+/// that solve v' = f_y v and are kept from step to step as long as their number and their angles permit. The length is
+/// chosen such that the last coefficients are negligible in the given bits, and that no unknown decays by more than about
+/// 10^-5, so that each has its own relative precision. The proof does not assume any of this: the tube is proved from
+/// the polynomials alone.
 class collocation_integrator {
 public:
     /// `more_terms` is added to the degree of the polynomials, for a second proof.
     collocation_integrator(const lifted_system& of, long bits, int more_terms = 0);
     ~collocation_integrator();
 
-    /// Whether explicit steps of this length are far too short: the solution from this state is smooth over some 20 of
-    /// them, as a method that stiffness does not limit finds in double. No proof depends on it.
+    /// True if explicit steps of this length are much too short: the solution from this state is smooth over 32 of them,
+    /// estimated by an L-stable method in long double. No proof depends on it.
     bool is_smooth_over(const ball& time, const std::vector<ball>& state, const ball& length) const;
 
-    /// Where it begins, `length` the first length that is tried, its sign the direction.
+    /// Sets the initial time and set; `length` is the first length that is tried, and its sign the direction.
     void begin(const ball& time, tube_set start, const ball& length);
-    /// Makes a step from reached() ready; false where none is proved, however short.
+    /// Prepares a step from reached(); false if no step can be proved after many reductions of its length.
     bool prepare();
-    /// Over which the step that is ready holds, exact; of the sign of the direction.
+    /// The length of the prepared step, exact, with the sign of the direction.
     const ball& length() const;
     /// The unknowns at a distance from reached(), between 0 and length(); after prepare().
     std::vector<ball> values_at(const ball& distance) const;
-    /// Takes the step that is ready.
+    /// Takes the prepared step.
     void step();
 
     const ball& reached() const;
     const tube_set& set() const;
-    /// In so many steps behind each other no mode was fast.
+    /// The number of consecutive steps up to now without a fast mode.
     int steps_without_fast_modes() const;
 
 private:

@@ -1,4 +1,4 @@
-// Tubes about approximate solutions, in frames that move along: theorem K.
+// Tubes around approximate solutions, in moving frames: theorem K.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace libration::ode {
 
-/// Coefficients of 1, x, x^2, ..; none of them is the polynomial 0.
+/// Coefficients of 1, x, x^2, ...; empty for the polynomial 0.
 using ball_polynomial = std::vector<ball>;
 
 /// From `start`, over a length of either sign; both exact. On it t = start + (1 + x) length/2, -1 <= x <= 1.
@@ -22,10 +22,10 @@ struct step_interval {
 struct tube_set {
     std::vector<ball> centre;
     std::vector<std::vector<ball>> columns;  ///< each as long as the centre
-    std::vector<std::size_t> blocks;         ///< how many columns each has
-    std::vector<magnitude> radii;            ///< one a block
-    std::vector<magnitude> added;            ///< one an unknown
-    std::size_t slow = 0;                    ///< so many columns in front follow the flow
+    std::vector<std::size_t> blocks;         ///< the number of columns of each
+    std::vector<magnitude> radii;            ///< one per block
+    std::vector<magnitude> added;            ///< one per unknown
+    std::size_t slow = 0;                    ///< the number of leading columns that follow the flow
 
     /// A bound of |y_i - centre_i| over the set.
     magnitude reach(std::size_t i) const;
@@ -33,18 +33,18 @@ struct tube_set {
 
 /// Theorem K. Let f be continuous with a continuous derivative f_y, on a step s <= t <= u let p(t) and V(t) be
 /// continuously differentiable, V invertible, its columns in blocks b of one or two, and r_b(t) >= 0 continuous and
-/// piecewise differentiable. Let U(t) = { p + V e : |e_b| <= r_b for all b } lie where f is given, and
+/// piecewise differentiable. Let U(t) = { p + V e : |e_b| <= r_b for all b } be in the domain of f, and
 ///     B(t, y) = V^-1 (f_y(t, y) V - V'),    d(t) = V^-1 (p' - f(t, p)),
 ///     a_bb(t) >= mu(B_bb(t, y)), a_bc(t) >= ||B_bc(t, y)|| for b != c, y in U(t),    delta_b(t) >= |d_b(t)|,
 /// mu(M) the largest eigenvalue of (M + M^T)/2 with its sign. If
 ///     r_b' >= sum_c a_bc r_c + delta_b    at all t but finitely many, for all b,
 /// every solution of y' = f(t, y) with y(s) in U(s) exists on the whole step and is in U(t) for all t of it. a_bb may be
-/// negative: what makes a problem stiff makes the tube narrow.
+/// negative, so that fast decaying modes make the tube narrow.
 ///
 /// Proof. y = p + V e solves the equation iff e' = F(t, e) = V^-1 (f(t, p + V e) - V' e - p'). For |e_b| <= r_b the
 /// segment from p to p + V e is in U(t), so F(t, e) = M e - d with M = int_0^1 B(t, p + x V e) dx; mu and norms are
-/// convex, so mu(M_bb) <= a_bb and ||M_bc|| <= a_bc. Let c(t, e) shorten each e_b to the length r_b(t) where it is
-/// longer. By Peano e' = F(t, c(t, e)), continuous and bounded, has a solution on the step with the given start. Where
+/// convex, so mu(M_bb) <= a_bb and ||M_bc|| <= a_bc. Let c(t, e) shorten each e_b to the length r_b(t) if it is
+/// longer. By Peano e' = F(t, c(t, e)), continuous and bounded, has a solution on the step with the given initial value. Where
 /// |e_b| > r_b, with w = e_b/|e_b| and c_b = r_b w,
 ///     |e_b|' = r_b <w, M_bb w> + sum_(c != b) <w, M_bc c_c> - <w, d_b> <= sum_c a_bc r_c + delta_b <= r_b',
 /// so |e_b| - r_b does not grow while it is positive; it begins at 0 or below, and is never positive. So c(t, e) = e, p +
@@ -57,7 +57,7 @@ struct tube_set {
 /// + N) W with |N| <= n = z + (row sums of z^2)/(1 - q). With J = f_y(t, p) and |f_y(t, y) - J| <= D on U(t)
 ///     |B - W (J V - V')| <= n |W (J V - V')| + (1 + n) |W| D |V|,    |d| <= (1 + n) |W (p' - f(t, p))|.
 /// On polynomials |.| is the sum of |Chebyshev coefficients|, a bound on [-1, 1]. W (p' - f) is multiplied out before
-/// bounds are taken: the slow rows do not see how stiff the fast ones are.
+/// bounds are taken, so that the slow rows are not affected by the stiffness of the fast ones.
 class solution_tube {
 public:
     step_interval on;
@@ -69,7 +69,7 @@ public:
     /// r at both ends.
     std::vector<magnitude> first, last;
 
-    /// The unknowns at a distance from the start of the step, within it.
+    /// The unknowns at a distance from the beginning of the step, within it.
     std::vector<ball> values_at(const ball& distance) const;
     /// The set at the end, rounded to so many bits.
     tube_set end(long bits, long frame_bits) const;

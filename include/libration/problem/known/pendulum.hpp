@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libration/pendulum/energy/period.hpp"
-#include "libration/problem/problem.hpp"
+#include "libration/problem/problem_family.hpp"
 
 namespace libration {
 
@@ -37,7 +37,7 @@ sweep_period_rule read_period_rule(std::string_view text);
 
 /// The axes energy, gap (which are one coordinate), time, point (fractions of T*, 0 the top, 1 the bottom), periods
 /// and period_by.
-const problem& pendulum_problem();
+const problem_family& pendulum_problem();
 
 /// The values on the axes of the pendulum.
 struct pendulum_sweep {

@@ -28,18 +28,10 @@ expression with_leaves(const expression& e, const first_order_form& form, const 
 }
 
 std::vector<std::size_t> places_in(const explicit_system& whole, const explicit_system& part) {
+    const auto all = names_of_state(whole);
     std::vector<std::size_t> places;
-    for (const unknown_function& each : part.unknowns()) {
-        std::size_t first = 0;
-        for (const unknown_function& other : whole.unknowns()) {
-            if (other.name == each.name) {
-                break;
-            }
-            first += static_cast<std::size_t>(other.order);
-        }
-        for (int j = 0; j < each.order; ++j) {
-            places.push_back(first + static_cast<std::size_t>(j));
-        }
+    for (const std::string& each : names_of_state(part)) {
+        places.push_back(static_cast<std::size_t>(std::ranges::find(all, each) - all.begin()));
     }
     return places;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "collocation_phase.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "set_values.hpp"
@@ -24,25 +25,6 @@ constexpr long bits_unwatched = 4096;
 constexpr double worth_more_terms = 0.3;
 // The bits of the error map that its largest terms may lose before its precision is increased.
 constexpr double bits_to_lose = 16;
-// Steps of Taylor series before the first question whether the equations are stiff; twice as many before each next one.
-constexpr long steps_before_question = 8;
-// A step of collocation takes about as long as so many of Taylor series, and counts as many.
-constexpr long cost_of_collocation = 32;
-// Steps of collocation in which their length may grow beyond that of so many of Taylor series.
-constexpr long steps_to_pay = 6;
-// More unknowns take too long, as the cost of a step grows with their cube.
-constexpr std::size_t most_unknowns_of_collocation = 40;
-// More bits too, as that of the matrix of integration grows with the cube of the degree.
-constexpr long most_bits_of_collocation = 1024;
-// Steps of collocation without a fast mode after which it is no longer needed.
-constexpr int steps_without_fast_modes = 3;
-
-// Steps of Taylor series in the rest of the way that take as long as the preparation of collocation, at least.
-unsigned long steps_worth_collocation(long bits) {
-    constexpr unsigned long at_200_bits = 1000;
-    const auto times = static_cast<unsigned long>(std::max(200L, bits));
-    return at_200_bits * times * times * times / (200 * 200 * 200);
-}
 
 singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
     return system.singular() ? proved_singular_step(system, bits, route)
@@ -95,8 +77,7 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
       scales_(start),
       set_bits_(error_bits),
       watch_(std::move(watch)),
-      next_question_(route.integrator == integrator_choice::collocation ? 0 : steps_before_question),
-      questions_apart_(steps_before_question) {
+      collocation_(std::make_unique<collocation_phase>(lifted_, bits, route)) {
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
     origin_ = time_;
@@ -319,15 +300,14 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     try {
         for (;;) {
             const ball distance = target - time_;
-            if (in_collocation_ && collocation_->prepare() && !contains_zero(distance)) {
-                const ball& length = collocation_->length();
-                if (magnitude(distance) <= magnitude(length)) {
-                    return collocation_->values_at(distance);
+            if (collocation_->is_active() && collocation_->prepare() && !contains_zero(distance)) {
+                if (magnitude(distance) <= magnitude(collocation_->integrator().length())) {
+                    return collocation_->integrator().values_at(distance);
                 }
                 step_of_collocation();
                 continue;
             }
-            if (in_collocation_) {
+            if (collocation_->is_active()) {
                 end_collocation();
             }
             if (!prepare()) {
@@ -346,83 +326,48 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     return std::nullopt;
 }
 
-bool proved_march::may_use_collocation(const ball& rest) const {
-    const bool fits = lifted_.given == lifted_.leaves.size() && lifted_.given <= most_unknowns_of_collocation;
-    if (!fits || bits_ > most_bits_of_collocation || !is_exact(time_) || derivative_ || steps_ < next_question_) {
-        return false;
-    }
-    switch (route_.integrator) {
-        case integrator_choice::taylor: return false;
-        case integrator_choice::collocation: return true;
-        case integrator_choice::automatic: break;
-    }
-    return now_->length * magnitude(steps_worth_collocation(bits_)) <= magnitude(rest);
+tube_set proved_march::tube_of_set() const {
+    const std::size_t count = errors_.size();
+    return {centre_, errors_.columns(), std::vector<std::size_t>(count, 1), errors_.widths(), errors_.added(), count};
 }
 
-// Checked after 8, 16, 32, ... steps.
 bool proved_march::begins_collocation(const ball& rest) {
-    if (!may_use_collocation(rest)) {
-        return false;
-    }
-    next_question_ = steps_ + questions_apart_;
-    questions_apart_ *= 2;
-    if (!collocation_) {
-        collocation_ = std::make_unique<collocation_integrator>(lifted_, bits_, route_.more_terms);
-    }
-    const ball length = arb_is_negative(rest.handle()) != 0 ? -now_->length.exact() : now_->length.exact();
-    if (route_.integrator != integrator_choice::collocation && !collocation_->is_smooth_over(time_, centre_, length)) {
-        return false;
-    }
-    tube_set set;
-    set.centre = centre_;
-    set.columns = errors_.columns();
-    set.blocks.assign(set.columns.size(), 1);
-    set.radii = errors_.widths();
-    set.added = errors_.added();
-    set.slow = set.columns.size();
-    collocation_->begin(time_, std::move(set), length);
-    in_collocation_ = collocation_->prepare();
-    steps_of_phase_ = 0;
-    length_to_pay_ = now_->length * magnitude(static_cast<unsigned long>(cost_of_collocation));
-    return in_collocation_;
+    return !derivative_ && collocation_->may_begin(steps_, time_, now_->length, rest) &&
+           collocation_->begin(steps_, time_, tube_of_set(), now_->length, rest);
 }
 
 void proved_march::step_of_collocation() {
-    const bool pays = length_to_pay_ <= magnitude(collocation_->length());
-    collocation_->step();
-    time_ = collocation_->reached();
-    ++collocation_steps_;
-    count_steps(cost_of_collocation);
-    if (route_.integrator == integrator_choice::collocation) {
-        return;
+    count_steps(collocation_phase::cost_of_step);
+    const bool continues = collocation_->step(steps_);
+    time_ = collocation_->integrator().reached();
+    if (!continues || loses_an_unknown(collocation_->integrator().set())) {
+        end_collocation();
     }
-    const tube_set& set = collocation_->set();
+}
+
+// By the state alone, also for an unknown near 0; the next step of Taylor series decides.
+bool proved_march::loses_an_unknown(const tube_set& set) const {
     std::vector<magnitude> reach;
     for (std::size_t i = 0; i < set.centre.size(); ++i) {
         reach.push_back(set.reach(i));
     }
-    if ((++steps_of_phase_ > steps_to_pay && !pays) || scales_.may_be_lost(set.centre, reach, widest_set)) {
-        end_collocation();
-    } else if (collocation_->steps_without_fast_modes() >= steps_without_fast_modes) {
-        end_collocation();
-        questions_apart_ = steps_before_question;
-        next_question_ = steps_ + questions_apart_;
-    }
+    return scales_.may_be_lost(set.centre, reach, widest_set);
 }
 
-// A block of two columns with the Euclidean norm lies in a box.
+// A block of two columns with the Euclidean norm is contained in a box.
 void proved_march::end_collocation() {
-    const tube_set& set = collocation_->set();
+    const tube_set& set = collocation_->integrator().set();
     std::vector<magnitude> widths;
     for (std::size_t b = 0; b < set.blocks.size(); ++b) {
         widths.insert(widths.end(), set.blocks[b], set.radii[b]);
     }
     centre_ = set.centre;
     errors_ = error_frame(set.columns, std::move(widths), set.added);
-    in_collocation_ = false;
     now_->ready = false;
-    next_question_ = steps_ + questions_apart_;
+    collocation_->end();
 }
+
+long proved_march::collocation_steps() const { return collocation_->steps(); }
 
 std::vector<ball> proved_march::values_at(const ball& distance) const {
     auto values = flow_of_centre(distance);

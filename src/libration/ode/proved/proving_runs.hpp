@@ -84,17 +84,6 @@ struct further_question {
     std::vector<std::size_t> places = {};
 };
 
-/// The names of the unknowns and their lower derivatives, in order.
-inline std::vector<std::string> names_of_state(const explicit_system& system) {
-    std::vector<std::string> names;
-    for (const unknown_function& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            names.push_back(primed(each.name, j));
-        }
-    }
-    return names;
-}
-
 /// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
 /// or no run proves more.
 class proving_runs {

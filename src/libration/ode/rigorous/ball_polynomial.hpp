@@ -14,7 +14,7 @@ ball_polynomial difference_of(const ball_polynomial& a, const ball_polynomial& b
 /// By guarded products of whole sequences (scalar/ball/polynomial.hpp).
 ball_polynomial product_of(const ball_polynomial& a, const ball_polynomial& b);
 ball_polynomial multiple_of(const ball& factor, const ball_polynomial& a);
-/// 2^e a, exactly.
+/// a 2^e, exactly.
 ball_polynomial shifted(ball_polynomial a, long e);
 inline ball shifted(ball a, long e) {
     arb_mul_2exp_si(a.handle(), a.handle(), e);
@@ -41,15 +41,15 @@ struct polynomial_ring {
     static ball_polynomial ratio(int p, int q, const ball_polynomial& a) { return multiple_of(ball(p) / ball(q), a); }
 };
 
-/// Chebyshev coefficients of polynomials, by x^k = sum_l w_kl T_l(x), w >= 0, sum_l w_kl = 1: no radius grows.
+/// Chebyshev coefficients of polynomials, by x^k = sum_l w_kl T_l(x), w >= 0, sum_l w_kl = 1, so that radii are not amplified.
 class chebyshev_form {
 public:
     explicit chebyshev_form(long bits) : bits_(bits) {}
 
     /// sum_l |c_l| >= |a(x)| on [-1, 1].
     magnitude supremum(const ball_polynomial& a);
-    /// An upper bound of a(x), with its sign, on each of so many equal parts of [-1, 1], a power of two: the value in
-    /// the middle, and half of the length times a bound of |a'|.
+    /// An upper bound of a(x), with its sign, on each of `parts` equal parts of [-1, 1], `parts` a power of two: the
+    /// value at the midpoint plus half of the length times a bound of |a'|.
     std::vector<ball> upper_bounds(const ball_polynomial& a, int parts);
 
 private:

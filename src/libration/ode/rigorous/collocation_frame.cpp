@@ -9,12 +9,12 @@ namespace libration::ode {
 
 namespace {
 
-// Decimal digits of frames, and of how large their inverses may be before the slow columns are chosen anew.
+// The decimal digits of frames, and log2 of the norm of their inverses from which the slow columns are chosen again.
 constexpr double digits_of_frame = 15;
 constexpr long kept_inverse = 10;    // 2^10
 constexpr long usable_inverse = 20;  // 2^20
 constexpr int most_refinements = 6;
-// Below every radius, so that the error set comes first.
+// Smaller than every radius, so that the columns of the error set have priority.
 constexpr long last_resort = -100'000;
 
 dense_matrix of_columns(const ball_columns& slow, const ball_columns& fast) {
@@ -39,10 +39,10 @@ std::vector<ball> of_length_1(std::vector<ball> v) {
 
 }  // namespace
 
-// The slow columns at the start of the step. The old ones at the end of the last step, where their number is the same
-// and they are far enough from each other and from the fast ones: then nothing is wrapped. Else the subspace of their
-// longest combinations with slow modes of the middle, and in it along the fast columns a basis of the largest columns of
-// the error set [Lohner].
+// The slow columns at the start of the step: those at the end of the previous step if their number is the same and they
+// are far enough from each other and from the fast ones, so that no wrapping occurs. Otherwise the subspace of their
+// longest combinations with slow modes of the middle, and in it, along the fast columns, a basis of the largest columns
+// of the error set, by Lohner's rule.
 bool collocation_solver::slow_start(ball_columns& slow) {
     const std::size_t asked = modes_->slow.size();
     ball_columns old;
@@ -97,7 +97,7 @@ bool collocation_solver::slow_start(ball_columns& slow) {
     return true;
 }
 
-// The solutions of s' = J s with these starts in the nodes, by the factors of Newton's matrix.
+// The solutions of s' = J s with these initial values, at the nodes, by the factors of Newton's matrix.
 std::optional<collocation_solver::columns_at_nodes> collocation_solver::slow_columns(const ball_columns& start) const {
     columns_at_nodes result;
     const auto n = static_cast<int>(count());

@@ -10,18 +10,17 @@ namespace libration::ode {
 
 namespace {
 
-// Of the scale of the solution, what explicit steps are at most where they are far too short.
+// Explicit steps are much too short if the solution is smooth over this number of them: if the guide integrates it to the
+// tolerance in at most so many steps, and no unknown decays below this part of itself.
 constexpr long steps_of_smoothness = 32;
 constexpr int guide_steps_of_smoothness = 20;
 constexpr long double tolerance_of_smoothness = 1e-3L;
 constexpr long double decay_of_smoothness = 1e-6L;
-// How a length grows at most, and by how much it falls at least where a step was too long.
+// Limits of the change of the length from step to step.
 constexpr double largest_growth = 3;
 constexpr double smallest_growth = 0.3;
 constexpr double safety = 0.9;
 constexpr int most_rejections = 60;
-// The accepted tail of an unknown is not asked to be so many decimal digits below its error set.
-constexpr double digits_below_set = 0;
 
 std::vector<long double> rounded_constants(const polynomial_map& map) {
     const precision_scope scope(40);
@@ -50,7 +49,7 @@ struct collocation_integrator::parts {
           constants(enclosed_constants(map, accuracy.product_bits)),
           guide(map, rounded_constants(map)) {}
 
-    // What is costly, when the first step is made.
+    // The costly parts, needed for the first step.
     void make_ready() {
         if (!nodes) {
             nodes = std::make_unique<collocation_nodes>(accuracy.degree, accuracy.product_bits);
@@ -60,7 +59,7 @@ struct collocation_integrator::parts {
     }
 
     std::vector<magnitude> floors() const {
-        const auto lower = static_cast<long>((accuracy.accepted - digits_below_set) * std::log2(10.));
+        const auto lower = static_cast<long>(accuracy.accepted * std::log2(10.));
         std::vector<magnitude> result;
         for (std::size_t i = 0; i < map.size(); ++i) {
             result.push_back(set.reach(i).shifted(lower));
@@ -74,7 +73,7 @@ struct collocation_integrator::parts {
         next = midpoint_alone(next);
     }
 
-    // Whether the step of the present length is proved; else the length is changed.
+    // True if the step of the present length is proved; otherwise changes the length.
     bool attempt() {
         const step_interval on{time, next};
         const auto ended = solver->solve(on, set, floors());
@@ -135,7 +134,7 @@ bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<
         return false;
     }
     const auto found = parts_->guide.states(asked, {1.0L});
-    // An unknown that decays needs steps in which it keeps its size.
+    // A decaying unknown is resolved by steps that do not reduce it much.
     const auto keeps_size = [&](std::size_t i) {
         return std::fabs(found->front()[i]) >= decay_of_smoothness * std::fabs(asked.start[i]);
     };

@@ -7,8 +7,8 @@
 
 namespace libration::ode {
 
-/// Interpolation by polynomials of degree N in N+1 nodes, and integration of these from -1: linear maps of the values
-/// in the nodes, exact but for rounding (the discrete orthogonality of cos(k theta) in theta_j = 2 pi j/(2N+1)).
+/// Interpolation by polynomials of degree N at N+1 nodes, and integration of these from -1: linear maps of the values
+/// at the nodes, exact up to rounding (the discrete orthogonality of cos(k theta) in theta_j = 2 pi j/(2N+1)).
 class collocation_nodes {
 public:
     collocation_nodes(int degree, long bits);
@@ -17,13 +17,13 @@ public:
     std::size_t size() const { return places_.size(); }
     /// x_i, ascending.
     const std::vector<ball>& places() const { return places_; }
-    /// integral from -1 to x_i, row i, by values in the nodes.
+    /// Row i maps the values at the nodes to the integral from -1 to x_i.
     const dense_matrix& integrals() const { return integrals_; }
     const std::vector<double>& rounded_integrals() const { return rounded_; }
     /// Chebyshev coefficients of the interpolant, and of its integral from -1.
     const dense_matrix& coefficients() const { return coefficients_; }
     const dense_matrix& coefficients_of_integral() const { return integral_coefficients_; }
-    /// Powers of x in which sum_l c_l T_l(x) is written.
+    /// The coefficients of sum_l c_l T_l(x) in powers of x.
     std::vector<ball> powers(const std::vector<ball>& chebyshev) const;
 
 private:

@@ -13,14 +13,14 @@ namespace {
 constexpr double log10_of_2 = 0.30102999566398120;
 constexpr int most_iterations = 40;
 constexpr int most_factorisations = 6;
-// log10 of what an iteration has to gain before the matrix is made anew, and of a start too far away.
+// log10 of the gain of an iteration below which the matrix is factored again, and of a residual that is too large.
 constexpr double gain_of_iteration = -4;
 constexpr double no_gain = -0.3;
 constexpr double diverged = 6;
 
 double log10_of(const magnitude& x) { return log_of(x) * log10_of_2; }
 
-// log10 of an unknown's decay within a step: beyond it the digits of its end suffer.
+// log10 of the largest decay of an unknown within a step: a larger one costs digits of its final value.
 constexpr double largest_decay = 2.4;
 
 }  // namespace
@@ -59,7 +59,7 @@ collocation_solver::outcome collocation_solver::solve(const step_interval& on, c
     return measure_tail() ? outcome::solved : outcome::too_long;
 }
 
-// Values in the nodes to a few digits, and the scales.
+// Values at the nodes to a few digits, and the scales.
 bool collocation_solver::guess(const tube_set& start, const std::vector<magnitude>& floors) {
     stiff_guide::request asked;
     for (std::size_t i = 0; i < count(); ++i) {
@@ -134,7 +134,7 @@ void collocation_solver::compute_slopes() {
     }
 }
 
-// The matrix 1 - S (x) B_k of Newton's method, B_k the Jacobian in node k in the basis of modes.
+// The matrix 1 - S (x) B_k of Newton's method, B_k the Jacobian at node k in the basis of modes.
 bool collocation_solver::factor_matrix() {
     compute_jacobians();
     const precision_scope few(decimal_digits(accuracy_.frame_bits));
@@ -186,7 +186,7 @@ std::vector<ball> collocation_solver::residual() const {
     return result;
 }
 
-// The correction in place of the residual; its size.
+// Replaces the residual by the correction, and returns its size.
 magnitude collocation_solver::correct(std::vector<ball>& residual) const {
     const auto n = static_cast<int>(count());
     std::vector<ball> turned;
@@ -252,7 +252,7 @@ collocation_solver::outcome collocation_solver::iterate() {
     return outcome::failed;
 }
 
-// Whether the last Chebyshev coefficients are small enough and no unknown decays too far; the next length.
+// True if the last Chebyshev coefficients are small enough and no unknown decays too much; sets the next length.
 bool collocation_solver::measure_tail() {
     const auto last = nodes_.size();
     double tail = -1e300;

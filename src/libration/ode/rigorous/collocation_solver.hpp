@@ -13,12 +13,12 @@
 
 namespace libration::ode {
 
-/// What a run of collocation computes with.
+/// The precisions of a run of collocation.
 struct collocation_accuracy {
     int degree = 0;
     double accepted = 0;    ///< decimal digits: the last Chebyshev coefficients of an unknown, relative to its scale
-    double aimed = 0;       ///< what the length of steps aims at, some more
-    long bits = 0;          ///< of values in nodes
+    double aimed = 0;       ///< the target of the step size, somewhat larger
+    long bits = 0;          ///< of values at nodes
     long frame_bits = 0;    ///< of frames
     long product_bits = 0;  ///< of polynomials in powers of x
 
@@ -36,9 +36,9 @@ public:
     enum class outcome { solved, too_long, failed };
     /// From the set, scales of unknowns at least `floors`.
     outcome solve(const step_interval& on, const tube_set& start, const std::vector<magnitude>& floors);
-    /// By how much the length is to change, for the next step or this one again.
+    /// The factor by which the length is to change, for the next step or a repetition of this one.
     double factor() const { return factor_; }
-    /// The curve and a frame, after `solved`; std::nullopt where no frame is found.
+    /// The curve and a frame, after `solved`; std::nullopt if no frame is found.
     std::optional<tube_candidate> candidate();
 
 private:

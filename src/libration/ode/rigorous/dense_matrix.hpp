@@ -1,4 +1,4 @@
-// Matrices of balls by rows, and factorisations in double and long double for what no proof depends on.
+// Matrices of balls by rows, and factorisations in double and long double for approximate solutions, on which no proof depends.
 #pragma once
 
 #include <cstddef>
@@ -33,19 +33,19 @@ struct dense_matrix {
 /// In the working precision; sums are rounded once.
 dense_matrix product(const dense_matrix& a, const dense_matrix& b);
 std::vector<ball> product(const dense_matrix& a, const std::vector<ball>& x);
-/// A matrix of balls that contains the inverse of every matrix of `a`; std::nullopt where one of them may be singular.
+/// A matrix of balls that contains the inverse of every matrix of `a`; std::nullopt if one of them may be singular.
 std::optional<dense_matrix> inverse(const dense_matrix& a);
-/// The columns of a in front of those of b.
+/// The columns of a followed by those of b.
 dense_matrix beside(const dense_matrix& a, const dense_matrix& b);
 
-/// The midpoint as a floating number.
+/// The midpoint as a floating-point number.
 double as_double(const ball& x);
 long double as_long_double(const ball& x);
-/// The floating number, exactly; x is finite.
+/// The floating-point number, exactly; x must be finite.
 ball exactly(double x);
 ball exactly(long double x);
 
-/// The factorisation with partial pivots of a square matrix of floating numbers, by Eigen.
+/// The factorisation with partial pivots of a square matrix of floating-point numbers, by Eigen.
 template <class Real>
 class real_lu {
 public:
@@ -53,7 +53,7 @@ public:
     real_lu(real_lu&&) noexcept;
     real_lu& operator=(real_lu&&) noexcept;
     ~real_lu();
-    /// Of a matrix by rows, each row divided by its largest entry. False where it is singular or not finite.
+    /// Of a matrix by rows, each row divided by its largest entry. False if it is singular or not finite.
     bool factor(const std::vector<Real>& by_rows, std::size_t size);
     std::vector<Real> solved(const std::vector<Real>& right) const;
 

@@ -100,7 +100,7 @@ bool is_fast(const std::complex<double>& value, double limit) {
     return value.real() < -limit || (value.real() < limit / 5 && std::fabs(value.imag()) > turns_per_decay * limit);
 }
 
-// Where the gap between fast and slow eigenvalues is largest; no fast one counts as a gap up to 3 limits alone.
+// The position of the largest gap between fast and slow eigenvalues; the gap without fast ones counts up to 3 limits.
 double limit_of(const std::vector<std::complex<double>>& values) {
     std::vector<double> tried{slowest_fast, 3 * slowest_fast};
     for (const auto& each : values) {

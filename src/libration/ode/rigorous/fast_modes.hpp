@@ -1,4 +1,4 @@
-// Which directions of a linear flow die within a step, and which are followed along it.
+// The directions of a linear flow that decay within a step, and the others, which are followed along it.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ using ball_columns = std::vector<std::vector<ball>>;
 
 /// A basis of the space for a matrix J: its fast eigenvectors, the real and the imaginary part of a pair of complex
 /// ones, and an orthonormal complement of the LEFT fast eigenvectors, which J maps into itself. No eigenvector of a
-/// slow eigenvalue is used: where a sum is conserved they are nearly dependent.
+/// slow eigenvalue is used: with a conserved sum they are nearly dependent.
 struct divided_modes {
     ball_columns slow, fast;
     std::vector<std::size_t> fast_blocks;  ///< 1 or 2 columns each
@@ -24,8 +24,8 @@ struct divided_modes {
 };
 
 /// By FLINT's approximate QR algorithm (acb_mat_approx_eig_qr), in the precision of `bits`. Fast are eigenvalues with
-/// a real part below -l, and those that turn by more than 2 l without growing, l in [3, 9] where the gap between both
-/// groups is largest. std::nullopt where the algorithm does not converge.
+/// a real part below -l, and those that turn by more than 2 l without growing, l in [3, 9] at the largest gap between both
+/// groups. std::nullopt if the algorithm does not converge.
 std::optional<divided_modes> modes_of(const dense_matrix& j, long bits);
 
 /// Appends up to `count` orthonormal vectors made of the candidates, with pivots the longest one first [Gram-Schmidt],

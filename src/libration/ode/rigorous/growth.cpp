@@ -9,7 +9,7 @@ namespace libration::ode {
 namespace {
 
 constexpr int most_sweeps = 40;
-// What roundings of 30 bits cannot take back.
+// Enlarged by more than roundings of 30 bits.
 magnitude enlarged(const magnitude& x) { return x + x.shifted(-20); }
 
 // sum_(c != b) a_bc r_c + delta_b.
@@ -23,7 +23,7 @@ magnitude from_others(const comparison_system& system, std::size_t b, const std:
     return sum;
 }
 
-// One radius from those of the others; false where 1 - L a is not certainly above 1/8.
+// Computes one radius from the others; false unless 1 - L a is certainly greater than 1/8.
 bool improve(const comparison_system& system, std::size_t b, long length, const magnitude& start, affine_radii& radii) {
     std::vector<magnitude> largest;
     for (std::size_t c = 0; c < radii.first.size(); ++c) {

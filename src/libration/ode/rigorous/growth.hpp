@@ -8,7 +8,7 @@
 
 namespace libration::ode {
 
-/// r' >= A r + delta: the diagonal of A with its signs, as exact upper bounds, what is beside it >= 0, by rows.
+/// r' >= A r + delta: exact upper bounds of the diagonal of A, with its signs, and of the other entries >= 0, by rows.
 struct comparison_system {
     std::vector<ball> diagonal;
     std::vector<magnitude> beside;
@@ -21,10 +21,10 @@ struct affine_radii {
     std::vector<magnitude> first, last;
 };
 
-/// Whether r(t) from first to last over the length satisfies the inequality at both ends, decided in balls.
+/// True if r(t), affine from first to last over the length, is proved to satisfy the inequality at both ends.
 bool satisfies(const comparison_system& system, const affine_radii& radii, long length);
 
-/// Such radii with first >= start, about the least ones; std::nullopt where none are found.
+/// Such radii with first >= start, nearly minimal; std::nullopt if none are found.
 std::optional<affine_radii> affine_growth(const comparison_system& system, const std::vector<magnitude>& start,
                                           long length);
 

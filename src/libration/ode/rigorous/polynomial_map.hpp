@@ -1,4 +1,4 @@
-// The right sides of a polynomial form and their derivatives, for values in any ring.
+// The right-hand sides of a polynomial form and their derivatives, for values in any ring.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,20 @@
 
 namespace libration::ode {
 
-/// f and f_y of y' = f(t, y), f polynomial, as one list of operations that sums, products and constants suffice for.
+/// f and f_y of y' = f(t, y), f polynomial, as one list of sums, products and multiples by constants.
 class polynomial_map {
 public:
     explicit polynomial_map(const lifted_system& of);
 
     std::size_t size() const { return count_; }
-    /// Where f_y is not 0 for all y: rows and columns, in the order of entries().
+    /// The rows and columns of the entries of f_y that are not identically 0.
     const std::vector<std::pair<std::size_t, std::size_t>>& places() const { return places_; }
     const std::vector<number>& constants() const { return tape_.constants(); }
-    /// A bound of the degree of f in t and y.
-    int degree() const { return degree_; }
 
     template <class Value>
     struct result {
         std::vector<Value> slopes;   ///< f
-        std::vector<Value> entries;  ///< of f_y, where they are asked
+        std::vector<Value> entries;  ///< of f_y, if requested
     };
 
     /// `Ring` has constant(k), variable(), sum, difference, product of two values and multiple(k, a), ratio(p, q, a),
@@ -87,7 +85,6 @@ private:
     std::vector<std::pair<std::size_t, std::size_t>> places_;
     tape tape_;
     std::vector<bool> of_slopes_;
-    int degree_ = 1;
 };
 
 /// The ring of numbers that have operators, with the constants and the variable in it.

@@ -12,7 +12,7 @@ namespace {
 using reals = std::vector<long double>;
 const long double part_of_step = 1 / (2 + std::sqrt(2.0L));
 const long double weight_of_error = 6 + std::sqrt(2.0L);
-// Of the largest value of an unknown so far, below which its relative error does not count.
+// The part of the largest value of an unknown so far below which its relative error is ignored.
 constexpr long double part_of_largest = 1e-3L;
 
 }  // namespace
@@ -24,7 +24,7 @@ struct stiff_guide::run {
         note_largest();
     }
 
-    // f times the sign of the direction, at a time counted along it.
+    // f times the sign of the direction, at a time measured in that direction.
     reals slopes(const reals& state, long double passed) const {
         reals f = guide.map_.in(ring(passed), state, false).slopes;
         for (long double& each : f) {
@@ -43,7 +43,7 @@ struct stiff_guide::run {
         }
     }
 
-    // The matrix 1 - s d J and s d times the derivative of f by the time.
+    // The matrix 1 - s d J, and s d times the derivative of f with respect to time.
     bool factor(long double s) {
         const std::size_t n = y.size();
         const auto all = guide.map_.in(ring(gone), y, true);
@@ -64,7 +64,7 @@ struct stiff_guide::run {
         return lu.factor(w, n);
     }
 
-    // The error relative to the tolerated one; the stages k1, k2 and the next state with its slope.
+    // Computes the stages k1, k2 and the next state with its slope; returns the error relative to the tolerance.
     long double tried(long double s) {
         const std::size_t n = y.size();
         reals right(n);

@@ -1,5 +1,5 @@
-// The solution over a step to a few digits, by Rosenbrock's method of order 2: where Newton's method begins, and whether
-// explicit steps are far too short. No proof depends on it.
+// The solution over a step to a few digits, by Rosenbrock's method of order 2: the initial guess of Newton's method, and a
+// check for stiffness. No proof depends on it.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace libration::ode {
 
-/// ode23s [ShampineReichelt1997] in long double. Errors are relative to each unknown, or to its floor where that is
+/// ode23s [ShampineReichelt1997] in long double. Errors are relative to each unknown, or to its floor if that is
 /// larger.
 class stiff_guide {
 public:
@@ -24,7 +24,7 @@ public:
         long double tolerance = 3e-6L;
         int most_steps = 20'000;
     };
-    /// The states at parts 0 <= a_0 < a_1 < .. <= 1 of the length; std::nullopt where it needs more steps.
+    /// The states at parts 0 <= a_0 < a_1 < .. <= 1 of the length; std::nullopt if more steps are needed.
     std::optional<std::vector<std::vector<long double>>> states(const request& asked,
                                                                 const std::vector<long double>& parts) const;
 

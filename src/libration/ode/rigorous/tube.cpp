@@ -7,7 +7,7 @@ namespace libration::ode {
 
 namespace {
 
-// sum_b |V_ib| r_b, V_ib the part of a row in a block.
+// sum_b |V_ib| r_b, V_ib the part of row i in block b.
 magnitude reach_of_row(const std::vector<ball>& row, const std::vector<std::size_t>& blocks,
                        const std::vector<magnitude>& radii) {
     magnitude sum;

@@ -11,7 +11,7 @@ namespace libration::ode {
 
 namespace {
 
-// Of a fast mode, for the bound of its rate.
+// The parts of a step in which the rate of a fast mode is bounded.
 constexpr int parts_of_rate = 8;
 // The length of a step in x.
 constexpr long length_in_x = 2;
@@ -98,11 +98,12 @@ std::vector<ball_polynomial> rounded(const std::vector<ball_polynomial>& of) {
     return result;
 }
 
-// A bound of mu over the step. That of a symmetric matrix grows with its diagonal and with what is beside it in size.
+// A bound of mu over the step: the largest eigenvalue of a symmetric 2 by 2 matrix increases with its diagonal entries and
+// with the absolute value of the other one. For slow columns the supremum of the entry suffices.
 ball rate_of_block(chebyshev_form& forms, const std::vector<ball_polynomial>& linear, std::size_t size, column_block b,
                    std::size_t slow, const bound_matrix& suprema) {
     const std::size_t first = b.begin * size + b.begin;
-    if (b.begin < slow) {
+    if (b.size == 1 && b.begin < slow) {
         return suprema[first].exact();
     }
     const auto above = forms.upper_bounds(linear[first], parts_of_rate);
@@ -194,7 +195,7 @@ tube_proof::tube_proof(const polynomial_map& map, long bits, long frame_bits)
     }
 }
 
-// The defect, W (J V - V'), W V - 1 and what follows from them.
+// Bounds the defect, W (J V - V'), W V - 1 and the quantities derived from them.
 bool tube_proof::bound_linear_part(const tube_candidate& of, bounds& to) {
     const std::size_t n = map_.size();
     const ball half = shifted(of.on.length, -1);

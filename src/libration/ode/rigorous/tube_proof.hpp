@@ -15,7 +15,7 @@ struct moving_frame {
     std::size_t slow = 0;
 };
 
-/// What a step is proved with: all of it is arbitrary, and the proof holds or does not.
+/// The data from which a step is proved. They are arbitrary: the proof checks them.
 struct tube_candidate {
     step_interval on;
     std::vector<long> scales;
@@ -23,7 +23,7 @@ struct tube_candidate {
     moving_frame frame;
 };
 
-/// Columns of V that are bounded together, in the Euclidean norm.
+/// Columns of V that are bounded jointly, in the Euclidean norm.
 struct column_block {
     std::size_t begin, size;
 };
@@ -33,7 +33,7 @@ public:
     /// Defects in `bits`, frames in `frame_bits`.
     tube_proof(const polynomial_map& map, long bits, long frame_bits);
 
-    /// Every solution that begins in the set is in the tube; std::nullopt where the inequalities are not shown.
+    /// A tube that contains every solution beginning in the set; std::nullopt if the inequalities are not proved.
     std::optional<solution_tube> tube(const tube_candidate& of, const tube_set& start);
 
 private:

@@ -147,8 +147,8 @@ sweep_period_rule read_period_rule(std::string_view text) {
     return {{arc, order_from(text.substr(colon + 1))}, std::string(text)};
 }
 
-const problem& pendulum_problem() {
-    static const problem result{
+const problem_family& pendulum_problem() {
+    static const problem_family result{
         "pendulum", {energy_axis(), gap_axis(), time_axis(), point_axis(), periods_axis(), period_by_axis()}};
     return result;
 }

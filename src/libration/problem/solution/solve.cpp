@@ -4,6 +4,7 @@
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/text/given_number.hpp"
+#include "libration/scalar/text/list_items.hpp"
 #include "taylor_solution.hpp"
 
 namespace libration {
@@ -32,12 +33,10 @@ std::vector<std::string> solution::times_in_decimals(const std::vector<exact>& t
 
 answer solution::states(const std::string& times, const request& how) const {
     std::vector<exact> list;
-    for (std::size_t begin = 0; begin <= times.size();) {
-        const std::size_t end = std::min(times.find(',', begin), times.size());
-        std::string item = times.substr(begin, end - begin);
+    for (const std::string_view each : list_items(times)) {
+        std::string item(each);
         std::erase(item, ' ');
         list.push_back(given_time("time", item));
-        begin = end + 1;
     }
     return states(list, how);
 }
@@ -45,12 +44,12 @@ answer solution::states(const std::string& times, const request& how) const {
 std::unique_ptr<solution> solve(const problem& given, const settings& by) {
     if (!by.general) {
         for (const known_facts& facts : all_known_facts()) {
-            if (auto known = facts.closed_form ? facts.closed_form(given.equations) : nullptr) {
+            if (auto known = facts.closed_form ? facts.closed_form(given.equations()) : nullptr) {
                 return known;
             }
         }
     }
-    return std::make_unique<taylor_solution>(given.equations);
+    return std::make_unique<taylor_solution>(given.equations());
 }
 
 }  // namespace libration

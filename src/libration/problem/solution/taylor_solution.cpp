@@ -43,16 +43,6 @@ std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
     return at;
 }
 
-std::vector<std::string> names_of_quantities(const ode::explicit_system& system) {
-    std::vector<std::string> names;
-    for (const auto& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            names.push_back(ode::primed(each.name, j));
-        }
-    }
-    return names;
-}
-
 answer_value value_of(const proved_decimal& number) { return {number.text, number.uncertainty}; }
 
 // The part of the interval from the initial point to the farthest time that has been integrated.
@@ -128,7 +118,7 @@ void require_second_proof(const ode::explicit_system& system, const std::vector<
                           const ode::partial_trajectory& first) {
     const auto second = ode::proved_part_of_trajectory(
         system, numbers_of(times), how.printed_digits() + digits_of_second, {}, ode::proof_route::second());
-    const auto names = names_of_quantities(system);
+    const auto names = ode::names_of_state(system);
     for (std::size_t i = 0; i < first.states.size(); ++i) {
         const std::size_t compared = std::min(first.states[i].size(), second.states[i].size());
         for (std::size_t j = 0; j < compared; ++j) {
@@ -167,7 +157,7 @@ void add_powers(answer& to, const ode::coefficient_list<Number>& list, const Val
 }  // namespace
 
 taylor_solution::taylor_solution(ode::equation_system equations)
-    : solution(names_of_quantities(ode::explicit_system(equations))),
+    : solution(ode::names_of_state(ode::explicit_system(equations))),
       equations_(std::move(equations)),
       system_(equations_) {}
 

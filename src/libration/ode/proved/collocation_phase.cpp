@@ -1,0 +1,83 @@
+#include "collocation_phase.hpp"
+
+#include <algorithm>
+
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long first_check = 8;
+// The cost of a step grows with the cube of the number of unknowns, that of the preparation with the cube of the bits.
+constexpr std::size_t most_collocation_unknowns = 40;
+constexpr long most_collocation_bits = 1024;
+// The number of steps in which their length may grow until they are worth their cost.
+constexpr long steps_to_grow = 6;
+constexpr int steps_without_fast_modes = 3;
+
+// The least number of steps of Taylor series that take longer than the preparation of collocation.
+unsigned long steps_worth_preparation(long bits) {
+    constexpr unsigned long at_200_bits = 1000;
+    const auto times = static_cast<unsigned long>(std::max(200L, bits));
+    return at_200_bits * times * times * times / (200 * 200 * 200);
+}
+
+}  // namespace
+
+collocation_phase::collocation_phase(const lifted_system& of, long bits, const proof_route& route)
+    : system_(of),
+      bits_(bits),
+      route_(route),
+      next_check_(route.integrator == integrator_choice::collocation ? 0 : first_check),
+      between_checks_(first_check) {}
+
+bool collocation_phase::may_begin(long steps, const ball& time, const magnitude& length, const ball& rest) const {
+    const bool polynomial = system_.given == system_.leaves.size();
+    if (!polynomial || system_.given > most_collocation_unknowns || bits_ > most_collocation_bits ||
+        steps < next_check_ || !is_exact(time)) {
+        return false;
+    }
+    switch (route_.integrator) {
+        case integrator_choice::taylor: return false;
+        case integrator_choice::collocation: return true;
+        case integrator_choice::automatic: break;
+    }
+    return length * magnitude(steps_worth_preparation(bits_)) <= magnitude(rest);
+}
+
+bool collocation_phase::begin(long steps, const ball& time, const tube_set& set, const magnitude& length,
+                              const ball& rest) {
+    next_check_ = steps + between_checks_;
+    between_checks_ *= 2;
+    if (!integrator_) {
+        integrator_.emplace(system_, bits_, route_.more_terms);
+    }
+    const ball first = arb_is_negative(rest.handle()) != 0 ? -length.exact() : length.exact();
+    if (route_.integrator == integrator_choice::automatic && !integrator_->is_smooth_over(time, set.centre, first)) {
+        return false;
+    }
+    integrator_->begin(time, set, first);
+    active_ = integrator_->prepare();
+    steps_of_phase_ = 0;
+    length_to_pay_ = length * magnitude(static_cast<unsigned long>(cost_of_step));
+    return active_;
+}
+
+bool collocation_phase::step(long steps) {
+    const bool pays = length_to_pay_ <= magnitude(integrator_->length());
+    integrator_->step();
+    ++steps_;
+    next_check_ = steps + between_checks_;
+    if (route_.integrator == integrator_choice::collocation) {
+        return true;
+    }
+    if (integrator_->steps_without_fast_modes() >= steps_without_fast_modes) {
+        between_checks_ = first_check;
+        next_check_ = steps + between_checks_;
+        return false;
+    }
+    return ++steps_of_phase_ <= steps_to_grow || pays;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,49 @@
+// The periods in which the integrator of theorem K replaces that of theorem V.
+#pragma once
+
+#include <optional>
+
+#include "libration/ode/proved/proof_route.hpp"
+#include "libration/ode/rigorous/collocation_integrator.hpp"
+
+namespace libration::ode {
+
+/// Decides when collocation begins and ends; no proof depends on it. It begins where the solution is smooth over many steps
+/// of Taylor series (collocation_integrator::is_smooth_over), which is checked after 8, 16, 32, ... of them, and ends when
+/// no mode has been fast for some steps, or when its steps are not much longer than those of Taylor series.
+class collocation_phase {
+public:
+    /// A step counts as so many of Taylor series, which take about as long.
+    static constexpr long cost_of_step = 32;
+
+    collocation_phase(const lifted_system& of, long bits, const proof_route& route);
+
+    bool is_active() const { return active_; }
+    /// True if it should be tried after `steps` steps at this time, where the next one by Taylor series has this length; the
+    /// rest of the way is `rest`, with the sign of the direction.
+    bool may_begin(long steps, const ball& time, const magnitude& length, const ball& rest) const;
+    /// Begins from a set, if the solution is smooth enough and a step is proved; true if that step is prepared.
+    bool begin(long steps, const ball& time, const tube_set& set, const magnitude& length, const ball& rest);
+    /// Prepares the next step; false if none is proved.
+    bool prepare() { return integrator_->prepare(); }
+    /// Takes the prepared step, the last of `steps`. False if Taylor series are to continue.
+    bool step(long steps);
+    void end() { active_ = false; }
+
+    const collocation_integrator& integrator() const { return *integrator_; }
+    /// The number of all steps.
+    long steps() const { return steps_; }
+
+private:
+    const lifted_system& system_;
+    long bits_;
+    proof_route route_;
+    std::optional<collocation_integrator> integrator_;
+    bool active_ = false;
+    long steps_ = 0;
+    long steps_of_phase_ = 0;
+    magnitude length_to_pay_;           // of a step that is worth its cost
+    long next_check_, between_checks_;  // in steps
+};
+
+}  // namespace libration::ode
