@@ -100,6 +100,19 @@ add_test(NAME equations_example
         -D BUILD=${PROJECT_BINARY_DIR}/equations
         -D README=${PROJECT_SOURCE_DIR}/docs/equations.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+add_test(NAME own_scalar
+    COMMAND ${consumer}
+        -D BUILD=${PROJECT_BINARY_DIR}/own_scalar
+        -D README=${PROJECT_SOURCE_DIR}/docs/scalars.md
+        -D "FLAGS=${consumer_flags} -I${PROJECT_SOURCE_DIR}/docs/examples"
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
+add_test(NAME missing_operation
+    COMMAND ${CMAKE_COMMAND}
+        -D TYPE=${PROJECT_SOURCE_DIR}/docs/examples/counting.hpp
+        -D INCLUDE=${PROJECT_SOURCE_DIR}/include
+        -D COMPILER=${CMAKE_CXX_COMPILER}
+        -D WORK=${PROJECT_BINARY_DIR}/missing_operation
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_missing_operation.cmake)
 # The examples for C and Fortran, compiled with the installed files alone.
 add_test(NAME c_examples
     COMMAND ${CMAKE_COMMAND}
@@ -111,7 +124,7 @@ add_test(NAME c_examples
         -P ${PROJECT_SOURCE_DIR}/cmake/check_c_examples.cmake)
 set_tests_properties(c_examples PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 120)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
-set_tests_properties(consumer consumer_of_balls cpp_example equations_example PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
+set_tests_properties(consumer consumer_of_balls cpp_example equations_example own_scalar PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
 add_test(NAME versions
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)

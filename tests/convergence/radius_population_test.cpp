@@ -212,7 +212,7 @@ TEST_CASE("exponents of psi series and of confluent powers are covered", "[conve
             all.add(miss);
         }
     }
-    CHECK(all.exponent.judged * 2 >= all.lists);
+    CHECK(all.exponent.judged * 3 >= all.lists);
 }
 
 TEST_CASE("logarithms upon a power are one singularity of no named kind, and not a pair of branch points",
@@ -230,7 +230,7 @@ TEST_CASE("logarithms upon a power are one singularity of no named kind, and not
                 const auto miss = judged(drawn, digits);
                 INFO("N = " << order << ", " << digits << " digits");
                 CHECK(miss.radius.value_or(2) <= 1);
-                CHECK(miss.exponent.value_or(0) <= 2);
+                CHECK(miss.exponent.value_or(0) <= 1);
                 CHECK((miss.kind == singularity_kind::unknown || miss.kind == singularity_kind::branch));
                 CHECK(miss.count <= 1);
             }
@@ -248,17 +248,17 @@ TEST_CASE(
     check_census("held-out solutions", census_of(held_out_solutions(), orders_of_solutions));
 }
 
-TEST_CASE("of families with logarithms upon powers no radius and no exponent misses by ten uncertainties",
+TEST_CASE("of families with logarithms upon powers at least 95 in 100 radii and exponents are covered",
           "[.long][convergence][radius_population]") {
-    constexpr int lists_of_a_family = 20;
-    const auto calibrating = census_of(logarithmic_families(), 100'000, lists_of_a_family);
-    const auto held_out = census_of(held_out_logarithmic_families(), 200'000, lists_of_a_family);
-    for (const census& all : {calibrating, held_out}) {
-        std::cout << "all with logarithms: " << all << '\n';
-        CHECK(all.radius.is_enough());
-        CHECK(all.radius.by_ten == 0);
-        CHECK(all.exponent.by_ten == 0);
-    }
+    constexpr int lists_of_a_family = 60;
+    auto families = logarithmic_families();
+    const auto held_out = held_out_logarithmic_families();
+    families.insert(families.end(), held_out.begin(), held_out.end());
+    const census all = census_of(families, 100'000, lists_of_a_family);
+    std::cout << "all with logarithms: " << all << '\n';
+    CHECK(all.radius.is_enough());
+    CHECK(all.exponent.is_enough());
+    CHECK(all.exponent.by_ten == 0);
 }
 
 }  // namespace convergence_radius_population_test

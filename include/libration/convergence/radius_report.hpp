@@ -105,10 +105,10 @@ template <rounding_scalar T>
 void judge_exponent(radius_estimate<T>& verdict, const strided_series<T>& part, const list_quality<T>& list) {
     add_position_to_exponent(verdict, list);
     if (verdict.exponent && verdict.position && !is_sharp(verdict, list)) {
-        if (const auto local = local_exponents_of(part, *verdict.position, verdict.count)) {
-            verdict.exponent_uncertainty =
-                std::max(verdict.exponent_uncertainty, drift_of_exponent(*local, *verdict.exponent, list));
-        }
+        const auto local = local_exponents_of(part, *verdict.position, verdict.count);
+        verdict.exponent_uncertainty =
+            std::max(verdict.exponent_uncertainty,
+                     local ? drift_of_exponent(*local, *verdict.exponent, list) : unseen_drift(list));
     }
     drop_uncertain_exponent(verdict);
     verdict.kind = kind_of(verdict, is_pure(verdict, list));

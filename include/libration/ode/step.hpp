@@ -53,7 +53,7 @@ step_length taylor_step(long size, const std::vector<coefficient_size>& last, co
 /// An integration in real time in the arithmetic of T. Errors: some epsilon of the largest component per step,
 /// amplified by the flow; nothing is proved. A step ends where the next expansion begins; in between, the polynomial is
 /// the solution (dense output), so that it does not depend on the requested times.
-template <rounding_scalar T>
+template <ordered_scalar T>
 class taylor_march {
 public:
     static constexpr long most_steps = 10'000'000;
@@ -204,7 +204,7 @@ struct partial_states {
 
 /// The states at times in any order: one integration forwards through those from the initial point on, one backwards,
 /// each as far as its steps lead.
-template <rounding_scalar T>
+template <ordered_scalar T>
 partial_states<T> march_as_far_as_possible(const explicit_system& system, const std::vector<number>& times,
                                            const series::block_product<T>* fast = nullptr) {
     std::vector<T> at;
@@ -244,7 +244,7 @@ partial_states<T> march_as_far_as_possible(const explicit_system& system, const 
 }
 
 /// The same if every time is reached. Throws like taylor_march::advance_to.
-template <rounding_scalar T>
+template <ordered_scalar T>
 std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times,
                                              const series::block_product<T>* fast = nullptr) {
     auto part = march_as_far_as_possible(system, times, fast);

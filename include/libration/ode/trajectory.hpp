@@ -40,7 +40,7 @@ std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, cons
 
 /// The states in a scalar of fixed precision, with the accuracy of one integration; unknowns that do not influence each
 /// other are integrated separately.
-template <rounding_scalar T>
+template <ordered_scalar T>
 partial_states<T> part_of_march(const explicit_system& system, const std::vector<number>& times) {
     partial_states<T> whole;
     whole.states.assign(times.size(), solution_state<T>(system.unknowns().size()));

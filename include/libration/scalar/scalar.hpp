@@ -54,6 +54,34 @@ concept has_functions = requires(const T x) {
     T(cos(x));
 };
 
+using std::atan;
+using std::atan2;
+using std::cosh;
+using std::sinh;
+using std::tan;
+using std::tanh;
+
+/// Those of closed forms.
+template <class T>
+concept has_inverse_and_hyperbolic_functions = requires(const T x) {
+    T(tan(x));
+    T(sinh(x));
+    T(cosh(x));
+    T(tanh(x));
+    T(atan(x));
+    T(atan2(x, x));
+};
+
+using std::abs;
+using std::ldexp;
+
+/// Those of the choice of steps.
+template <class T>
+concept has_size = requires(const T x, int n) {
+    T(abs(x));
+    T(ldexp(x, n));
+};
+
 }  // namespace elementary_functions
 
 /// A field with the elementary functions that has specialised scalar_traits. No order is required: balls have none.
@@ -72,7 +100,31 @@ concept scalar = field<T> && has_scalar_traits<T> && elementary_functions::has_f
     { scalar_traits<T>::narrow(y) } -> std::convertible_to<T>;
 };
 
+/// A scalar for closed forms (elliptic/, pendulum/solution/): small integers on either side of an operator, and more
+/// functions.
+template <class T>
+concept closed_form_scalar = scalar<T> && elementary_functions::has_inverse_and_hyperbolic_functions<T> &&
+    requires(const T x, int n) {
+    T(x + n);
+    T(x - n);
+    T(n + x);
+    T(n - x);
+    T(n / x);
+};
+
+/// A scalar for integrations without proof (ode/step.hpp): an order, and sizes.
+template <class T>
+concept ordered_scalar = scalar<T> && rounding_scalar<T> && elementary_functions::has_size<T> &&
+    requires(const T x, int n) {
+    { x < x } -> std::convertible_to<bool>;
+    { x == x } -> std::convertible_to<bool>;
+    { x < n } -> std::convertible_to<bool>;
+    { x == n } -> std::convertible_to<bool>;
+};
+
 static_assert(scalar<double> && scalar<long double> && scalar<quad> && scalar<mpfr>);
+static_assert(closed_form_scalar<double> && closed_form_scalar<quad> && closed_form_scalar<mpfr>);
+static_assert(ordered_scalar<double> && ordered_scalar<quad> && ordered_scalar<mpfr>);
 static_assert(field<rational> && ring<integer> && !scalar<rational>);
 
 }  // namespace libration

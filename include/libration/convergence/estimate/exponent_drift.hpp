@@ -3,8 +3,7 @@
 // Of (1 - x/x0)^nu log(1 - x/x0)^k the coefficients are x0^-n n^(-nu-1) (log n)^k (1 + ...): every estimate from
 // coefficients near n yields the local exponent nu - k/log n, and all estimates from one list share that error however
 // well they agree. It shows in lists of different lengths: over a factor f < 1 of n the local exponent moves by about k
-// log(1/f)/(log n)^2, the part log(1/f)/log n of its error, and hardly less from f^2 n to f n, where a correction n^-p,
-// p >= 1, moves by the factor f^-p more.
+// log(1/f)/(log n)^2, the part log(1/f)/log n of its error.
 #pragma once
 
 #include <algorithm>
@@ -18,34 +17,16 @@
 
 namespace libration::convergence {
 
-/// A quantity for lists that end at n, f n and f^2 n.
-template <rounding_scalar T>
-struct drifting_value {
-    std::array<T, 3> at;
-    T factor;  ///< f < 1
-
-    T last_step() const { return distance(0, 1); }
-    /// Whether the steps decrease like those of a 1/n correction, to within a quarter.
-    bool settles() const { return last_step() * 4 <= distance(1, 2) * factor * 5; }
-
-private:
-    T distance(std::size_t i, std::size_t j) const {
-        using std::abs;
-        return abs(T(at[i] - at[j]));
-    }
-};
-
-/// Exponents from the recurrence of smallest degree for lists that end at n, f n, f^2 n and f^3 n.
+/// Exponents from the recurrence of smallest degree for lists that end at n, f n and f^2 n, f < 1.
 template <rounding_scalar T>
 struct local_exponents {
-    std::array<T, 4> at;
+    std::array<T, 3> at;
     T factor;
 
-    drifting_value<T> themselves() const { return {{at[0], at[1], at[2]}, factor}; }
-    /// Without their 1/n part: (e_n - f e_{f n})/(1 - f).
-    drifting_value<T> extrapolated() const {
-        const auto without = [&](std::size_t i) { return T((at[i] - factor * at[i + 1]) / (1 - factor)); };
-        return {{without(0), without(1), without(2)}, factor};
+    /// The last steps: from f n to n, of the exponents and of (e_n - f e_{f n})/(1 - f), which are without a 1/n part.
+    std::array<T, 2> last_steps() const {
+        const auto step = [&](std::size_t i) { return T(at[i] - at[i + 1]); };
+        return {step(0), T((step(0) - factor * step(1)) / (1 - factor))};
     }
 };
 
@@ -68,23 +49,20 @@ inline std::optional<mpfr> exponent_near(const leading_polynomials& q, const com
     return exponent_at(q, *root, form, stride);
 }
 
-/// The ends n, f n, f^2 n, f^3 n of the lists, and f.
+/// The ends n, f n, f^2 n of the lists, and f.
 struct shorter_lists {
     std::vector<int> lasts;
     rational factor;
 };
 
-/// f is 1/2, or 2/3 for a list whose eighth has fewer than `needed` coefficients. Returns std::nullopt if neither does.
+/// f is 1/2, or 2/3 if f^3 n is less than `needed`: the exponents of lists not much longer than that have not begun to
+/// settle. Returns std::nullopt if neither does.
 inline std::optional<shorter_lists> shorter_lists_of(int last, int needed) {
     for (const auto& [above, below] : {std::pair(1, 2), std::pair(2, 3)}) {
-        std::vector<int> lasts{last};
-        for (int power = 1, divisor = 1; lasts.size() < 4;) {
-            power *= above;
-            divisor *= below;
-            lasts.push_back(last * power / divisor);
-        }
-        if (lasts.back() >= needed) {
-            return shorter_lists{std::move(lasts), rational(above, below)};
+        const int once = last * above / below;
+        const int twice = last * above * above / (below * below);
+        if (twice * above / below >= needed) {
+            return shorter_lists{{last, once, twice}, rational(above, below)};
         }
     }
     return std::nullopt;
@@ -119,7 +97,7 @@ complex_number<mpfr> upper_power(const complex_number<T>& x0, int stride) {
 }  // namespace fitting
 
 /// The local exponents at a singularity x0 (im >= 0), one of `count` on the circle of convergence. Returns std::nullopt
-/// if the list is too short for four of them or one has no root near x0. Computed with 20 digits more than T has. O(N).
+/// if the list is too short for three of them or one has no root near x0. Computed with 20 digits more than T has. O(N).
 template <rounding_scalar T>
 std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c, const complex_number<T>& x0,
                                                      int count) {
@@ -142,21 +120,29 @@ std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c,
     return found;
 }
 
-/// The error of an exponent due to corrections like 1/log n, n the last power: 0 if the local exponents settle faster,
-/// otherwise their last step times log n/log(1/f), plus their distance from the exponent.
+/// The error of an exponent due to corrections like 1/log n, n the last power. Of nu + k/(log n + c) the last step is the
+/// part log(1/f)/(log n + c) at least, whatever else contributes to it; c is not known, and c <= log n is allowed for,
+/// calibrated.
 template <rounding_scalar T>
 T drift_of_exponent(const local_exponents<T>& local, const T& exponent, const list_quality<T>& list) {
     using std::abs;
     using std::log;
-    const T steps = log(T(list.order)) / -log(local.factor);
+    const T steps = log(T(list.order)) * 2 / -log(local.factor);
     const T noise = list.noise * list.order * list.order * 8;
     T drift(0);
-    for (const drifting_value<T>& value : {local.themselves(), local.extrapolated()}) {
-        if (!value.settles() && value.last_step() > noise) {
-            drift = std::max(drift, T(value.last_step() * steps + abs(T(value.at[0] - exponent))));
+    for (const T& step : local.last_steps()) {
+        if (abs(step) > noise) {
+            drift = std::max(drift, T(abs(step) * steps + abs(T(local.at[0] - exponent))));
         }
     }
     return drift;
+}
+
+/// The same if there are no local exponents: that of one logarithm as a factor.
+template <rounding_scalar T>
+T unseen_drift(const list_quality<T>& list) {
+    using std::log;
+    return 1 / log(T(list.order));
 }
 
 }  // namespace libration::convergence

@@ -34,7 +34,7 @@ struct pendulum_state {
 /// max(1, |theta|) in theta and a few epsilon relative to its maximum in omega, at times taken as exact. Everything is
 /// dimensionless, omega too: divide it by time_unit() for rad/s. Use it in the precision_scope in which it was
 /// constructed; a wider one throws std::logic_error.
-template <scalar T>
+template <closed_form_scalar T>
 class exact_solution {
 public:
     explicit exact_solution(const motion& m) : motion_(m), phase_map_(m) {
