@@ -62,9 +62,7 @@ if (equation ne '') {
         plot for [m in methods] NaN with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m) title 'right: '.name_of(m), \
              NaN with lines lw 1 dt 3 lc rgb soft title 'left: what its form predicts, but for a factor', \
              for [c=1:n] NaN with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n) title n > 1 && in_key(c, n) ? 'left: '.case_name(main, k, word(all, c)) : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -124,7 +122,5 @@ do for [kind in terminals] {
          NaN with lines lw 1.5 dt 4 lc rgb shade[3] title 'Padé', \
          NaN with linespoints pt 7 ps 0.5 lw 2 lc rgb shade[4] title 'asymptotic approximant', \
          NaN with lines lw 1.8 dt 3 lc rgb '#444444' title 'what its form predicts, but for a factor'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

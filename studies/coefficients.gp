@@ -15,10 +15,7 @@ do for [kind in terminals] {
     eval figure_of(kind, stem)
     eval heading('Coefficients of '.called, 'of the series about the start'.left_out)
     do for [p=1:drawn] {
-        u = drawn_unknown(p)
-        eval panel(p)
-        eval single_panel
-        set title u offset 0, -0.5
+        eval panel_of_unknown(p)
         set xlabel 'power n'
         set ylabel 'log_{10} |a_n|'
         eval rising('x', 0, span(main, 'n', of_unknown(main, u), 1, 1))
@@ -31,7 +28,5 @@ do for [kind in terminals] {
     plot NaN with points pt mark_of(1) ps 0.8 lc rgb n == 1 ? tone(1) : soft title 'coefficient', \
          NaN with lines lw 1.2 lc rgb '#888888' title 'radius and exponent of the tests', \
          for [c=1:n] NaN with points pt mark_of(c) ps 0.8 lc rgb tone(c) title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -39,9 +39,7 @@ if (equation ne '') {
         eval key_strip
         plot for [i=1:words(routes)] NaN with linespoints lw 1.8 dt i pt mark[i] ps 0.8 lc rgb '#000000' title 'about the '.word(routes, i), \
              for [s=1:words(scalars)] NaN with lines lw 2.4 lc rgb shade[s + 2] title word(scalars, s)
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }

@@ -21,10 +21,7 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Partial sums of '.called, 'about the start'.(word(all, 1) eq '-' ? '' : ', '.case_name(main, k, word(all, 1))).left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            eval single_panel
-            set title u offset 0, -0.5
+            eval panel_of_unknown(p)
             set xlabel 'time / unit of the variable'
             set ylabel u
             eval rising('x', span(main, 'time', '1', 0, -1), span(main, 'time', '1', 1, 1))
@@ -42,9 +39,7 @@ if (equation ne '') {
         plot NaN with lines lw 3 lc rgb '#000000' title 'solution', \
              NaN with lines dt 3 lw 1.5 lc rgb '#888888' title 'radius', \
              for [i=1:n] NaN with lines lw 1.8 lc rgb n <= 5 ? shade[i] : colour(i, n) title in_key(i, n) ? 'N = '.word(orders, i) : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -90,9 +85,7 @@ do for [kind in terminals] {
         set arrow 2 from tstar, graph 0 to tstar, graph 1 nohead lc rgb '#555555' lw 1.2 dt 2
         eval panel(c)
         set title 'E = '.energy_name(e, first_of(of_radius, 6, which)).(first_of(of_radius, 6, which)[1:1] eq '-' ? ' (rotation)' : ' (libration)') offset 0, -0.5
-        set format x ''
-        unset xlabel
-        set bmargin 1
+        eval upper_panel
         if (c == 1) { set ylabel 'angle θ / rad' } else { unset ylabel }
         set yrange [below - 0.35*height:above + 0.35*height]
         unset key
@@ -100,9 +93,7 @@ do for [kind in terminals] {
              parts_at(main, '$3', '$6', '1 2', of(e, 1), sprintf('(NR - 2) %% %d == 0', apart)) using 1:2 with points pt 6 ps 0.8 lc rgb '#222222'
         eval no_heading
         eval panel(c + columns)
-        unset title
-        set format x '%g'
-        set bmargin 3.6
+        eval lower_panel
         set xlabel t_axis
         if (c == 1) { set ylabel error_axis } else { unset ylabel }
         set yrange [low:high]
@@ -114,7 +105,5 @@ do for [kind in terminals] {
     eval key_strip
     plot for [i=1:n] NaN with lines lw 2.2 dt dash(i) lc rgb tone(i) title in_key(i, n) ? 'N = '.word(orders, i) : '', \
          NaN with points pt 6 ps 0.8 lc rgb '#222222' title 'exact'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -26,10 +26,7 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Domb-Sykes plot of '.called, 'ratios of coefficients about the start'.left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            eval single_panel
-            set title u offset 0, -0.5
+            eval panel_of_unknown(p)
             set xlabel '1/n'
             array level[n]
             highest = 0
@@ -49,9 +46,7 @@ if (equation ne '') {
         plot NaN with points pt mark_of(1) ps 0.8 lc rgb n == 1 ? tone(1) : soft title 'ratio', \
              NaN with lines lw 1.5 lc rgb '#888888' title '±R^{−p} of the verdict of all tests', \
              for [c=1:n] NaN with points pt mark_of(c) ps 0.8 lc rgb tone(c) title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -134,47 +129,15 @@ do for [kind in terminals] {
     unset output
 }
 
-# The results of the tests for the same lists: one row per point, one column per method.
-eval restart
+# The results of the tests for the same lists.
 answers = data.'/domb_sykes_intercepts.csv'
-present = ask(sprintf("tail -n +2 '%s' | cut -d, -f4 | sort -u", answers))
-methods = ''
-do for [m in 'ratio-in-power domb-sykes mercer-roberts verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
-brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
-last = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
-# "order,log10 error" of a method, 0 drawn at the floor.
-lowest = ask(sprintf("awk -F, 'BEGIN { l = -4 } NR > 1 && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", answers)) + 0
-errors(m, p, e) = parts_at(answers, '$3', sprintf('($9 ~ /inf/ ? %g : $9)', lowest), '1 2 4', e.','.p.','.m, '$9 != ""')
-given(m, p) = cell_at(answers, 9, '2 4', p.','.m, '1') ne ''
-across = words(methods)
-# A step of 1, 2 or 5 times a power of ten for about four tics.
-tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))
-high = 300
-all = head + high * down + foot + 0.0
-do for [kind in terminals] {
-    eval use_terminal(kind, target.'/domb_sykes_intercepts', across < 3 ? 420 * across + 340 : 330 * across, all)
-    set multiplot
-    set label 1 'Relative error of R by the tests, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
-    set xrange [0:last * 1.04]
-    set xtics tic_step(last)
-    set yrange [lowest:2]
-    set xlabel 'order N'
-    set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
-    do for [q=1:down] {
-        p = word(points, q)
-        do for [i=1:across] {
-            m = word(methods, i)
-            set origin (i - 1.0) / across, (foot + high * (down - q)) / all
-            set size 1.0 / across, high / all
-            set title brief(p).': '.m noenhanced
-            if (i == 1) { set ylabel 'log_{10} |R estimated/R - 1|' } else { unset ylabel }
-            if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
-            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
-            plot for [j=1:shown] errors(m, p, energy(j)) using 1:2 with linespoints lw 1.8 dt line_of(j) pt mark_of(j) ps 0.8 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
-            unset label 1
-            unset label 2
-        }
-    }
-    unset multiplot
-    unset output
-}
+figure = 'domb_sykes_intercepts'
+listed = 'ratio-in-power domb-sykes mercer-roberts verdict'
+results_title = 'Relative error of R by the tests, from N coefficients'
+results_axis = 'log_{10} |R estimated/R - 1|'
+lowest = int(smaller(-4, least(answers, '9', '1', 0))) - 2
+floor_of(m) = lowest
+top_of(m) = 2
+with_uncertainties = 0
+point(q) = word(points, q)
+load scripts.'/shared/test_results.gp'

@@ -33,15 +33,11 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Error of the series of '.called.' and of its approximants', 'the largest error at times up to '.tidy(first_of(radii, place(radii, 'reach'), '1')).' from the start, in '.scalar.left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
-            set title u offset 0, -0.5
+            eval panel_of_unknown(p)
             eval rising('x', least(main, sprintf('%d', N), '1', 0), greatest(main, sprintf('%d', N), '1', 1))
             set yrange [bottom - 1:top + 1]
             set xlabel 'order N'
             set ylabel 'log_{10} (max |error| / '.unit_name(u).')'
-            unset key
             array slope[n]
             array height[n]
             do for [c=1:n] {
@@ -57,9 +53,7 @@ if (equation ne '') {
         plot for [m in methods] NaN with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb n == 1 ? tone(1, m) : soft title name_of(m), \
              NaN with lines lw 1 dt 3 lc rgb soft title 'rate (reach/R)^N', \
              for [c=1:n] NaN with lines lw 2.4 lc rgb tone(c, 'series') title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -135,9 +129,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
              NaN with lines lw 1.2 dt 5 lc rgb '#444444' title 'rate (T*/R)^N', \
              for [i=1:words(rounded)] NaN with points pt mark[i] ps 0.9 lw 1.2 lc rgb soft title words(arithmetics) > 0 ? 'in '.word(arithmetics, i) : '', \
              NaN with lines lw 1.2 dt 4 lc rgb '#888888' title 'ε, its floor'
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 } else {
     # The Runge-Kutta solution in double with the smallest step, if that table exists: "step log10_norm".
@@ -199,9 +191,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
              NaN with lines lw 2 lc rgb soft title 'resummation', \
              NaN with lines lw 1.1 dt 3 lc rgb soft title bounded ? 'proved bound' : '', \
              NaN with lines lw 1.5 dt 4 lc rgb '#666666' title words(baseline) == 2 ? 'RK4 at E = 2' : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 
     # The floors, if there are tables of the fixed scalars.
@@ -237,9 +227,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
                  NaN with lines lw 1.6 dt 2 lc rgb soft title 'series', \
                  NaN with lines lw 1.6 lc rgb soft title 'resummation', \
                  NaN with lines lw 1.2 dt 4 lc rgb '#666666' title 'ε, the floor'
-            unset multiplot
-            unset output
-            eval restart
+            eval figure_done
         }
     }
 }

@@ -48,9 +48,7 @@ if (equation ne '') {
             eval key_strip
             plot for [c=1:n] NaN with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c) title in_key(c, n) ? case_name(main, k, word(all, c)) : ''
         }
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -106,9 +104,7 @@ if (words(energies) > 1) {
         plot for [i=1:n] NaN with linespoints lw 2 pt mark_of(i) ps 0.8 lc rgb colour(i, n) title in_key(i, n) ? 'x = '.name(word(points, i)) : '', \
              NaN with lines lw 2 lc rgb soft title 'max(x, 1−x) T*/R', \
              NaN with points pt 4 ps 0.9 lw 1.3 lc rgb soft title measured ? 'measured' : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 }
 
@@ -146,7 +142,5 @@ do for [kind in terminals] {
     plot for [j=1:shown] NaN with linespoints lw 2 dt j pt mark[j] lc rgb shade[j] title 'E = '.named(j), \
          NaN with lines lw 2 lc rgb soft title 'max(x, 1−x) T*/R', \
          NaN with points pt 4 ps 1.2 lw 1.5 lc rgb soft title measured ? 'measured' : ''
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -21,10 +21,7 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Where rounding takes over in '.called, 'the largest error at the times'.(word(all, 1) eq '-' ? '' : ', '.case_name(main, k, word(all, 1))).left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            eval single_panel
-            set title u offset 0, -0.5
+            eval panel_of_unknown(p)
             set xlabel 'order N'
             set ylabel 'log_{10} (max |error| / '.unit_name(u).')'
             eval rising('x', span(main, 'order', '1', 0, -1), span(main, 'order', '1', 1, 1))
@@ -43,9 +40,7 @@ if (equation ne '') {
              NaN with linespoints lw 1.6 dt 2 pt mark[2] ps 0.7 lc rgb soft title 'Padé [N/2, N/2]', \
              NaN with lines lw 1 dt 3 lc rgb '#444444' title 'without rounding', \
              for [i=1:n] NaN with lines lw 2.4 lc rgb shade[i] title word(scalars, i)
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -97,7 +92,5 @@ do for [kind in terminals] {
          NaN with lines lw 2 lc rgb soft title 'resummation', \
          NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'without rounding', \
          NaN with lines lw 4 lc rgb '#666666' title 'its ε, on the right'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

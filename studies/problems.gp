@@ -37,9 +37,7 @@ do for [kind in terminals] {
         plot for [i=1:shown(list)] rows(main, 2, 3, of(name, 4, word(list, i))) using 1:2 with lines lw 1.5 lc rgb shade[i]
         eval no_heading
     }
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
     eval figure_of(kind, 'problems_coefficients')
     eval heading('Coefficients of the catalogue', 'log_{10} |a_n| over n, about the start')
     do for [p=1:count] {
@@ -53,9 +51,7 @@ do for [kind in terminals] {
         plot for [i=1:shown(list)] rows(sizes, 2, 3, of(name, 4, word(list, i))) using 1:2 with points pt 7 ps 0.25 lc rgb shade[i]
         eval no_heading
     }
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
     eval figure_of(kind, 'problems_singularities')
     eval heading('Nearest singularities of the catalogue', 'in the complex plane of the distance from the start, by radius tests (heuristic); the circle is that of convergence')
     do for [p=1:count] {
@@ -86,7 +82,5 @@ do for [kind in terminals] {
         }
         eval no_heading
     }
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -51,7 +51,5 @@ do for [kind in terminals] {
     plot for [c=1:m] NaN with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c) title in_key(c, m) ? curve_name(c) : '', \
          NaN with points pt 7 ps 0.6 lc rgb shade[4] title every_digit ? 'seconds of a proof' : '', \
          NaN with points pt 6 ps 0.6 lc rgb shade[3] title every_digit ? 'discs / 100' : ''
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -56,9 +56,7 @@ if (equation ne '') {
                 plot points_by(sprintf("awk -F, 'BEGIN { print \"x,y,z\" } NR > 1 && %s && $%d == %s && $%d != \"\" { print $1 \",\" $2 \",\" $%d } END { print \"\\n1e99,1e99,1\" }' '%s'", of_unknown(main, u), k + 1, last, y, y, main)) using 1:2:(0.5 * (b1 - a1) / (values(1) - 1)):(0.5 * (b2 - a2) / (values(2) - 1)):3 with boxxyerror lc palette
                 eval no_heading
             }
-            unset multiplot
-            unset output
-            eval restart
+            eval figure_done
         }
     } else {
         across = 2; down = drawn
@@ -88,9 +86,7 @@ if (equation ne '') {
             }
             eval key_strip
             plot for [c=1:m] NaN with linespoints lw 1.5 pt mark_of(c) ps 0.7 lc rgb tone(c) title in_key(c, m) ? curve_name(c) : ''
-            unset multiplot
-            unset output
-            eval restart
+            eval figure_done
         }
     }
     exit

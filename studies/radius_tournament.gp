@@ -24,9 +24,7 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Radius tests on '.called, '|R of the test/R − 1| over the order'.(word(all, 1) eq '-' ? '' : ', '.case_name(main, k, word(all, 1))).left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            eval single_panel
+            eval panel_of_unknown(p)
             set title u.': against R '.(count_of(main, both(of_unknown(main, u), with_word(main, 'truth', 'verdict'))) ? 'of a longer list' : first_of(main, place(main, 'truth'), both(of_unknown(main, u), '1'))) offset 0, -0.5
             set xlabel 'order N'
             set ylabel 'log_{10} |R of the test/R − 1|'
@@ -37,9 +35,7 @@ if (equation ne '') {
         }
         eval key_strip
         plot for [i=1:n] NaN with linespoints lw i == 1 ? 2.6 : 1.2 pt mark_of(i) ps 0.7 lc rgb tone(i) title word(methods, i)
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }

@@ -24,10 +24,7 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Root test of '.called, 'roots of the coefficients about the start'.left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            eval single_panel
-            set title u offset 0, -0.5
+            eval panel_of_unknown(p)
             set xlabel '1/n'
             set ylabel 'radius / unit of the variable'
             set xrange [0:1.05 * span(main, 'inverse_n', late, 0.3, 1)]
@@ -44,9 +41,7 @@ if (equation ne '') {
              NaN with points pt 2 ps 0.8 lc rgb soft title '|n a_n|^{−1/n}', \
              NaN with lines lw 1.5 lc rgb '#888888' title 'verdict of all tests', \
              for [c=1:n] NaN with lines lw 2.4 lc rgb tone(c) title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -106,51 +101,18 @@ do for [kind in terminals] {
     unset output
 }
 
-# The results of the tests by size: one row per point, one column per method; lines are errors, thin ones uncertainties.
-eval restart
+# The results of the tests by size: lines are errors, thin ones uncertainties.
 answers = data.'/root_test_estimates.csv'
-methods = ''
-do for [m in 'root root-corrected top-line verdict'] { if (count_of(answers, sprintf('$4 == "%s" && $9 != ""', m)) > 0) { methods = methods.' '.m } }
-brief(p) = p eq '0' ? 'Top' : p eq '1' ? 'Bottom' : p.' T*'
-newest = ask(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -n | tail -n 1", answers)) + 0
-# Column k against the order, 0 drawn at the floor.
-floor_of(which) = ask(sprintf("awk -F, 'BEGIN { l = -3 } NR > 1 && %s && $9 != \"\" && $9 !~ /inf/ && $9 + 0 < l { l = $9 + 0 } END { print int(l) - 2 }' '%s'", which, answers)) + 0
-of_verdict = floor_of('$4 == "verdict"')
-of_sizes = floor_of('$4 != "verdict"')
-answer(m, p, e, k, low) = parts_at(answers, '$3', sprintf('($%d ~ /inf/ ? %g : $%d)', k, low, k), '1 2 4', e.','.p.','.m, sprintf('$%d != ""', k))
-given(m, p) = cell_at(answers, 9, '2 4', p.','.m, '1') ne ''
-columns = words(methods)
-# A step of 1, 2 or 5 times a power of ten for about four tics.
-tic_step(most) = (d = 10.0**floor(log10(most / 4.0)), r = most / 4.0 / d, d * (r < 2 ? 1 : r < 5 ? 2 : 5))
+figure = 'root_test_estimates'
+listed = 'root root-corrected top-line verdict'
+results_title = 'Relative error (marks) and uncertainty (thin lines) of R, from N coefficients'
+results_axis = 'log_{10} relative to R'
+floor_below(which) = int(smaller(-3, least(answers, '9', which, 0))) - 2
+of_verdict = floor_below('$4 == "verdict"')
+of_sizes = floor_below('$4 != "verdict"')
+floor_of(m) = m eq 'verdict' ? of_verdict : of_sizes
+top_of(m) = m eq 'verdict' ? 2 : 1
+with_uncertainties = 1
 down = across
-high = 300
-all = head + high * down + foot + 0.0
-do for [kind in terminals] {
-    eval use_terminal(kind, target.'/root_test_estimates', columns < 3 ? 420 * columns + 340 : 330 * columns, all)
-    set multiplot
-    set label 1 'Relative error (marks) and uncertainty (thin lines) of R, from N coefficients' at screen 0.5, 1 - 20 / all center font ',16'
-    set xrange [0:newest * 1.04]
-    set xtics tic_step(newest)
-    set xlabel 'order N'
-    set lmargin 8; set rmargin 1.5; set tmargin 2.2; set bmargin 3.4
-    do for [q=1:down] {
-        p = place(q)
-        do for [i=1:columns] {
-            m = word(methods, i)
-            low = m eq 'verdict' ? of_verdict : of_sizes
-            set origin (i - 1.0) / columns, (foot + high * (down - q)) / all
-            set size 1.0 / columns, high / all
-            set yrange [low:m eq 'verdict' ? 2 : 1]
-            set title brief(p).': '.m noenhanced
-            if (i == 1) { set ylabel 'log_{10} relative to R' } else { unset ylabel }
-            if (q == 1 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width 2 } else { unset key }
-            if (!given(m, p)) { set label 2 'refuses all of these lists' at graph 0.5, 0.5 center textcolor rgb soft }
-            plot for [j=1:shown] answer(m, p, energy(j), 10, low) using 1:2 with lines lw 1 dt 3 lc rgb colour(j, shown) notitle, \
-                 for [j=1:shown] answer(m, p, energy(j), 9, low) using 1:2 with linespoints lw 1.8 dt line_of(j) pt mark_of(j) ps 0.8 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
-            unset label 1
-            unset label 2
-        }
-    }
-    unset multiplot
-    unset output
-}
+point(q) = place(q)
+load scripts.'/shared/test_results.gp'

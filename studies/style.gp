@@ -10,6 +10,8 @@
 # The initial settings of every figure; `eval restart` between two. A row that was filtered out does not break a line.
 restart = "reset; set encoding utf8; set minussign; set datafile separator ','; set datafile missing NaN; set datafile columnheaders; set border 3 lc rgb '#444444'; set tics nomirror out textcolor rgb '#222222'; set grid ytics lc rgb '#dddddd' lw 0.7; set key textcolor rgb '#222222' samplen 2.2 spacing 1.1"
 eval restart
+# The end of a figure of several panels.
+figure_done = 'unset multiplot; unset output; '.restart
 
 if (!exists('terminals')) { terminals = 'svg pdf png' }
 # Lengths are in points of the screen, 160 per inch on paper: a figure of 1180 points is as wide as a page, with letters
@@ -125,6 +127,9 @@ panel(p) = sprintf("set origin %.6f, %.6f; set size %.6f, %.6f", ((p - 1) % acro
 font_for(text, most) = smaller(most, int(1.5 * wide / strlen(text)))
 heading(text, below) = sprintf("set label 1001 \"%s\" at screen 0.5, %.6f center font ',%d'; set label 1002 \"%s\" at screen 0.5, %.6f center font ',%d' textcolor rgb soft", text, 1 - 20 / tall, font_for(text, 17), below, 1 - 44 / tall, font_for(below.' ', 13))
 no_heading = 'unset label 1001; unset label 1002'
+# Two panels above each other share the axis of x.
+upper_panel = "set format x ''; unset xlabel; set bmargin 1"
+lower_panel = "unset title; set format x '%g'; set bmargin 3.6"
 # The strip of the key: only the names of the curves are drawn in it.
 key_strip = "unset title; unset xlabel; unset ylabel; unset tics; unset border; unset grid; unset arrow; unset label; unset logscale; unset format; set xrange [0:1]; set yrange [0:1]; set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0; set origin 0, 0; set size 1, foot / tall; set key inside center center horizontal Left reverse samplen 2.6 width 1"
 # --- axes

@@ -18,10 +18,7 @@ if (equation ne '') {
         eval figure_of(kind, stem)
         eval heading('Terms for D digits of '.called, 'the least order whose largest error at the times is at most 10^{−D}'.left_out)
         do for [p=1:drawn] {
-            u = drawn_unknown(p)
-            eval panel(p)
-            eval single_panel
-            set title u offset 0, -0.5
+            eval panel_of_unknown(p)
             set xlabel 'digits D'
             set ylabel 'least order N'
             eval rising('x', span(main, 'digits', '1', 0, -1), span(main, 'digits', '1', 1, 1))
@@ -35,9 +32,7 @@ if (equation ne '') {
              NaN with linespoints lw 1.8 dt 1 pt mark[3] ps 0.7 lc rgb n == 1 ? tone(1, 'endpoint') : soft title 'endpoint', \
              NaN with lines lw 1 dt 3 lc rgb soft title 'rate of the series', \
              for [c=1:n] NaN with lines lw 2.4 lc rgb tone(c, 'series') title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
     exit
 }
@@ -104,7 +99,5 @@ do for [kind in terminals] {
          NaN with points pt 1 ps 0.8 lc rgb soft title 'proved, series', \
          NaN with points pt 2 ps 0.7 lc rgb soft title 'proved, resummed', \
          NaN with lines lw 1.5 dt 3 lc rgb soft title 'D ln 10/ln(R/T*)'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -38,9 +38,7 @@ do for [kind in terminals] {
     eval key_strip
     plot for [i=1:n] NaN with linespoints lw 1.8 pt mark_of(i) ps 0.9 lc rgb colour(i, n) title in_key(i, n) ? named(i) : '', \
          NaN with lines lw 1.4 dt 3 lc rgb soft title 'estimate'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }
 
 scalars = seen(reduction, 2, '1')
@@ -72,7 +70,5 @@ do for [kind in terminals] {
          NaN with lines lw 1.8 lc rgb soft title 'by fmod', \
          NaN with lines lw 1.4 dt 3 lc rgb soft title 'its bound', \
          NaN with lines lw 1.8 dt 2 lc rgb soft title 'exactly'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

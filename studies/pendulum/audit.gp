@@ -46,7 +46,5 @@ do for [kind in terminals] {
          NaN with points pt 7 lc rgb shade[4] title called.', nearest k', \
          NaN with lines lw 2 dt 2 lc rgb shade[6] title 'what the nearest k tells', \
          NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'one unit of double'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

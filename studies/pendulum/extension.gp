@@ -37,9 +37,7 @@ do for [kind in terminals] {
         eval grid_lines
         eval panel(c)
         set title 'E = '.energy_name(e, first_of(file, 10, which)) offset 0, -0.5
-        set format x ''
-        unset xlabel
-        set bmargin 1
+        eval upper_panel
         if (c == 1) { set ylabel 'angle θ / (π rad)' } else { unset ylabel }
         low = least(exact, '5', which, 0) / pi; high = greatest(exact, '5', which, 1) / pi
         set yrange [low - 0.12 * (high - low) - 0.02:high + 0.12 * (high - low) + 0.02]
@@ -49,9 +47,7 @@ do for [kind in terminals] {
              broken_at(numerical, 9, 5, '1', e) using 1:($2/pi) with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000'
         eval no_heading
         eval panel(c + columns)
-        unset title
-        set format x '%g'
-        set bmargin 3.6
+        eval lower_panel
         set xlabel 'time t / T'
         if (c == 1) { set ylabel error_axis } else { unset ylabel }
         set yrange [larger(least(file, '8', which, -16) - 0.5, -20):larger(greatest(file, '8', which, 0), -12) + 0.5]
@@ -64,7 +60,5 @@ do for [kind in terminals] {
          NaN with lines lw 1 lc rgb '#888888' title 'exact', \
          NaN with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000' title 'numerical', \
          NaN with lines lw 1 lc rgb '#bbbbbb' title '| multiples of T*'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -37,9 +37,7 @@ do for [kind in terminals] {
         set xrange [first:last > first ? last : first + 1]
         eval panel(c)
         set title 'E = '.energy_name(e, first_of(file, 11, which)) offset 0, -0.5
-        set format x ''
-        unset xlabel
-        set bmargin 1
+        eval upper_panel
         if (c == 1) { set ylabel 'angle θ / (π rad)' } else { unset ylabel }
         low = least(file, '7', which, 0) / pi; high = greatest(file, '7', which, 1) / pi
         set yrange [low - room(low, high):high + room(low, high)]
@@ -48,9 +46,7 @@ do for [kind in terminals] {
              broken_at(numerical, 10, 7, '1', e) using 1:($2/pi) with points pt 7 ps 0.6 lc rgb '#000000'
         eval no_heading
         eval panel(c + columns)
-        unset title
-        set format x '%g'
-        set bmargin 3.6
+        eval lower_panel
         set xlabel 'time t / T, T exact'
         if (c == 1) { set ylabel error_axis } else { unset ylabel }
         low = larger(least(file, '9', which, -12), -14); high = greatest(file, '9', which, 0)
@@ -61,7 +57,5 @@ do for [kind in terminals] {
     eval key_strip
     plot for [i=1:n] NaN with lines lw weight(i) dt dash(i) lc rgb hue(i) title in_key(i, n) ? name_of(i) : '', \
          NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'numerical'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

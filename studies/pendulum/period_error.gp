@@ -50,9 +50,7 @@ if (words(energies) <= 2) {
              NaN with linespoints lw 2.2 dt 1 pt 7 ps 0.6 lc rgb tone('resummed') title 'resummation', \
              NaN with points pt 2 ps 0.7 lc rgb soft title 'proved bound', \
              NaN with lines lw 1.2 dt 5 lc rgb '#444444' title 'rate m^N'
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 } else {
     apart = words(energies) > 20 ? 4 : 1                            # energies between two crosses
@@ -112,8 +110,6 @@ if (words(energies) <= 2) {
              NaN with lines lw 2 dt 2 lc rgb soft title 'series', \
              NaN with lines lw 2 lc rgb soft title 'resummation', \
              NaN with points pt 2 ps 0.6 lc rgb soft title 'proved bound'
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 }

@@ -77,7 +77,5 @@ do for [kind in terminals] {
     eval key_strip
     plot for [i=1:7] NaN with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i) title word(names, i), \
          NaN with lines lw 1.6 dt 3 lc rgb soft title 'proved (A, A2, U)'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

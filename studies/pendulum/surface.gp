@@ -60,7 +60,5 @@ do for [kind in terminals] {
     plot for [i=1:words(ways)] points_by(worst(word(ways, i))) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title in_key(i, words(ways)) ? word(ways, i) : ''
     unset arrow
     }
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

@@ -46,9 +46,7 @@ if (words(energies) <= 2) {
              NaN with lines lw 1.5 dt 3 lc rgb shade[5] title 'proved bound (U)', \
              NaN with points pt 6 ps 1 lw 1.3 lc rgb '#333333' title 'in double', \
              NaN with lines lw 1.2 dt 4 lc rgb '#888888' title 'ε of double'
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 } else {
     # The panels: condition, column of x, title.
@@ -86,8 +84,6 @@ if (words(energies) <= 2) {
         plot for [i=1:n] NaN with lines lw 2.4 lc rgb tone(i, n) title in_key(i, n) ? word(counts, i).' coefficients' : '', \
              NaN with points pt 6 ps 0.8 lc rgb '#333333' title drawn.', in double', \
              NaN with lines lw 1.5 dt 3 lc rgb soft title 'proved bound (U)'
-        unset multiplot
-        unset output
-        eval restart
+        eval figure_done
     }
 }

@@ -56,7 +56,5 @@ do for [kind in terminals] {
     plot NaN with points pt 2 ps 1.1 lw 2 lc rgb '#000000' title 'singularity', \
          NaN with lines lw 2 lc rgb '#000000' title 'radius of convergence, proved', \
          NaN with lines lw 1 lc rgb '#777777' title 'discs of the proof'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

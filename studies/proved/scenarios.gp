@@ -30,7 +30,5 @@ do for [kind in terminals] {
     eval no_heading
     eval key_strip
     plot for [i=1:3] NaN with points pt mark[i] ps 1 lw 1.6 lc rgb shade[2 * i - 1] title 'radius '.ask(sprintf("printf '%%s' '%s' | cut -d'|' -f%d", letters, i))
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

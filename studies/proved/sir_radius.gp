@@ -34,7 +34,5 @@ do for [kind in terminals] {
     eval key_strip
     plot for [i=1:n] NaN with linespoints pt 7 ps 0.6 lw 1.8 lc rgb colour(i, n) title 'r I(0)/a = '.number_name(word(starts, i)), \
          NaN with lines lw 1.8 lc rgb soft title 'radius', NaN with lines dt 2 lw 1.4 lc rgb soft title 'time of the peak'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

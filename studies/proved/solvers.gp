@@ -49,7 +49,5 @@ do for [kind in terminals] {
     eval key_strip
     plot for [k=1:words(curves)] NaN with linespoints lw 1.6 dt turn_of(k) pt mark[turn_of(k)] ps 0.7 lc rgb shade[place_of(library_of(word(curves, k)))] title library_of(word(curves, k)).' '.method_of(word(curves, k)), \
          NaN with lines dt 3 lw 1.4 lc rgb soft title 'inputs in double'
-    unset multiplot
-    unset output
-    eval restart
+    eval figure_done
 }

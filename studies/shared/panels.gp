@@ -30,3 +30,4 @@ span(f, c, where, otherwise, sign) = sign < 0 ? least(f, text_of_column(f, c), w
 # Few tics for the values of a parameter.
 quarters(which, a, b) = b > a ? sprintf("set %stics %.15g, %.15g, %.15g format '%%.4g'", which, a, (b - a) / 4.0, b) : ''
 single_panel = 'set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6; unset key'
+panel_of_unknown(p) = sprintf('u = drawn_unknown(%d); ', p).panel(p).'; '.single_panel.'; set title u offset 0, -0.5'
