@@ -1,7 +1,6 @@
-// Initial value problems that other libraries solve too: as text for Libration, as functions for the others.
+// Initial value problems that other libraries solve too, as text; as functions they are in peers/slopes.hpp.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -68,66 +67,6 @@ inline std::vector<initial_value_problem> problems_with_peers() {
          2,
          {"1", "0", "0", "0.9", "0", "-1", "1.1", "0", "-0.9", "0", "0", "-0.8", "0", "1.1", "-1", "0"},
          "3"}};
-}
-
-/// The derivative of a state, for solvers of first-order systems.
-template <class T>
-using slope_function = void (*)(const std::vector<T>& x, std::vector<T>& slope, const T& t);
-
-template <class T>
-void slope_of_lorenz(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
-    slope[0] = 10 * (x[1] - x[0]);
-    slope[1] = x[0] * (28 - x[2]) - x[1];
-    slope[2] = x[0] * x[1] - 8 * x[2] / 3;
-}
-
-template <class T>
-void slope_of_kepler(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
-    using std::sqrt;
-    const T square = x[0] * x[0] + x[2] * x[2];
-    const T cube = square * sqrt(square);
-    slope[0] = x[1];
-    slope[1] = -x[0] / cube;
-    slope[2] = x[3];
-    slope[3] = -x[2] / cube;
-}
-
-template <class T>
-void slope_of_pendulum(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
-    using std::sin;
-    slope[0] = x[1];
-    slope[1] = -sin(x[0]);
-}
-
-template <class T>
-void slope_of_four_bodies(const std::vector<T>& x, std::vector<T>& slope, const T& /*t*/) {
-    using std::sqrt;
-    for (std::size_t i = 0; i < 16; i += 2) {
-        slope[i] = x[i + 1];
-        slope[i + 1] = T(0);
-    }
-    for (std::size_t i = 0; i < 16; i += 4) {
-        for (std::size_t j = i + 4; j < 16; j += 4) {
-            const T dx = x[j] - x[i];
-            const T dy = x[j + 2] - x[i + 2];
-            const T square = dx * dx + dy * dy;
-            const T cube = square * sqrt(square);
-            const T fx = dx / cube;
-            const T fy = dy / cube;
-            slope[i + 1] += fx;
-            slope[i + 3] += fy;
-            slope[j + 1] -= fx;
-            slope[j + 3] -= fy;
-        }
-    }
-}
-
-template <class T>
-slope_function<T> slope_of(const std::string& name) {
-    return name == "lorenz"     ? slope_of_lorenz<T>
-           : name == "kepler"   ? slope_of_kepler<T>
-           : name == "pendulum" ? slope_of_pendulum<T>
-                                : slope_of_four_bodies<T>;
 }
 
 }  // namespace libration::bench

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "../peers/slopes.hpp"
 #include "equation_peers.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
@@ -250,6 +251,14 @@ void add_ours(std::vector<bench::contender>& all, const std::string& name, const
 }
 
 template <class T>
+peers::slope_function<T> slope_of(const std::string& problem) {
+    return problem == "lorenz"     ? peers::lorenz<T>
+           : problem == "kepler"   ? peers::kepler<T>
+           : problem == "pendulum" ? peers::pendulum<T>
+                                   : peers::four_body<T>;
+}
+
+template <class T>
 std::vector<T> by_odeint(const solved_problem& of, const T& tolerance) {
     namespace odeint = boost::numeric::odeint;
     using state = std::vector<T>;
@@ -260,8 +269,10 @@ std::vector<T> by_odeint(const solved_problem& of, const T& tolerance) {
     }
     static const plain stepper;  // static: GCC warns about the state that copies copy
     const auto controlled = odeint::make_controlled(tolerance, tolerance, stepper);
-    odeint::integrate_adaptive(controlled, bench::slope_of<T>(of.problem.name), x, T(0), value_of<T>(of.problem.end),
-                               value_of<T>("0.001"));
+    const auto slopes = [slope = slope_of<T>(of.problem.name)](const state& at, state& out, const T& /*t*/) {
+        slope(at.data(), out.data());
+    };
+    odeint::integrate_adaptive(controlled, slopes, x, T(0), value_of<T>(of.problem.end), value_of<T>("0.001"));
     return x;
 }
 

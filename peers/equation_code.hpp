@@ -24,52 +24,49 @@
 
 namespace peers {
 
-enum class kind {
-    nothing,
-    constant,
-    variable,
-    state,
-    sum,
-    difference,
-    scaled,
-    raised,
-    by_time,
-    product,
-    quotient,
-    sqrt,
-    power,
-    exp,
-    log,
-    sin,
-    cos,
-    tan,
-    atan,
-    asin,
-    root_beside,
-    sinh,
-    cosh,
-    tanh
-};
-
+// An elementary operation: its operands are the values of the steps `left` and `right`, and the time.
 struct step {
-    kind what = kind::nothing;
+    double (*apply)(const step& of, double left, double right, double t) = nullptr;  // nullptr: the value is given
     std::size_t left = 0;
     std::size_t right = 0;
     double constant = 0;
     double numerator = 1;
     double denominator = 1;
 };
+using operation = decltype(step::apply);
 
-inline const std::map<std::string, kind>& kinds_of_steps() {
-    static const std::map<std::string, kind> all{
-        {"nothing", kind::nothing}, {"constant", kind::constant}, {"variable", kind::variable},
-        {"state", kind::state},     {"sum", kind::sum},           {"difference", kind::difference},
-        {"scaled", kind::scaled},   {"raised", kind::raised},     {"by_time", kind::by_time},
-        {"product", kind::product}, {"quotient", kind::quotient}, {"sqrt", kind::sqrt},
-        {"power", kind::power},     {"exp", kind::exp},           {"log", kind::log},
-        {"sin", kind::sin},         {"cos", kind::cos},           {"tan", kind::tan},
-        {"atan", kind::atan},       {"asin", kind::asin},         {"root_beside", kind::root_beside},
-        {"sinh", kind::sinh},       {"cosh", kind::cosh},         {"tanh", kind::tanh}};
+template <double (*f)(double)>
+double function_of(const step& /*of*/, double left, double /*right*/, double /*t*/) {
+    return f(left);
+}
+
+inline const std::map<std::string, operation>& operations() {
+    static const std::map<std::string, operation> all{
+        {"nothing", nullptr},
+        {"state", nullptr},
+        {"constant", [](const step& of, double, double, double) { return of.constant; }},
+        {"variable", [](const step&, double, double, double t) { return t; }},
+        {"sum", [](const step&, double a, double b, double) { return a + b; }},
+        {"difference", [](const step&, double a, double b, double) { return a - b; }},
+        {"scaled",
+         [](const step& of, double a, double, double) { return a * of.constant * of.numerator / of.denominator; }},
+        {"raised", [](const step& of, double a, double, double) { return a + of.constant; }},
+        {"by_time", [](const step&, double a, double, double t) { return t * a; }},
+        {"product", [](const step&, double a, double b, double) { return a * b; }},
+        {"quotient", [](const step&, double a, double b, double) { return a / b; }},
+        {"power", [](const step& of, double a, double, double) { return std::pow(a, of.constant); }},
+        {"root_beside", [](const step&, double a, double, double) { return std::sqrt(1 - a * a); }},
+        {"sqrt", function_of<std::sqrt>},
+        {"exp", function_of<std::exp>},
+        {"log", function_of<std::log>},
+        {"sin", function_of<std::sin>},
+        {"cos", function_of<std::cos>},
+        {"tan", function_of<std::tan>},
+        {"atan", function_of<std::atan>},
+        {"asin", function_of<std::asin>},
+        {"sinh", function_of<std::sinh>},
+        {"cosh", function_of<std::cosh>},
+        {"tanh", function_of<std::tanh>}};
     return all;
 }
 
@@ -87,7 +84,10 @@ public:
             values[state[i]] = y[i];
         }
         for (std::size_t k = 0; k < steps.size(); ++k) {
-            evaluate(k, t);
+            const step& s = steps[k];
+            if (s.apply != nullptr) {
+                values[k] = s.apply(s, values[s.left], values[s.right], t);
+            }
         }
         for (std::size_t i = 0; i < size(); ++i) {
             out[i] = values[slope[i]];
@@ -134,39 +134,6 @@ public:
     long limit = 0;
     long evaluations = 0;
     std::vector<double> values;
-
-private:
-    void evaluate(std::size_t k, double t) {
-        const step& s = steps[k];
-        const double a = values[s.left];
-        const double b = values[s.right];
-        double& result = values[k];
-        switch (s.what) {
-            case kind::constant: result = s.constant; break;
-            case kind::variable: result = t; break;
-            case kind::sum: result = a + b; break;
-            case kind::difference: result = a - b; break;
-            case kind::scaled: result = a * s.constant * s.numerator / s.denominator; break;
-            case kind::raised: result = a + s.constant; break;
-            case kind::by_time: result = t * a; break;
-            case kind::product: result = a * b; break;
-            case kind::quotient: result = a / b; break;
-            case kind::sqrt: result = std::sqrt(a); break;
-            case kind::power: result = std::pow(a, s.constant); break;
-            case kind::exp: result = std::exp(a); break;
-            case kind::log: result = std::log(a); break;
-            case kind::sin: result = std::sin(a); break;
-            case kind::cos: result = std::cos(a); break;
-            case kind::tan: result = std::tan(a); break;
-            case kind::atan: result = std::atan(a); break;
-            case kind::asin: result = std::asin(a); break;
-            case kind::root_beside: result = std::sqrt(1 - a * a); break;
-            case kind::sinh: result = std::sinh(a); break;
-            case kind::cosh: result = std::cosh(a); break;
-            case kind::tanh: result = std::tanh(a); break;
-            default: break;
-        }
-    }
 };
 
 inline double read_number() {
@@ -196,12 +163,12 @@ inline equations read_equations() {
         each.constant = read_number();
         each.numerator = read_number();
         each.denominator = read_number();
-        const auto known = kinds_of_steps().find(word);
-        if (known == kinds_of_steps().end()) {
+        const auto known = operations().find(word);
+        if (known == operations().end()) {
             std::fprintf(stderr, "does not know '%s'\n", word.c_str());
             std::exit(2);
         }
-        each.what = known->second;
+        each.apply = known->second;
     }
     result.values.resize(result.steps.size());
     const std::size_t states = read_count("states");

@@ -1,18 +1,19 @@
 // Initial value problems in double by the Runge-Kutta method of Prince and Dormand of order 8 (rk8pd) of the GNU
 // Scientific Library, and how long that takes, for the benchmark `equations`. GSL is under the GPL: this is a program
-// of its own, which shares no code with libration and talks to it in text.
+// of its own, which shares no code with the library and talks to it in text.
 //
 //   stdin    problem tolerance passes end count, then count starts: x, x', y, y', ...
 //   stdout   the CPU time of one pass in nanoseconds, then count values at the end, hexadecimal floats
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <vector>
+
+#include "slopes.hpp"
 
 namespace {
 
@@ -22,46 +23,9 @@ double cpu_nanoseconds() {
     return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-int lorenz(double /*t*/, const double x[], double slope[], void* /*unused*/) {
-    slope[0] = 10 * (x[1] - x[0]);
-    slope[1] = x[0] * (28 - x[2]) - x[1];
-    slope[2] = x[0] * x[1] - 8 * x[2] / 3;
-    return GSL_SUCCESS;
-}
-
-int kepler(double /*t*/, const double x[], double slope[], void* /*unused*/) {
-    const double square = x[0] * x[0] + x[2] * x[2];
-    const double cube = square * std::sqrt(square);
-    slope[0] = x[1];
-    slope[1] = -x[0] / cube;
-    slope[2] = x[3];
-    slope[3] = -x[2] / cube;
-    return GSL_SUCCESS;
-}
-
-int pendulum(double /*t*/, const double x[], double slope[], void* /*unused*/) {
-    slope[0] = x[1];
-    slope[1] = -std::sin(x[0]);
-    return GSL_SUCCESS;
-}
-
-int four_body(double /*t*/, const double x[], double slope[], void* /*unused*/) {
-    for (int i = 0; i < 16; i += 2) {
-        slope[i] = x[i + 1];
-        slope[i + 1] = 0;
-    }
-    for (int i = 0; i < 16; i += 4) {
-        for (int j = i + 4; j < 16; j += 4) {
-            const double dx = x[j] - x[i];
-            const double dy = x[j + 2] - x[i + 2];
-            const double square = dx * dx + dy * dy;
-            const double cube = square * std::sqrt(square);
-            slope[i + 1] += dx / cube;
-            slope[i + 3] += dy / cube;
-            slope[j + 1] -= dx / cube;
-            slope[j + 3] -= dy / cube;
-        }
-    }
+template <peers::slope_function<double> slope_of>
+int slopes(double /*t*/, const double x[], double out[], void* /*unused*/) {
+    slope_of(x, out);
     return GSL_SUCCESS;
 }
 
@@ -83,11 +47,11 @@ int main() {
             return 2;
         }
     }
-    const auto slope = std::strcmp(name, "lorenz") == 0     ? lorenz
-                       : std::strcmp(name, "kepler") == 0   ? kepler
-                       : std::strcmp(name, "pendulum") == 0 ? pendulum
-                                                            : four_body;
-    gsl_odeiv2_system system{slope, nullptr, count, nullptr};
+    const auto of_problem = std::strcmp(name, "lorenz") == 0     ? slopes<peers::lorenz<double>>
+                            : std::strcmp(name, "kepler") == 0   ? slopes<peers::kepler<double>>
+                            : std::strcmp(name, "pendulum") == 0 ? slopes<peers::pendulum<double>>
+                                                                 : slopes<peers::four_body<double>>;
+    gsl_odeiv2_system system{of_problem, nullptr, count, nullptr};
     gsl_odeiv2_driver* const driver =
         gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, tolerance, tolerance);
     std::vector<double> x;
