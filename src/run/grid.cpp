@@ -148,16 +148,4 @@ int read_count(std::string_view text, int largest) {
     return static_cast<int>(read_whole_number(text, largest, "list"));
 }
 
-std::vector<int> read_counts(std::string_view text, int largest) {
-    std::vector<int> values;
-    for (const std::string_view item : list_items(text)) {
-        try {
-            values.push_back(read_count(item, largest));
-        } catch (const error& problem) {
-            refuse(item, text, problem.reason());
-        }
-    }
-    return values;
-}
-
 }  // namespace libration

@@ -22,7 +22,4 @@ std::vector<exact> read_grid(std::string_view text);
 /// An integer >= 0, at most `largest`. Throws error of the kind argument with the reason.
 int read_count(std::string_view text, int largest);
 
-/// A list of whole numbers.
-std::vector<int> read_counts(std::string_view text, int largest);
-
 }  // namespace libration

@@ -1,8 +1,6 @@
 #include "text/html.hpp"
 
 #include <algorithm>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cstddef>
 
 #include "text/html_mathematics.hpp"
@@ -93,18 +91,6 @@ std::string svg_uri(const std::string& svg) {
             default: out += c;
         }
     }
-    return out;
-}
-
-std::string data_uri(const std::string& media_type, const std::string& content) {
-    using namespace boost::archive::iterators;
-    using encoded = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-    // Zeros fill up the last group of three bytes; '=' marks those that were added.
-    const std::size_t added = (3 - content.size() % 3) % 3;
-    const std::string whole = content + std::string(added, '\0');
-    std::string out = "data:" + media_type + ";base64,";
-    out.append(encoded(whole.begin()), encoded(whole.end()));
-    out.replace(out.size() - added, added, added, '=');
     return out;
 }
 

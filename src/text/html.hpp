@@ -11,9 +11,6 @@ std::string html_text(const std::string& text);
 /// The same with formulas as html_mathematics writes them, and text between backticks as code.
 std::string html_prose(const std::string& text);
 
-/// A file's content as a data: URI, so that the page needs no other file to show it.
-std::string data_uri(const std::string& media_type, const std::string& content);
-
 /// An SVG image as a data: URI for an attribute in double quotes, with the few characters escaped that are not allowed
 /// there: two thirds of the size in base64. Its double quotes become single ones, so it must not contain text with either.
 std::string svg_uri(const std::string& svg);

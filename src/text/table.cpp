@@ -13,21 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "text/csv_records.hpp"
+
 namespace libration {
 
 namespace {
-
-// Quoted where CSV needs it.
-std::string csv_cell(const std::string& cell) {
-    if (cell.find_first_of(",\"\n") == std::string::npos) {
-        return cell;
-    }
-    std::string quoted = "\"";
-    for (const char c : cell) {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + '"';
-}
 
 std::vector<column> named_columns(const std::vector<std::string>& names) {
     std::vector<column> columns;
@@ -127,7 +117,7 @@ std::string to_csv(const table& data) {
     out += '\n';
     for (const auto& row : data.rows()) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            out += (i > 0 ? "," : "") + csv_cell(row[i].text());
+            out += (i > 0 ? "," : "") + written_cell(row[i].text());
         }
         out += '\n';
     }
@@ -144,7 +134,7 @@ csv_stream::csv_stream(const std::string& path, const std::vector<column>& colum
 
 void csv_stream::add(const table_row_cells& row) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        file_ << (i > 0 ? "," : "") << csv_cell(row[places_[i]].text());
+        file_ << (i > 0 ? "," : "") << written_cell(row[places_[i]].text());
     }
     file_ << '\n';
 }
@@ -158,39 +148,27 @@ void csv_stream::finish() {
 
 table from_csv(const std::string& text) {
     table data;
-    std::vector<std::string> cells{""};
     std::size_t line = 1;
-    bool quoted = false;
-    const auto finish_row = [&] {
+    for (std::size_t begin = 0; begin < text.size(); ++line) {
+        std::size_t end = begin;
+        split_record record;
+        do {
+            end = text.find('\n', end);
+            if (end == std::string::npos) {
+                throw std::runtime_error(fmt::format("line {} does not end", line));
+            }
+            record = split_cells(text.substr(begin, end - begin), separator::comma);
+            ++end;
+        } while (!record.closed);
+        begin = end;
         if (data.columns().empty()) {
-            data = table(named_columns(cells));
-        } else if (cells.size() != data.columns().size()) {
+            data = table(named_columns(record.cells));
+        } else if (record.cells.size() != data.columns().size()) {
             throw std::runtime_error(
-                fmt::format("line {} has {} cells, not {}", line, cells.size(), data.columns().size()));
+                fmt::format("line {} has {} cells, not {}", line, record.cells.size(), data.columns().size()));
         } else {
-            data.add_row(read_cells(cells));
+            data.add_row(read_cells(record.cells));
         }
-        cells = {""};
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"') {
-            // Within quotes a doubled quote is one.
-            const bool doubled = quoted && i + 1 < text.size() && text[i + 1] == '"';
-            cells.back() += doubled ? "\"" : "";
-            quoted = doubled || !quoted;
-            i += doubled ? 1 : 0;
-        } else if (c == ',' && !quoted) {
-            cells.emplace_back();
-        } else if (c == '\n' && !quoted) {
-            finish_row();
-            ++line;
-        } else {
-            cells.back() += c;
-        }
-    }
-    if (quoted || cells.size() > 1 || !cells.back().empty()) {
-        throw std::runtime_error(fmt::format("line {} does not end", line));
     }
     return data;
 }

@@ -199,16 +199,4 @@ TEST_CASE("a count is a whole number from 0 to the largest allowed", "[sweep][gr
     }
 }
 
-TEST_CASE("counts are a list that names the wrong item", "[sweep][grid]") {
-    CHECK(read_counts("5", 100) == std::vector<int>{5});
-    CHECK(read_counts("40,5,0,5", 100) == std::vector<int>{40, 5, 0, 5});
-    const auto about = [](const std::string& text) { return complaint([&] { return read_counts(text, 100); }); };
-    CHECK(about("") == "is not a whole number");
-    CHECK(about("5,,10") == "has an empty item");
-    CHECK(about("5,10,") == "has an empty item");
-    CHECK(about("5,x") == "has the item 'x', which is not a whole number");
-    CHECK(about("5,101") == "has the item '101', which is not between 0 and 100");
-    CHECK(about("-3") == "is not between 0 and 100");
-}
-
 }  // namespace sweep_grid_test
