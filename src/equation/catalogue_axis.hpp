@@ -15,7 +15,6 @@ inline const problem_family& catalogue_as_problem() {
                                        {{.name = "problem",
                                          .option = "--problems",
                                          .help = "names of the catalogue: a,b,c, or all",
-                                         .unit = "",
                                          .form = axis_form::words,
                                          .remedy = "write names of `libration problems`, or all",
                                          .check =
@@ -24,8 +23,7 @@ inline const problem_family& catalogue_as_problem() {
                                                      static_cast<void>(problem_text(word.text));
                                                  }
                                              },
-                                         .coordinate = "problem",
-                                         .to_coordinate = {}}}};
+                                         .coordinate = "problem"}}};
     return result;
 }
 

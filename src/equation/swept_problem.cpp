@@ -48,12 +48,10 @@ axis axis_of(const set_axis& each) {
     return {.name = each.axis(),
             .option = each.option(),
             .help = "",
-            .unit = "",
             .form = axis_form::numbers,
             .remedy = set_remedy,
             .check = require_no_period,
-            .coordinate = each.axis(),
-            .to_coordinate = {}};
+            .coordinate = each.axis()};
 }
 
 problem_family axes_of(const swept_problem& of) {
@@ -75,21 +73,17 @@ problem_family axes_of(const swept_problem& of) {
     result.axes.push_back({.name = "time",
                            .option = "--times",
                            .help = "",
-                           .unit = "",
                            .form = axis_form::numbers,
                            .remedy = times_remedy,
                            .check = require_time,
-                           .coordinate = "time",
-                           .to_coordinate = {}});
+                           .coordinate = "time"});
     result.axes.push_back({.name = "unknown",
                            .option = "--unknowns",
                            .help = "unknowns of --problem: a,b,c; default all",
-                           .unit = "",
                            .form = axis_form::words,
                            .remedy = "write some of " + listed,
                            .check = require_unknown,
-                           .coordinate = "unknown",
-                           .to_coordinate = {}});
+                           .coordinate = "unknown"});
     return result;
 }
 

@@ -28,7 +28,7 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
     }
     std::vector<claim> result;
     for (const std::string& name : names) {
-        const auto found = std::find_if(all.begin(), all.end(), [&](const claim& c) { return c.name == name; });
+        const auto found = std::ranges::find(all, name, &claim::name);
         if (found == all.end()) {
             throw input_error("claims", name, "is not a claim", "see 'libration claims'");
         }

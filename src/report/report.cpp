@@ -95,8 +95,7 @@ std::string references_part(const std::vector<published_reference>& references) 
 }
 
 const published_claim& claim_named(const std::vector<published_claim>& claims, const std::string& name) {
-    const auto found =
-        std::find_if(claims.begin(), claims.end(), [&](const published_claim& each) { return each.name == name; });
+    const auto found = std::ranges::find(claims, name, &published_claim::name);
     if (found == claims.end()) {
         throw std::runtime_error("the errata name the claim " + name + ", which does not exist");
     }

@@ -24,6 +24,7 @@
 #include "sweep/study_order.hpp"
 #include "sweep/study_run.hpp"
 #include "text/input_error.hpp"
+#include "text/members.hpp"
 
 namespace libration {
 
@@ -92,26 +93,14 @@ std::vector<part> parts_of(const reproduce_set& set, const std::string& out, int
     return parts;
 }
 
-std::vector<std::string> names_of(const std::vector<part>& parts) {
-    std::vector<std::string> names;
-    names.reserve(parts.size());
-    std::transform(parts.begin(), parts.end(), std::back_inserter(names), [](const part& each) { return each.name; });
-    return names;
-}
-
-std::vector<double> seconds_of(const std::vector<part>& parts) {
-    std::vector<double> seconds;
-    seconds.reserve(parts.size());
-    std::transform(parts.begin(), parts.end(), std::back_inserter(seconds),
-                   [](const part& each) { return each.seconds; });
-    return seconds;
-}
-
 // Makes parts side by side on shared cores. A failure becomes a line and does not stop the others.
 class workshop {
 public:
     workshop(const std::vector<part>& parts, unfinished_run& record, int cores)
-        : parts_(parts), record_(record), cores_(cores), whole_(std::make_shared<work_estimate>(seconds_of(parts))) {}
+        : parts_(parts),
+          record_(record),
+          cores_(cores),
+          whole_(std::make_shared<work_estimate>(members_of(parts, &part::seconds))) {}
 
     /// The failures, in the order of the parts.
     std::vector<std::string> make_all() {
@@ -227,7 +216,8 @@ int run_reproduce(const reproduce_options& options) {
         return true;
     });
     const bool complete = failures.empty();
-    const bool same = attempt("comparison", [&] { return judge_by_published(options, names_of(parts), complete); });
+    const bool same =
+        attempt("comparison", [&] { return judge_by_published(options, members_of(parts, &part::name), complete); });
     if (failures.empty()) {
         record.finish();
     }

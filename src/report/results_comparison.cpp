@@ -42,8 +42,7 @@ table_difference difference_of(const table& made, const table& published) {
                             made.columns().size(), published.rows().size(), published.columns().size())};
     }
     const auto& columns = made.columns();
-    const auto scalar =
-        std::find_if(columns.begin(), columns.end(), [](const column& each) { return each.name == "scalar"; });
+    const auto scalar = std::ranges::find(columns, "scalar", &column::name);
     table_difference found;
     for (std::size_t i = 0; i < made.rows().size(); ++i) {
         const auto& row = made.rows()[i];

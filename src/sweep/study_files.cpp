@@ -22,6 +22,7 @@
 #include "run/working_folder.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"
+#include "text/members.hpp"
 
 namespace libration {
 
@@ -294,16 +295,11 @@ void draw_study(const study& what, const std::string& folder) {
 
 const study& study_named(std::string_view option, std::string_view name) {
     const auto studies = all_studies();
-    const auto found =
-        std::find_if(studies.begin(), studies.end(), [&](const study* candidate) { return candidate->name == name; });
+    const auto found = std::ranges::find(studies, name, &study::name);
     if (found != studies.end()) {
         return **found;
     }
-    std::vector<std::string> names;
-    names.reserve(studies.size());
-    for (const study* candidate : studies) {
-        names.push_back(candidate->name);
-    }
+    const auto names = members_of(studies, &study::name);
     throw input_error(std::string(option), std::string(name), "is not a study" + suggestion(name, names),
                       fmt::format("choose one of {}", fmt::join(names, ", ")));
 }

@@ -125,7 +125,7 @@ axis_reading read_axis(const study& what, const axis& along, const std::string& 
 
 const axis* axis_with(const study& what, const std::string& option) {
     const auto in = [&](const std::vector<axis>& axes) {
-        const auto found = std::find_if(axes.begin(), axes.end(), [&](const axis& a) { return a.option == option; });
+        const auto found = std::ranges::find(axes, option, &axis::option);
         return found == axes.end() ? nullptr : &*found;
     };
     const axis* const of_problem = what.of != nullptr ? in(what.of->axes) : nullptr;
@@ -142,9 +142,7 @@ const axis& axis_of(const study& what, const std::string& option) {
 
 void require_own(const study& what, const study_words& words) {
     for (const auto& [option, value] : words) {
-        const bool own = std::any_of(what.parameters.begin(), what.parameters.end(),
-                                     [&name = option](const study_parameter& p) { return p.option == name; });
-        if (!own) {
+        if (std::ranges::find(what.parameters, option, &study_parameter::option) == what.parameters.end()) {
             throw input_error(option, value, "is not a parameter of the study " + what.name, "leave it out");
         }
     }
@@ -196,32 +194,25 @@ const std::vector<axis>& study_axes() {
     static const std::vector<axis> all{{.name = "order",
                                         .option = "--orders",
                                         .help = "orders N: LIST or a:b:count, integers",
-                                        .unit = "",
                                         .form = axis_form::whole,
                                         .remedy = "write orders such as 5,10,20 or 5:40:8",
-                                        .check = {},
                                         .coordinate = "order",
-                                        .to_coordinate = {},
                                         .largest = largest_study_order},
                                        {.name = "digits",
                                         .option = "--digits",
                                         .help = "numbers of correct digits: LIST or a:b:count",
-                                        .unit = "",
                                         .form = axis_form::whole,
                                         .remedy = "write numbers such as 10,20,50",
                                         .check = require_digits,
                                         .coordinate = "digits",
-                                        .to_coordinate = {},
                                         .largest = largest_digits},
                                        {.name = "step",
                                         .option = "--step",
                                         .help = "step of the Runge-Kutta method",
-                                        .unit = "",
                                         .form = axis_form::one_number,
                                         .remedy = "write a step such as 1e-5",
                                         .check = require_step,
-                                        .coordinate = "step",
-                                        .to_coordinate = {}}};
+                                        .coordinate = "step"}};
     return all;
 }
 
@@ -229,26 +220,24 @@ std::vector<study_option> options_of(const std::vector<const study*>& studies) {
     std::vector<study_option> all;
     const auto add = [&](const std::vector<axis>& axes) {
         for (const axis& each : axes) {
-            const bool known = std::any_of(all.begin(), all.end(),
-                                           [&](const study_option& other) { return other.option == each.option; });
-            if (!known) {
+            if (std::ranges::find(all, each.option, &study_option::option) == all.end()) {
                 all.push_back({each.option, each.form == axis_form::one_number ? "X" : "LIST", each.help});
             }
         }
     };
-    std::string provers;
+    std::vector<std::string> provers;
     for (const study* each : studies) {
         if (each->of != nullptr) {
             add(each->of->axes);
         }
         if (each->offers == arithmetics::proved_too) {
-            provers += (provers.empty() ? "" : ", ") + each->name;
+            provers.push_back(each->name);
         }
     }
     add(study_axes());
-    all.push_back(
-        {scalar_option, "S",
-         scalars_offered(arithmetics::rounding) + (provers.empty() ? "" : "; ball:DIGITS (proved) in " + provers)});
+    const std::string proofs =
+        provers.empty() ? "" : fmt::format("; ball:DIGITS (proved) in {}", fmt::join(provers, ", "));
+    all.push_back({scalar_option, "S", scalars_offered(arithmetics::rounding) + proofs});
     return all;
 }
 
@@ -295,8 +284,7 @@ own_columns::own_columns(const std::vector<column>& columns) : columns_(columns.
             continue;
         }
         const std::string plain = columns[i].name.substr(0, columns[i].name.size() - typed_ending.size());
-        const auto found =
-            std::find_if(columns.begin(), columns.end(), [&](const column& other) { return other.name == plain; });
+        const auto found = std::ranges::find(columns, plain, &column::name);
         typed_.push_back({i, found == columns.end() ? std::nullopt : std::optional(found - columns.begin())});
     }
 }

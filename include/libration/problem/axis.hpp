@@ -15,20 +15,20 @@ enum class axis_form { numbers, whole, words, one_number };
 
 /// An axis.
 struct axis {
-    std::string name;    ///< gap
-    std::string option;  ///< --gaps
-    std::string help;    ///< a description of its values, for the command line
-    std::string unit;    ///< of the values; empty for pure numbers
+    std::string name;       ///< gap
+    std::string option;     ///< --gaps
+    std::string help;       ///< a description of its values, for the command line
+    std::string unit = {};  ///< of the values; empty for pure numbers
     axis_form form;
     std::string remedy;  ///< the advice printed for an invalid value
     /// Throws error with the reason why a value (of an axis of words: its text) is outside the range, as
     /// "has '3', which makes the energy negative".
-    std::function<void(const exact&)> check;
+    std::function<void(const exact&)> check = {};
     /// The coordinate that the value represents. Axes of the same coordinate are alternatives: the energy 2 - g can be
     /// given by its gap g. Values of one replace the defaults of the others.
     std::string coordinate;
     /// The value of the coordinate; empty if the axis is its coordinate itself.
-    std::function<exact(const exact&)> to_coordinate;
+    std::function<exact(const exact&)> to_coordinate = {};
     /// The largest value of an axis of whole numbers; 0 for no bound.
     long largest = 0;
 

@@ -54,8 +54,7 @@ axis energy_axis() {
             .form = axis_form::numbers,
             .remedy = "write energies such as 0.5,1.71,2.02 or 0.1:1.9:19",
             .check = [](const exact& e) { energy_from(e); },
-            .coordinate = "energy",
-            .to_coordinate = {}};
+            .coordinate = "energy"};
 }
 
 axis gap_axis() {
@@ -78,8 +77,7 @@ axis time_axis() {
             .form = axis_form::numbers,
             .remedy = "write times such as 0,1.5,T/4 or a range 0:2T:401",
             .check = require_time,
-            .coordinate = "time",
-            .to_coordinate = {}};
+            .coordinate = "time"};
 }
 
 axis point_axis() {
@@ -90,8 +88,7 @@ axis point_axis() {
             .form = axis_form::numbers,
             .remedy = "write fractions of T* such as 0,1/4,1/2,1 or 0:1:21",
             .check = require_point,
-            .coordinate = "point",
-            .to_coordinate = {}};
+            .coordinate = "point"};
 }
 
 axis periods_axis() {
@@ -101,21 +98,17 @@ axis periods_axis() {
             .unit = "T",
             .form = axis_form::whole,
             .remedy = "write whole numbers such as 1,1e3,1e6",
-            .check = {},
-            .coordinate = "periods",
-            .to_coordinate = {}};
+            .coordinate = "periods"};
 }
 
 axis period_by_axis() {
     return {.name = "period_by",
             .option = "--period-by",
             .help = "methods for T*: agm, series:N (Kold) or resummed:N (Knew)",
-            .unit = "",
             .form = axis_form::words,
             .remedy = "write methods for T* such as agm,series:100,resummed:10",
             .check = [](const exact& words) { read_period_rule(words.text); },
-            .coordinate = "period_by",
-            .to_coordinate = {}};
+            .coordinate = "period_by"};
 }
 
 }  // namespace
