@@ -1,19 +1,17 @@
 // Do asymptotic approximants converge, and how many digits are lost in the systems from which they are computed?
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
 #include <optional>
 
-#include "approximant_norms.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/problem/catalogue.hpp"
 #include "libration/problem/known/sakiadis.hpp"
 #include "published_numbers.hpp"
+#include "shared/catalogue_system.hpp"
 #include "shared/equation_plan.hpp"
+#include "shared/named_choice.hpp"
 #include "sweep/study.hpp"
 #include "text/input_error.hpp"
+#include "vandermonde_loss.hpp"
 
 namespace libration::studies {
 
@@ -30,36 +28,6 @@ const column_list<norm_row>& columns() {
     static const column_list<row> all = joined(
         joined<row>({{"problem", "of the catalogue", [](const row& r) { return r.problem; }}}, columns_of_norms()),
         {{"unknown", "of the problem", [](const row& r) { return r.unknown; }}});
-    return all;
-}
-
-// The digits that double loses in the published form of the exponential approximants.
-struct loss_row {
-    std::string problem;
-    int terms;
-    mpfr condition, amplitudes, vandermonde, decay;
-};
-
-const column_list<loss_row>& loss_columns() {
-    using row = loss_row;
-    static const column_list<row> all{
-        {"problem", "of the catalogue", [](const row& r) { return r.problem; }},
-        {"terms", "number of the exponentials, as many as coefficients", [](const row& r) { return r.terms; }},
-        {"log10_condition", "log10 of the condition number of the Vandermonde system in the maximum norm",
-         [](const row& r) { return log10_cell(r.condition); }},
-        {"log10_amplitudes", "log10 of sum |A_j|: digits that are lost where the exponentials are summed at the start",
-         [](const row& r) { return log10_cell(r.amplitudes); }},
-        {"log10_vandermonde",
-         "log10 of the largest error of double with the A_j of that system, beside the same sum exactly",
-         [](const row& r) { return log10_cell(r.vandermonde); }},
-        {"log10_decay", "the same of the polynomial in 1 - e^(-a t), in double",
-         [](const row& r) { return log10_cell(r.decay); }},
-        {"lost_digits", "digits of double, 15.95 of them, that the system lost",
-         [](const row& r) {
-             const mpfr lost = log(mpfr(r.vandermonde / widen(epsilon<double>()))) / log(mpfr(10));
-             return decimal_cell(lost < 0 ? mpfr(0) : lost, 4);
-         }},
-    };
     return all;
 }
 
@@ -83,13 +51,7 @@ const column_list<verdict_row>& verdict_columns() {
     static const column_list<row> all{
         {"problem", "of the catalogue", [](const row& r) { return r.number.problem; }},
         {"changes", "parameters and starts, those sought as a first guess",
-         [](const row& r) {
-             std::string text;
-             for (const std::string& each : r.number.changes) {
-                 text += (text.empty() ? "" : "; ") + each;
-             }
-             return cell(text);
-         }},
+         [](const row& r) { return fmt::format("{}", fmt::join(r.number.changes, "; ")); }},
         {"quantity", "what is printed", [](const row& r) { return r.number.quantity; }},
         {"coefficients", "that the approximant predicts it from; empty: of the solution itself",
          [](const row& r) { return r.number.known > 0 ? cell(r.number.known) : cell(); }},
@@ -107,67 +69,8 @@ const column_list<verdict_row>& verdict_columns() {
     return all;
 }
 
-ode::equation_system system_of(const std::string& problem, const std::vector<std::string>& changes) {
-    auto system = ode::parse(problem_text(problem));
-    for (const std::string& each : changes) {
-        system = ode::changed(system, each);
-    }
-    return system;
-}
-
-// The sum of exponentials in double compared with the same polynomial exactly, both of f or of limit/f.
-loss_row loss_of(const solved_problem& of, int order) {
-    power_series<mpfr> g = of.f.truncated(order);
-    mpfr limit = of.far.line[0];
-    if (of.far.form == far_form::reciprocal_exponential) {
-        auto numerator = power_series<mpfr>::zero(order);
-        numerator[0] = limit;
-        g = numerator / g;
-        limit = 1;
-    }
-    std::vector<double> rounded;
-    std::vector<mpfr> nodes;
-    for (int n = 0; n <= order; ++n) {
-        rounded.push_back(static_cast<double>(g[n]));
-        nodes.emplace_back(n + 1);
-    }
-    const power_series<double> in_double(rounded);
-    const auto rate = static_cast<double>(of.far.rate);
-    const auto a = exponential_sum(in_double, static_cast<double>(limit), rate);
-    const exponential_approximant<double> decaying(in_double, static_cast<double>(limit), rate);
-    const exponential_approximant<mpfr> exact(g, limit, of.far.rate);
-    loss_row row{of.far.problem, order + 1, vandermonde_condition(nodes), mpfr(0), mpfr(0), mpfr(0)};
-    for (const mpfr& each : exponential_sum(g, limit, of.far.rate)) {
-        row.amplitudes += abs(each);
-    }
-    for (const mpfr& t : of.times) {
-        const auto time = static_cast<double>(t);
-        double sum = 0;
-        for (std::size_t j = a.size(); j-- > 0;) {
-            sum = (sum + a[j]) * std::exp(-rate * time);
-        }
-        const mpfr value = exact.value(t);
-        const auto keep = [](mpfr& largest, const mpfr& off) {
-            largest = isnan(off) ? std::numeric_limits<mpfr>::infinity() : std::max(largest, off);  // beyond double
-        };
-        keep(row.vandermonde, abs(mpfr(widen(sum) + limit - value)));
-        keep(row.decay, abs(mpfr(widen(decaying.value(time)) - value)));
-    }
-    return row;
-}
-
-std::vector<loss_row> losses_of(const solved_problem& of, const std::vector<int>& orders) {
-    std::vector<loss_row> rows;
-    if (of.far.form == far_form::exponential || of.far.form == far_form::reciprocal_exponential) {
-        for (const int order : orders) {
-            rows.push_back(loss_of(of, order));
-        }
-    }
-    return rows;
-}
-
 mpfr value_of(const published_number& number, long digits) {
-    const auto system = system_of(number.problem, number.changes);
+    const auto system = catalogue_system(number.problem, number.changes);
     if (number.known == 0) {
         return far_behaviour_of(number.problem, system, digits, number.free).values.at(number.quantity);
     }
@@ -190,20 +93,26 @@ std::vector<verdict_row> verdicts_of(const std::string& problem) {
 std::vector<table> tables_of_problem(const std::string& problem, const std::vector<int>& orders, long digits) {
     const int highest = *std::max_element(orders.begin(), orders.end());
     const precision_scope scope(digits + 20 + 3L * highest);
-    const solved_problem of = solve(problem, system_of(problem, {}), highest, digits);
+    const solved_problem of = solve(problem, catalogue_system(problem), highest, digits);
     return {make_table(columns(), norms_of(of, orders)), make_table(loss_columns(), losses_of(of, orders)),
             make_table(verdict_columns(), verdicts_of(problem))};
 }
 
+const named_choice& problems_to_choose() {
+    static const named_choice result{
+        .axis = "problem",
+        .option = "--problems",
+        .help = "problems of the catalogue with a known asymptotic behaviour: LIST, or all",
+        .remedy = "write names such as blasius,sir, or all",
+        .what = "not known for an asymptotic behaviour: choose among " +
+                fmt::format("{}", fmt::join(problems_with_far_behaviour(), ", ")),
+        .names = problems_with_far_behaviour()};
+    return result;
+}
+
 study_plan plan(const study_request& request) {
-    std::vector<std::string> problems;
-    for (const exact& each : request.values.of("problem")) {
-        problems.push_back(each.text);
-    }
-    std::vector<int> orders = request.orders();
-    if (orders.front() < 1) {
-        throw input_error("--orders", "0", "is not an order of an approximant", "write orders from 1 on");
-    }
+    const auto problems = chosen_names(problems_to_choose(), request.values);
+    const auto orders = orders_from(request, 1, "is not an order of an approximant");
     const auto all_digits = request.digits();
     const scalar_spec scalar{scalar_kind::arbitrary, *std::max_element(all_digits.begin(), all_digits.end())};
     return plan_of_cells(
@@ -219,29 +128,8 @@ study_plan plan(const study_request& request) {
 }
 
 const problem_family& problems_of_study() {
-    static const problem_family result{
-        .name = "problems with a known far behaviour",
-        .axes = {{.name = "problem",
-                  .option = "--problems",
-                  .help = "problems of the catalogue with a known asymptotic behaviour: LIST",
-                  .unit = "",
-                  .form = axis_form::words,
-                  .remedy = "write names such as blasius,sir",
-                  .check =
-                      [](const exact& each) {
-                          const auto& known = problems_with_far_behaviour();
-                          if (std::find(known.begin(), known.end(), each.text) == known.end()) {
-                              std::string names;
-                              for (const std::string& name : known) {
-                                  names += (names.empty() ? "" : ", ") + name;
-                              }
-                              throw error(error_kind::argument, "list", "",
-                                          "has '" + each.text +
-                                              "', whose asymptotic behaviour is not known: choose among " + names);
-                          }
-                      },
-                  .coordinate = "problem",
-                  .to_coordinate = {}}}};
+    static const problem_family result{.name = "problems with a known far behaviour",
+                                       .axes = {axis_of(problems_to_choose())}};
     return result;
 }
 
@@ -330,11 +218,8 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
 void require_far_behaviour(const swept_problem& of) {
     const auto& known = problems_with_far_behaviour();
     if (std::ranges::find(known, of.said) == known.end()) {
-        std::string names;
-        for (const std::string& each : known) {
-            names += (names.empty() ? "" : ", ") + each;
-        }
-        throw input_error("--problem", of.said, "has no known asymptotic behaviour", "choose one of " + names);
+        throw input_error("--problem", of.said, "has no known asymptotic behaviour",
+                          fmt::format("choose one of {}", fmt::join(known, ", ")));
     }
 }
 
@@ -352,14 +237,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_catalogue::plan(request);
-}
-
-}  // namespace
 }  // namespace approximants_study
 
 const study& approximants() {
@@ -367,7 +244,6 @@ const study& approximants() {
     static const study result{
         .name = "approximants",
         .title = "Asymptotic approximants",
-        .label = "",
         .question = "Do asymptotic approximants converge, and how many digits are lost on the way to them?",
         .reading =
             "Solid: the largest error of the asymptotic approximant from the start to where the solution has become "
@@ -393,9 +269,9 @@ const study& approximants() {
                        {"--digits", "24", "digits of the solution; the largest of a list"}},
         .quick = {{"--problems", "rayleigh,sir", ""}, {"--orders", "4,10,20", ""}, {"--digits", "12", ""}},
         .seconds = 16,
-        .excluded = {},
-        .plan = plan,
+        .plan = of_catalogue::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .title = "Asymptotic approximants over parameters",
             .question = "How large is the error of the asymptotic approximants of a problem over its parameters?",
             .reading = "The largest error from the start to where the solution has become its far behaviour, against "

@@ -40,56 +40,33 @@ const column_list<coefficient_row>& columns() {
 }
 
 // log10 of n^(1 + nu) R^(n/root).
-mpfr inverse_envelope(const answer_of_test& found, int root, int n) {
-    const mpfr exponent = 1 + found.of.exponent.value_or(mpfr(0));
+mpfr inverse_envelope(const convergence::radius_estimate<mpfr>& found, int root, int n) {
+    const mpfr exponent = 1 + found.exponent.value_or(mpfr(0));
     return mpfr(log10(*found.radius) * n / root + exponent * log10(mpfr(std::max(n, 1))));
 }
 
-std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, const answer_of_test& found, int root,
-                                     long digits, const std::string& unknown) {
+std::vector<coefficient_row> rows_of(const list_of_unknown& of) {
+    // One order after the other: the last result is that for the whole list.
+    const auto& found =
+        std::ranges::find(of.answers.rbegin(), of.answers.rend(), of.unknown, &answered_list::unknown)->found;
     std::optional<mpfr> height;
-    for (int n = (list.order() + 1) / 2; found.radius && n <= list.order(); ++n) {
-        if (list[n] != 0) {
-            const mpfr here = log10(mpfr(abs(list[n]))) + inverse_envelope(found, root, n);
+    for (int n = (of.list.order() + 1) / 2; found.radius && n <= of.list.order(); ++n) {
+        if (of.list[n] != 0) {
+            const mpfr here = log10(mpfr(abs(of.list[n]))) + inverse_envelope(found, of.root, n);
             height = height ? std::max(*height, here) : here;
         }
     }
     std::vector<coefficient_row> rows;
-    for (int n = 0; n <= list.order(); ++n) {
-        const auto fitted =
-            height && n > 0 ? std::optional(mpfr(*height - inverse_envelope(found, root, n))) : std::optional<mpfr>();
-        rows.push_back({n, list[n], fitted, root, digits, unknown});
+    for (int n = 0; n <= of.list.order(); ++n) {
+        const auto fitted = height && n > 0 ? std::optional(mpfr(*height - inverse_envelope(found, of.root, n)))
+                                            : std::optional<mpfr>();
+        rows.push_back({n, of.list[n], fitted, of.root, of.digits, of.unknown});
     }
     return rows;
 }
 
-// Both tables for one combination of the parameters.
-std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
-                             const scalar_spec& scalar) {
-    const precision_scope scope(scalar.digits + guard_of_lists);
-    const auto lists =
-        lists_of_problem({sweep.system(i), 0, orders.back(), std::nullopt}, scalar.digits + guard_of_lists);
-    const auto answers = answers_to(lists, sweep, orders, scalar, is_verdict);
-    std::vector<coefficient_row> rows;
-    for (const int unknown : sweep.unknowns()) {
-        const auto& name = sweep.name_of(unknown);
-        const auto last = std::ranges::find_if(
-            answers, [&](const answered_list& each) { return each.unknown == name && each.order == orders.back(); });
-        const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
-        const auto own =
-            rows_of(list, last == answers.end() ? answer_of_test{} : last->found, lists.root, scalar.digits, name);
-        rows.insert(rows.end(), own.begin(), own.end());
-    }
-    return {make_table(columns(), rows), make_table(answered_columns(), answers)};
-}
-
 study_plan plan(const study_request& request) {
-    const auto sweep = equation_sweep_of(request);
-    const auto orders = orders_from(request, least_order_of_lists, "is too short a list for a radius test");
-    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    return plan_by_parameters(
-        {head_of(*sweep, "", scalar, columns()), head_of(*sweep, "radius", scalar, answered_columns())}, sweep,
-        [sweep, orders, scalar](std::size_t i) { return tables_at(*sweep, i, orders, scalar); });
+    return plan_of_lists(request, "is too short a list for a radius test", columns(), rows_of, "radius", is_verdict);
 }
 
 }  // namespace
@@ -106,8 +83,8 @@ const study& coefficients() {
             "R^-n with the radius R and the exponent nu of the verdict of the radius tests, and with c so large that "
             "no coefficient of the second half lies above it: the marks dip below where several singularities at one "
             "distance beat, and follow the line where there is one.",
-        .plan = plan,
         .any_equation = equation_form{
+            .plan = plan,
             .parameters = {{"--orders", "200", "N, last powers of the lists under test; the largest is drawn"},
                            {"--scalar", "mpfr:30", "arithmetic of the lists under test, and their digits"}},
             .example = {"painleve_1", {}},

@@ -1,7 +1,5 @@
 // How does the series about the bottom of the trajectory behave over one period? [paper fig:series]
 #include <algorithm>
-#include <map>
-#include <memory>
 
 #include "libration/pendulum/taylor/bottom_series.hpp"
 #include "shared/agreed_numbers.hpp"
@@ -145,22 +143,8 @@ const column_list<sum_row>& columns() {
     return all;
 }
 
-// The solution and the series of one precision.
-struct one_run {
-    solution_on_interval truth;
-    series_about_start<mpfr> series;
-    std::vector<unknown_on_interval<mpfr>> unknowns;
-
-    one_run(const ode::explicit_system& system, const std::vector<ode::number>& times, int order)
-        : truth(solve_on(system, times)), series(system, order) {
-        for (int i = 0; i < static_cast<int>(system.unknowns().size()); ++i) {
-            unknowns.emplace_back(series, truth, i);
-        }
-    }
-};
-
 // Partial sum, solution and error, one after the other, at all times of all unknowns.
-std::vector<mpfr> sums_of(const one_run& run, const std::vector<int>& unknowns, int order) {
+std::vector<mpfr> sums_of(const interval_run& run, const std::vector<int>& unknowns, int order) {
     std::vector<mpfr> all;
     for (const int unknown : unknowns) {
         const auto at = static_cast<std::size_t>(unknown);
@@ -184,17 +168,12 @@ struct question {
 
 table rows_at(const question& asked, std::size_t i, const std::vector<int>& orders) {
     const auto system = asked.sweep->system(i);
-    std::map<long, std::unique_ptr<one_run>> runs;
-    const int highest = *std::ranges::max_element(orders);
+    interval_runs runs(system, asked.times, *std::ranges::max_element(orders));
     std::vector<sum_row> rows;
     for (const int order : orders) {
         const auto found = agreed_numbers(asked.digits, [&](long guard) {
             const precision_scope scope(asked.digits + guard);
-            auto& run = runs[guard];
-            if (!run) {
-                run = std::make_unique<one_run>(system, asked.times, highest);
-            }
-            return sums_of(*run, asked.sweep->unknowns(), order);
+            return sums_of(runs.at(asked.digits + guard), asked.sweep->unknowns(), order);
         });
         std::size_t next = 0;
         for (const int unknown : asked.sweep->unknowns()) {
@@ -224,14 +203,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace divergence_study
 
 const study& divergence() {
@@ -258,8 +229,9 @@ const study& divergence() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "10,40", ""}, {"--times", "0:T:9", ""}},
         .seconds = 2.5,
         .excluded = no_answer_at_limits("the series is the constant 0", "the period is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .title = "Partial sums beyond the circle of convergence",
             .question = "What becomes of the partial sums of the series about the start along the solution?",
             .reading =

@@ -6,7 +6,6 @@
 
 #include "libration/convergence/estimate/coefficient_ratios.hpp"
 #include "shared/list_answers.hpp"
-#include "shared/radius_cells.hpp"
 #include "shared/sweep_plan.hpp"
 
 namespace libration::studies {
@@ -22,7 +21,6 @@ using namespace pendulum;
 namespace {
 
 constexpr long guard_digits = 15;
-constexpr int least_order = 4;
 
 // One list of coefficients, a_n R^n with values that are 0 up to rounding set to 0.
 struct plotted {
@@ -197,7 +195,7 @@ list_row row_of(const plot& drawn, long digits) {
 // The tables of one list: its ratios, their summary, and the results of the tests.
 std::vector<table> plots_at(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
                             const scalar_spec& scalar) {
-    table answers = answers_about(at, point, orders, scalar, [](const std::string&) { return true; });
+    table answers = answers_about(at, point, orders, scalar, is_any_test);
     const precision_scope scope(scalar.digits + guard_digits);
     const plotted p = plotted_list(at, point, orders.back());
     std::vector<table> points;
@@ -211,7 +209,7 @@ std::vector<table> plots_at(const sweep_energy& at, const exact& point, const st
 }
 
 study_plan plan(const study_request& request) {
-    const std::vector<int> orders = orders_from(request, least_order, "leaves no ratios to draw");
+    const std::vector<int> orders = orders_from(request, least_order_of_lists, "leaves no ratios to draw");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
     return plan_by_point({head_of("", scalar, columns()), head_of("lists", scalar, list_columns()),
                           head_of("intercepts", scalar, judged_answer_columns())},
@@ -252,10 +250,9 @@ const column_list<ratio_row>& columns() {
 }
 
 // The ratios of one list in the power given by its pattern of zeros.
-std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, int root, long digits,
-                                 const std::string& unknown) {
-    const auto unit = convergence::unit_of(list);
-    const auto scaled = convergence::in_unit_of<mpfr>(list, unit);
+std::vector<ratio_row> ratios_in(const list_of_unknown& of) {
+    const auto unit = convergence::unit_of(of.list);
+    const auto scaled = convergence::in_unit_of<mpfr>(of.list, unit);
     const auto pattern = convergence::pattern_of(scaled, epsilon<mpfr>());
     std::vector<ratio_row> rows;
     if (pattern.last < 0 || pattern.polynomial) {
@@ -265,44 +262,17 @@ std::vector<ratio_row> ratios_in(const series::power_series<mpfr>& list, int roo
     const convergence::strided_series<mpfr> part(scaled, pattern.first % power, power);
     const mpfr back = pow(mpfr(unit.length), -power);
     for (const auto& each : convergence::ratios_of(part)) {
-        rows.push_back({power, root, each.n, mpfr(each.value * back), digits, unknown});
+        rows.push_back({power, of.root, each.n, mpfr(each.value * back), of.digits, of.unknown});
     }
     return rows;
 }
 
-std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
-                             const scalar_spec& scalar) {
-    const precision_scope scope(scalar.digits + guard_of_lists);
-    const auto lists = lists_about_start(sweep.system(i), orders.back(), scalar.digits + guard_of_lists);
-    std::vector<ratio_row> rows;
-    for (const int unknown : sweep.unknowns()) {
-        const auto own = ratios_in(lists.unknowns[static_cast<std::size_t>(unknown)].parts.front(), lists.root,
-                                   scalar.digits, sweep.name_of(unknown));
-        rows.insert(rows.end(), own.begin(), own.end());
-    }
-    const auto all = [](const std::string&) { return true; };
-    return {make_table(columns(), rows), make_table(answered_columns(), answers_to(lists, sweep, orders, scalar, all))};
-}
-
 study_plan plan(const study_request& request) {
-    const auto sweep = equation_sweep_of(request);
-    const auto orders = orders_from(request, least_order_of_lists, "leaves no ratios to draw");
-    const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    return plan_by_parameters(
-        {head_of(*sweep, "", scalar, columns()), head_of(*sweep, "intercepts", scalar, answered_columns())}, sweep,
-        [sweep, orders, scalar](std::size_t i) { return tables_at(*sweep, i, orders, scalar); });
+    return plan_of_lists(request, "leaves no ratios to draw", columns(), ratios_in, "intercepts", is_any_test);
 }
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace domb_sykes_study
 
 const study& domb_sykes() {
@@ -310,7 +280,6 @@ const study& domb_sykes() {
     static const study result{
         .name = "domb_sykes",
         .title = "The Domb-Sykes plot",
-        .label = "",
         .question = "Do the ratios of successive coefficients run straight to the radius of convergence?",
         .reading =
             "Ratios of coefficients over 1/n, times the exact power of R, so that the answer at 1/n = 0 is 1 or -1 "
@@ -333,8 +302,9 @@ const study& domb_sykes() {
         .quick = {{"--energies", "1,1.71", ""}, {"--orders", "12", ""}, {"--points", "0,1", ""}},
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no ratios", "T* is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .reading =
                 "Ratios of coefficients over 1/n, of the series in the power that its zeros leave. A single nearest "
                 "singularity makes a straight line whose intercept is its place to that power, and whose slope its "

@@ -4,11 +4,11 @@
 
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/error/march_error.hpp"
 #include "libration/pendulum/error/proved/proved_norm.hpp"
+#include "printed_norm.hpp"
+#include "separatrix_baseline.hpp"
 #include "shared/proved_norms.hpp"
 #include "shared/radius_on_interval.hpp"
-#include "shared/sweep_columns.hpp"
 #include "shared/sweep_plan.hpp"
 
 namespace libration::studies {
@@ -24,84 +24,54 @@ namespace {
 
 constexpr long guard_digits = 15;
 
-// The bounds hold if the first omitted power is at least 4, and from N = 1.
-std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, arc_method method, int order) {
-    if (method == arc_method::series) {
-        return bounds.first_omitted(order) >= 4 ? std::optional(bounds.series_norm(order)) : std::nullopt;
-    }
-    return order >= 1 ? std::optional(bounds.resummation_norm(order)) : std::nullopt;
-}
-
-// Whether the second route gives the same norm to the printed digits.
-bool confirmed(const arc_errors& errors, arc_method method, int order, const norm_at<mpfr>& found, long digits) {
-    const mpfr other = errors.second_opinion(method, order, found.place);
-    return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
+const column_list<norm_row>& own_columns() {
+    static const auto all = columns_named(
+        "energy,order,method,norm,time_of_maximum,scalar,rigour,gap,bound,log10_norm,log10_bound,log10_gap,"
+        "energy_typed,gap_typed",
+        columns());
+    return all;
 }
 
 // One requested norm.
 struct asked_norm {
-    const sweep_energy& at;
     int order;
     arc_method method;
 };
 
-// A norm and its time as they are printed.
-struct norm_row {
-    const sweep_energy& at;
-    int order;
-    arc_method method;
-    cell norm;
-    cell time;
-    std::string rigour;
-    std::optional<mpfr> bound;
-    const scalar_spec& scalar;
-};
-
-const column_list<norm_row>& columns() {
-    using row = norm_row;
-    static const auto all = with_typed_energy<row>({
-        energy_column<row>(),
-        {"order", "N, last power of the series; last index of the resummed series",
-         [](const row& r) { return r.order; }},
-        {"method", "series | resummed", [](const row& r) { return name_of(r.method); }},
-        {"norm", "max of |approximation - theta| over [0, T*], radians", [](const row& r) { return r.norm; }},
-        {"time_of_maximum", "dimensionless time since the top; with ball the digits that are proved",
-         [](const row& r) { return r.time; }},
-        {"scalar", "arithmetic of the approximation", [](const row& r) { return r.scalar.name(); }},
-        {"rigour", "proved | two-method: confirmed by the sum over separatrix solutions | heuristic",
-         [](const row& r) { return r.rigour; }},
-        gap_column<row>(),
-        {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold",
-         [](const row& r) { return decimal_cell(r.bound, 12); }},
-        {"log10_norm", "log10 of norm",
-         [](const row& r) { return log10_cell(from_exact<mpfr>(read_exact(r.norm.text()))); }},
-        {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
-        log10_gap_column<row>(),
-    });
-    return all;
-}
-
-norm_row row_of(const asked_norm& c, const norm_at<mpfr>& found, const top_bounds<mpfr>& bounds,
-                const scalar_spec& scalar, bool two_method) {
-    return {c.at,
-            c.order,
-            c.method,
-            decimal_cell(found.norm, scalar.digits),
-            decimal_cell(mpfr(found.place * bounds.effective_period), scalar.digits),
-            two_method ? "two-method" : "heuristic",
-            bound_of(bounds, c.method, c.order),
-            scalar};
-}
-
-std::vector<asked_norm> norms_at(const sweep_energy& at, const std::vector<int>& orders) {
-    std::vector<asked_norm> cells;
-    cells.reserve(2 * orders.size());
+std::vector<asked_norm> norms_for(const std::vector<int>& orders) {
+    std::vector<asked_norm> norms;
     for (const int order : orders) {
-        for (const auto method : {arc_method::series, arc_method::resummed}) {
-            cells.push_back({at, order, method});
-        }
+        norms.insert(norms.end(), {{order, arc_method::series}, {order, arc_method::resummed}});
     }
-    return cells;
+    return norms;
+}
+
+// The bounds hold if the first omitted power is at least 4, and from N = 1.
+std::optional<mpfr> bound_of(const top_bounds<mpfr>& bounds, const asked_norm& of) {
+    if (of.method == arc_method::series) {
+        return bounds.first_omitted(of.order) >= 4 ? std::optional(bounds.series_norm(of.order)) : std::nullopt;
+    }
+    return of.order >= 1 ? std::optional(bounds.resummation_norm(of.order)) : std::nullopt;
+}
+
+norm_row row_of(const sweep_energy& at, const asked_norm& of, const top_bounds<mpfr>& bounds, const scalar_spec& scalar,
+                cell norm, cell time, const char* rigour) {
+    const cell log10_norm = log10_cell(from_exact<mpfr>(read_exact(norm.text())));
+    return {.order = of.order,
+            .method = std::string(name_of(of.method)),
+            .scalar = scalar,
+            .norm = std::move(norm),
+            .time = std::move(time),
+            .log10_norm = log10_norm,
+            .rigour = rigour,
+            .bound = bound_of(bounds, of),
+            .at = &at};
+}
+
+// Whether the second route gives the same norm to the printed digits.
+bool confirmed(const arc_errors& errors, const asked_norm& of, const norm_at<mpfr>& found, long digits) {
+    const mpfr other = errors.second_opinion(of.method, of.order, found.place);
+    return abs(found.norm - other) <= found.norm * pow(mpfr(10), static_cast<int>(-digits));
 }
 
 // Decimal digits by which the norms of these orders are below theta.
@@ -117,16 +87,16 @@ long most_digits_below(const motion& m, const std::vector<int>& orders) {
 table proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, const scalar_spec& scalar) {
     const motion m = motion::of_energy(at.value);
     const long below = most_digits_below(m, orders);
-    const std::vector<asked_norm> cells = norms_at(at, orders);
+    const std::vector<asked_norm> asked = norms_for(orders);
     std::vector<cell> times;
     const auto norms = proved_decimals(scalar.digits, [&] {
         const precision_scope wider(working_digits() + below);
         const proved_arc_errors errors(at.value);
         times.clear();
         std::vector<ball> values;
-        values.reserve(cells.size());
-        for (const asked_norm& c : cells) {
-            proved_maximum found = errors.norm(c.method, c.order);
+        values.reserve(asked.size());
+        for (const asked_norm& each : asked) {
+            proved_maximum found = errors.norm(each.method, each.order);
             const ball time = found.place * errors.effective_period();
             const long digits = proved_digits(time, scalar.digits);
             times.push_back(digits == 0 ? cell() : cell::number(to_proved_decimal(time, digits)->text, digits));
@@ -137,30 +107,26 @@ table proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, con
     const precision_scope scope(scalar.digits + guard_digits);
     const auto bounds = top_bounds<mpfr>::of(energy_level_of<mpfr>(m));
     std::vector<norm_row> rows;
-    rows.reserve(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const auto& [energy, order, method] = cells[i];
-        rows.push_back({energy, order, method, cell::number(norms[i].text, scalar.digits), times[i], "proved",
-                        bound_of(bounds, method, order), scalar});
+    rows.reserve(asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        rows.push_back(
+            row_of(at, asked[i], bounds, scalar, cell::number(norms[i].text, scalar.digits), times[i], "proved"));
     }
-    return make_table(columns(), rows);
+    return make_table(own_columns(), rows);
 }
 
 // All rows of one energy in arithmetics that round, in one table for each scalar.
 std::vector<table> rounded_rows_at(const sweep_energy& at, const std::vector<int>& orders,
                                    const std::vector<scalar_spec>& scalars) {
     const motion m = motion::of_energy(at.value);
-    long digits = 0;
-    for (const scalar_spec& scalar : scalars) {
-        digits = std::max(digits, scalar.digits);
-    }
+    const long digits = std::ranges::max(scalars, {}, &scalar_spec::digits).digits;
     const long all_digits = digits + most_digits_below(m, orders) + guard_digits;
     const precision_scope scope(all_digits);
     arc_errors errors(m);
     std::vector<std::vector<norm_row>> rows(scalars.size());
-    for (const asked_norm& here : norms_at(at, orders)) {
+    for (const asked_norm& here : norms_for(orders)) {
         norm_at<mpfr> found = errors.norm(here.method, here.order);
-        const bool agreed = confirmed(errors, here.method, here.order, found, digits);
+        const bool agreed = confirmed(errors, here, found, digits);
         for (std::size_t i = 0; i < scalars.size(); ++i) {
             const scalar_spec& scalar = scalars[i];
             const auto norm = with_scalar(scalar, all_digits - scalar.digits, [&]<class T>() {
@@ -171,13 +137,14 @@ std::vector<table> rounded_rows_at(const sweep_energy& at, const std::vector<int
                 }
             });
             const bool exact = scalar.kind == scalar_kind::arbitrary;
-            rows[i].push_back(row_of(here, norm, errors.bounds(), scalar, exact && agreed));
+            rows[i].push_back(row_of(at, here, errors.bounds(), scalar, decimal_cell(norm.norm, scalar.digits),
+                                     decimal_cell(mpfr(norm.place * errors.bounds().effective_period), scalar.digits),
+                                     exact && agreed ? "two-method" : "heuristic"));
         }
     }
     std::vector<table> tables;
-    tables.reserve(rows.size());
     for (const auto& in_scalar : rows) {
-        tables.push_back(make_table(columns(), in_scalar));
+        tables.push_back(make_table(own_columns(), in_scalar));
     }
     return tables;
 }
@@ -185,14 +152,16 @@ std::vector<table> rounded_rows_at(const sweep_energy& at, const std::vector<int
 // All rows of one energy, in one table for each scalar; balls come first.
 std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& orders,
                            const std::vector<scalar_spec>& scalars) {
-    const auto is_proved = [](const scalar_spec& scalar) { return scalar.kind == scalar_kind::proved; };
-    const auto first_rounding = std::find_if_not(scalars.begin(), scalars.end(), is_proved);
     std::vector<table> tables;
-    for (auto scalar = scalars.begin(); scalar != first_rounding; ++scalar) {
-        tables.push_back(proved_rows_at(at, orders, *scalar));
+    std::vector<scalar_spec> rounding;
+    for (const scalar_spec& scalar : scalars) {
+        if (scalar.kind == scalar_kind::proved) {
+            tables.push_back(proved_rows_at(at, orders, scalar));
+        } else {
+            rounding.push_back(scalar);
+        }
     }
-    if (first_rounding != scalars.end()) {
-        const std::vector<scalar_spec> rounding(first_rounding, scalars.end());
+    if (!rounding.empty()) {
         const auto rounded = rounded_rows_at(at, orders, rounding);
         tables.insert(tables.end(), rounded.begin(), rounded.end());
     }
@@ -207,72 +176,6 @@ std::vector<scalar_spec> scalars_of(const study_request& request) {
             read_scalar("quad")};
 }
 
-std::string suffix_of(const scalar_spec& scalar) { return scalar.kind == scalar_kind::proved ? "" : scalar.name(); }
-
-struct march {
-    rational step;
-    long steps;
-    scalar_spec scalar;
-};
-
-// The paper's Runge-Kutta integration, and those with 10 and 100 times its step, to t = 10.
-std::vector<march> marches_of(const rational& step) {
-    const rational end = 10;
-    std::vector<march> marches;
-    for (const int factor : {100, 10, 1}) {
-        const rational longer = step * factor;
-        if (factor == 1 || longer <= end) {
-            const long steps = reading("--step", decimal_of(longer, 50), "write a step such as 1e-5",
-                                       [&] { return march_steps(longer, end); });
-            marches.insert(marches.end(),
-                           {{longer, steps, read_scalar("double")}, {longer, steps, read_scalar("long-double")}});
-        }
-    }
-    return marches;
-}
-
-// A Runge-Kutta solution compared with the closed-form solution.
-struct march_row {
-    march of;
-    march_error found;
-    mpfr norm_in_epsilon;
-};
-
-const column_list<march_row>& baseline_columns() {
-    using row = march_row;
-    static const column_list<row> all{
-        {"energy", "E, in units of m g l: 2, where the solution is closed",
-         [](const row&) { return number_cell("2"); }},
-        {"step", "dt of the classical Runge-Kutta method, dimensionless time",
-         [](const row& r) { return number_cell(decimal_of(r.of.step, 50)); }},
-        {"scalar", "arithmetic of the march", [](const row& r) { return r.of.scalar.name(); }},
-        {"steps", "number of steps from (theta, omega) = (0, 2) to about t = 10",
-         [](const row& r) { return r.of.steps; }},
-        {"norm", "max of |theta by the march - theta| at 2000 of the steps, radians",
-         [](const row& r) { return decimal_cell(r.found.norm, r.of.scalar.digits); }},
-        {"time_of_maximum", "dimensionless time",
-         [](const row& r) { return decimal_cell(r.found.time, r.of.scalar.digits); }},
-        {"norm_in_epsilon", "norm over the unit in the last place of 1",
-         [](const row& r) { return decimal_cell(r.norm_in_epsilon, 6); }},
-        {"norm_without_growth", "max of |theta by the march - theta| e^-t, radians",
-         [](const row& r) { return decimal_cell(r.found.undone, r.of.scalar.digits); }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return log10_cell(r.found.norm); }},
-    };
-    return all;
-}
-
-template <fixed_scalar T>
-march_row row_in(const march& m) {
-    constexpr int samples = 2000;
-    const march_error found = separatrix_march_error<T>(m.step, m.steps, samples);
-    return {m, found, mpfr(found.norm / widen(epsilon<T>()))};
-}
-
-march_row row_of(const march& m) {
-    const precision_scope scope(60);
-    return m.scalar.kind == scalar_kind::binary64 ? row_in<double>(m) : row_in<long double>(m);
-}
-
 // The integration belongs to the paper's whole figure: a run in one scalar is one table.
 std::vector<march> marches_for(const study_request& request) {
     const bool asked = !request.scalar && request.step().coefficient > 0;
@@ -280,22 +183,13 @@ std::vector<march> marches_for(const study_request& request) {
 }
 
 // The energies first, each with its orders as cells, and then the integrations.
-cell_group group_of_march(const march& m, std::size_t table_of_marches) {
-    return {{{{"step", decimal_of(m.step, 50)}, {"scalar", m.scalar.name()}}},
-            [m, table_of_marches](const std::vector<std::size_t>& /*the only one*/) {
-                cell_rows rows(table_of_marches + 1);
-                rows.back() = make_table(baseline_columns(), std::vector<march_row>{row_of(m)}).rows();
-                return std::vector<cell_rows>{std::move(rows)};
-            }};
-}
-
 study_plan plan(const study_request& request) {
     const auto scalars = scalars_of(request);
     const auto marches = marches_for(request);
     std::vector<study_table> tables;
-    tables.reserve(scalars.size() + 1);
     for (const scalar_spec& scalar : scalars) {
-        tables.push_back(head_of(request.scalar ? "" : suffix_of(scalar), scalar, columns()));
+        const bool alone = request.scalar || scalar.kind == scalar_kind::proved;
+        tables.push_back(head_of(alone ? "" : scalar.name(), scalar, own_columns()));
     }
     if (!marches.empty()) {
         tables.push_back(head_of("baseline", marches.front().scalar, baseline_columns()));
@@ -323,40 +217,9 @@ namespace of_equation {
 
 namespace {
 
-// A norm as it is printed; empty if there is no such approximant.
-struct norm_row {
-    int order;
-    approximation method;
-    cell norm;
-    cell time;
-    cell log10_norm;
-    std::string rigour;
-    const scalar_spec& scalar;
-    std::string unknown;
-};
-
-const column_list<norm_row>& columns() {
-    using row = norm_row;
-    static const column_list<row> all{
-        {"order", "N, last power of the series about the start", [](const row& r) { return r.order; }},
-        {"method",
-         "series | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out | endpoint: with value and "
-         "slope of the far end of the times",
-         [](const row& r) { return name_of(r.method); }},
-        {"norm",
-         "max of |approximation - solution| over the times, in the unit of the unknown; empty where that is not "
-         "decided",
-         [](const row& r) { return r.norm; }},
-        {"time_of_maximum", "which of the times, in the unit of the variable; empty where the norm is 0",
-         [](const row& r) { return r.time; }},
-        {"scalar", "arithmetic of the approximation", [](const row& r) { return r.scalar.name(); }},
-        {"rigour",
-         "two-method: two marches and series of other precisions agree | heuristic | proved: with --scalar ball:D | "
-         "not decided: no precision tells it from 0, as where the approximation is the solution",
-         [](const row& r) { return r.rigour; }},
-        {"log10_norm", "log10 of norm", [](const row& r) { return r.log10_norm; }},
-        unknown_column<row>(),
-    };
+const column_list<norm_row>& own_columns() {
+    static const auto all =
+        columns_named("order,method,norm,time_of_maximum,scalar,rigour,log10_norm,unknown", columns());
     return all;
 }
 
@@ -365,54 +228,53 @@ struct question {
     std::vector<ode::number> times;
     std::vector<exact> typed_times;
     scalar_spec scalar;
+
+    norm_row row(int order, approximation method, int unknown) const {
+        return {.order = order, .method = name_of(method), .scalar = scalar, .unknown = sweep->name_of(unknown)};
+    }
+    cell time(std::size_t place) const { return number_cell(decimal_of(typed_times[place], 50)); }
 };
 
 norm_row row_of(const question& asked, const found_norm& found) {
     const precision_scope scope(asked.scalar.digits + 20);
-    const std::string& unknown = asked.sweep->name_of(found.unknown);
-    if (!found.there) {
-        return {found.order, found.method, {}, {}, {}, "", asked.scalar, unknown};
+    norm_row row = asked.row(found.order, found.method, found.unknown);
+    if (found.there) {
+        row.norm = decimal_cell(found.norm, asked.scalar.digits);
+        row.time = found.norm == 0 ? cell() : asked.time(found.place);
+        row.log10_norm = log10_cell(found.norm);
+        row.rigour = found.agreed ? "two-method" : "heuristic";
     }
-    return {found.order,
-            found.method,
-            decimal_cell(found.norm, asked.scalar.digits),
-            found.norm == 0 ? cell() : number_cell(decimal_of(asked.typed_times[found.place], 50)),
-            log10_cell(found.norm),
-            found.agreed ? "two-method" : "heuristic",
-            asked.scalar,
-            unknown};
+    return row;
 }
 
 norm_row row_of(const question& asked, const proved_norm& found) {
     const precision_scope scope(asked.scalar.digits + 20);
-    norm_row row{found.order, found.method, {}, {}, {}, "", asked.scalar, asked.sweep->name_of(found.unknown)};
-    if (!found.there) {
-        return row;
-    }
-    row.rigour = found.norm ? "proved" : "not decided";
-    if (found.norm) {
+    norm_row row = asked.row(found.order, found.method, found.unknown);
+    if (found.there && found.norm) {
         row.norm = cell::number(found.norm->text, asked.scalar.digits);
+        row.time = found.place ? asked.time(*found.place) : cell();
         row.log10_norm = log10_cell(mpfr(found.norm->text));
-        row.time = found.place ? number_cell(decimal_of(asked.typed_times[*found.place], 50)) : cell();
     }
+    row.rigour = !found.there ? "" : found.norm ? "proved" : "not decided";
     return row;
 }
 
 table rows_at(const question& asked, std::size_t i, const std::vector<int>& orders) {
     const auto system = asked.sweep->system(i);
-    const std::vector<approximation> methods{approximation::series, approximation::pade, approximation::endpoint};
+    const asked_norms norms{system,
+                            asked.times,
+                            asked.sweep->unknowns(),
+                            {approximation::series, approximation::pade, approximation::endpoint}};
     std::vector<norm_row> rows;
+    const auto add = [&](const auto& all) {
+        std::ranges::transform(all, std::back_inserter(rows), [&](const auto& each) { return row_of(asked, each); });
+    };
     if (asked.scalar.kind == scalar_kind::proved) {
-        for (const auto& each :
-             proved_norms({system, asked.times, asked.sweep->unknowns(), methods}, orders, asked.scalar.digits)) {
-            rows.push_back(row_of(asked, each));
-        }
-        return make_table(columns(), rows);
+        add(proved_norms(norms, orders, asked.scalar.digits));
+    } else {
+        add(norms_of(norms, orders, asked.scalar));
     }
-    for (const auto& each : norms_of({system, asked.times, asked.sweep->unknowns(), methods}, orders, asked.scalar)) {
-        rows.push_back(row_of(asked, each));
-    }
-    return make_table(columns(), rows);
+    return make_table(own_columns(), rows);
 }
 
 study_plan plan(const study_request& request) {
@@ -420,7 +282,7 @@ study_plan plan(const study_request& request) {
                          request.scalar.value_or(read_scalar("mpfr:20"))};
     const auto orders = orders_from(request, 0, "");
     return with_radii(
-        plan_by_numbers({head_of(*asked.sweep, "", asked.scalar, columns())}, asked.sweep, "order", orders,
+        plan_by_numbers({head_of(*asked.sweep, "", asked.scalar, own_columns())}, asked.sweep, "order", orders,
                         [asked](std::size_t i, const std::vector<int>& chosen) {
                             return std::vector<table>{rows_at(asked, i, chosen)};
                         }),
@@ -429,14 +291,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace error_norm_study
 
 const study& error_norm() {
@@ -470,9 +324,10 @@ const study& error_norm() {
         .seconds = 9,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .offers = arithmetics::proved_too,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .title = "Error of the series and of its approximants",
             .question =
                 "How large is the error of the series about the start, and of what is made of it, on an interval?",

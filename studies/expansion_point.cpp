@@ -146,38 +146,27 @@ struct point_row {
     const exact& time;
     mpfr reach;
     answered_list of;
-    std::string unknown;
 };
 
 const column_list<point_row>& columns() {
     using row = point_row;
-    static const column_list<row> all{
+    const column_list<row> own{
         {"time", "expansion point, in the unit of the variable",
          [](const row& r) { return number_cell(decimal_of(r.time, 50)); }},
-        {"order", "N, last power of the list about it", [](const row& r) { return r.of.order; }},
-        {"radius", "estimated radius of convergence about it; empty where there is none",
-         [](const row& r) { return decimal_cell(r.of.found.radius, r.of.found.digits); }},
-        {"uncertainty", "that the tests give: an estimate, not a bound",
-         [](const row& r) { return r.of.found.radius ? decimal_cell(r.of.found.of.uncertainty, 3) : cell(); }},
         {"position_re", "Re of a nearest singularity, as a time",
          [](const row& r) {
-             const auto& position = r.of.found.of.position;
-             return position ? decimal_cell(mpfr(from_exact<mpfr>(r.time) + position->re), r.of.found.digits) : cell();
-         }},
-        {"position_im", "Im of it",
-         [](const row& r) {
-             const auto& position = r.of.found.of.position;
-             return position ? decimal_cell(position->im, r.of.found.digits) : cell();
+             const auto& position = r.of.found.position;
+             return position ? decimal_cell(mpfr(from_exact<mpfr>(r.time) + position->re), r.of.digits) : cell();
          }},
         {"reach", "distance of the farther end of the times", [](const row& r) { return decimal_cell(r.reach, 12); }},
         {"rate", "reach/radius: factor of the error on all times a power; above 1 it diverges",
          [](const row& r) {
              return r.of.found.radius ? decimal_cell(mpfr(r.reach / *r.of.found.radius), 12) : cell();
          }},
-        {"note", "which test decided, or why there is no radius",
-         [](const row& r) { return without_commas(r.of.found.of.note); }},
-        unknown_column<row>(),
     };
+    static const auto all =
+        columns_named("time,order,radius,uncertainty,position_re,position_im,reach,rate,note,unknown",
+                      joined(own, columns_within(answer_columns(), &row::of)));
     return all;
 }
 
@@ -191,9 +180,8 @@ table rows_about(const equation_sweep& sweep, std::size_t i, const std::vector<e
     };
     const mpfr reach = std::max(distance(times.front()), distance(times.back()));
     std::vector<point_row> rows;
-    for (auto& each : answers_to(lists, sweep, orders, scalar, is_verdict)) {
-        const std::string unknown = each.unknown;
-        rows.push_back({time, reach, std::move(each), unknown});
+    for (const answered_list& each : answers_to(lists, sweep, orders, scalar, is_verdict)) {
+        rows.push_back({time, reach, each});
     }
     return make_table(columns(), rows);
 }
@@ -221,14 +209,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace expansion_point_study
 
 const study& expansion_point() {
@@ -236,7 +216,6 @@ const study& expansion_point() {
     static const study result{
         .name = "expansion_point",
         .title = "Where to expand",
-        .label = "",
         .question = "About which point of the way from the top to the bottom should the series be expanded?",
         .reading =
             "Left: the radius of convergence in units of T*. It is largest about the top, as the paper says, at every "
@@ -255,8 +234,9 @@ const study& expansion_point() {
         .quick = {{"--energies", "1.71,2.02", ""}, {"--orders", "6,12", ""}, {"--points", "0,1", ""}},
         .seconds = 3,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .question = "About which time of an interval should the solution be expanded?",
             .reading = "Left: the radius of convergence about each time, from coefficients there; the solution is "
                        "marched to it. Middle: how far from the real times the singularity is that limits it, as the "

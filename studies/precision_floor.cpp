@@ -195,14 +195,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace precision_floor_study
 
 const study& precision_floor() {
@@ -210,7 +202,6 @@ const study& precision_floor() {
     static const study result{
         .name = "precision_floor",
         .title = "Where rounding takes over",
-        .label = "",
         .question = "How small can the error of the series get in each arithmetic before rounding wins?",
         .reading =
             "The error norm against the order N, one panel an energy: dashed the series, solid its resummation, in "
@@ -228,9 +219,10 @@ const study& precision_floor() {
         .seconds = 2,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation =
-            equation_form{.reading = "The largest error at the times over the order N in double, long double and quad, "
+            equation_form{.plan = of_equation::plan,
+                          .reading = "The largest error at the times over the order N in double, long double and quad, "
                                      "of the series and of its Pade approximant; thin without rounding. The short "
                                      "lines at the right are the epsilon of each arithmetic times the size of the "
                                      "unknown. Each curve follows the norm without rounding down to its floor; how "

@@ -27,11 +27,6 @@ column_of<Row> problem_column() {
     return {"problem", "name in the catalogue", [](const Row& r) { return cell(r.problem); }};
 }
 
-template <class Row>
-column_of<Row> unknown_column() {
-    return {"unknown", "of the problem", [](const Row& r) { return cell(r.unknown); }};
-}
-
 struct value_row {
     std::string problem;
     mpfr time, value;
@@ -72,14 +67,14 @@ const column_list<size_row>& size_columns() {
 
 struct nearest_row {
     std::string problem;
-    answer_of_test found;
+    answered_list of;
     std::string unknown;
 };
 
 const column_list<nearest_row>& nearest_columns() {
     using row = nearest_row;
     static const column_list<row> all = joined(
-        joined<row>({problem_column<row>()}, columns_within(answer_columns(), &row::found)), {unknown_column<row>()});
+        joined<row>({problem_column<row>()}, columns_within(result_columns(), &row::of)), {unknown_column<row>()});
     return all;
 }
 
@@ -87,11 +82,9 @@ const column_list<nearest_row>& nearest_columns() {
 std::vector<nearest_row> nearest_in(const std::string& name, const problem_lists& lists, int order) {
     std::vector<nearest_row> rows;
     for (const problem_list& list : lists.unknowns) {
-        nearest_row row{name, {}, list.name};
-        row.found = answers_to(list.name, list.parts.front(), order, arithmetic_of_lists(), is_verdict, lists.root)
-                        .front()
-                        .found;
-        rows.push_back(std::move(row));
+        const auto verdict =
+            answers_to(list.name, list.parts.front(), order, arithmetic_of_lists(), is_verdict, lists.root);
+        rows.push_back({name, verdict.front(), list.name});
     }
     return rows;
 }
@@ -101,8 +94,9 @@ rational length_for(const std::vector<nearest_row>& nearest) {
     constexpr int times = 5;
     std::optional<mpfr> least;
     for (const nearest_row& each : nearest) {
-        if (each.found.radius && (!least || *each.found.radius < *least)) {
-            least = each.found.radius;
+        const auto& radius = each.of.found.radius;
+        if (radius && (!least || *radius < *least)) {
+            least = radius;
         }
     }
     if (!least) {
@@ -135,7 +129,7 @@ std::vector<table> tables_of_problem(const std::string& name, int order) {
     const ode::explicit_system system(ode::parse(problem_text(name)));
     const long digits = arithmetic_of_lists().digits + guard_of_lists;
     const precision_scope scope(digits);
-    const auto lists = lists_of_problem({system, 0, order, std::nullopt}, digits);
+    const auto lists = lists_about_start(system, order, digits);
     const auto nearest = nearest_in(name, lists, order);
     std::vector<size_row> sizes;
     for (const problem_list& list : lists.unknowns) {
@@ -186,7 +180,6 @@ const study& problems() {
     static const study result{
         .name = "problems",
         .title = "The catalogue of problems",
-        .label = "",
         .question = "What do the solutions of the catalogue look like, and how far do their series reach?",
         .reading =
             "Every problem of the catalogue with its usual parameters. First its solution from the start to five radii "
@@ -199,7 +192,6 @@ const study& problems() {
                        {"--orders", "80", "N, last power of the lists; the largest is used"}},
         .quick = {{"--problems", "blasius,riccati,thomas_fermi", ""}, {"--orders", "20", ""}},
         .seconds = 30,
-        .excluded = {},
         .plan = plan};
     return result;
 }

@@ -119,9 +119,9 @@ const study& proved_radius() {
             "singularity and a covering of the disc that does not reach it. On the right the number of discs and the "
             "time of the proof against D: about ten discs a digit, each of which costs more digits the more there are, "
             "so that the time grows like a small power of D.",
-        .plan = plan,
         .alone = true,
-        .any_equation = equation_form{.parameters = {{"--digits", "10", "D, digits to which the bounds agree"}},
+        .any_equation = equation_form{.plan = plan,
+                                      .parameters = {{"--digits", "10", "D, digits to which the bounds agree"}},
                                       .example = {"van_der_pol", {"m=1:4:4"}},
                                       .example_words = {{"--digits", "5,10,20"}},
                                       .quick = {{"--digits", "3"}},

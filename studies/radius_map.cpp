@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "shared/list_answers.hpp"
-#include "shared/radius_cells.hpp"
 #include "shared/sweep_plan.hpp"
 
 namespace libration::studies {
@@ -19,84 +18,43 @@ using namespace pendulum;
 
 namespace {
 
-constexpr int least_order = 4;
-
-// The verdict on one list compared with the exact radius, in a precision with more digits than the verdict.
-struct judged_point {
-    const exact& point;
-    expansion_coverage<mpfr> cover;
-    radius_estimate<mpfr> found;
-};
-
-// The verdicts about one point for each order.
-std::vector<judged_point> judged_about(const motion& m, const exact& point, const std::vector<int>& orders,
-                                       const scalar_spec& scalar) {
-    std::vector<judged_point> all;
-    all.reserve(orders.size());
-    with_scalar(scalar, 0, [&]<class T>() {
-        const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit());
-        for (const int order : orders) {
-            const auto verdict = in_unit(report_on_radius(cut(list.scaled, order), epsilon<T>()).verdict, list.unit);
-            const precision_scope judging(scalar.digits + digits_for_judging);
-            all.push_back({point, coverage_from<mpfr>(m, point.coefficient), widened(verdict)});
-        }
-    });
-    return all;
-}
-
 // A verdict with its position compared with the exact one.
 struct map_row {
-    const sweep_energy& at;
-    const exact& point;
-    long digits;
-    int order;
-    judged_radius judged;
-    radius_estimate<mpfr> found;
+    answered_list of;
     expansion_coverage<mpfr> cover;
     std::optional<mpfr> position_error;
 };
 
-map_row row_of(const sweep_energy& at, int order, const judged_point& p, long digits) {
-    std::optional<mpfr> error;
-    if (p.found.position) {
-        error = modulus_of(*p.found.position - nearest_on_arc(p.cover, p.point.coefficient)) / p.cover.radius;
+map_row row_of(const answered_list& verdict) {
+    const auto cover = coverage_from<mpfr>(motion::of_energy(verdict.at->value), verdict.point->coefficient);
+    const auto& position = verdict.found.position;
+    if (!position) {
+        return {verdict, cover, std::nullopt};
     }
-    return {at, p.point, digits, order, against_exact(p.found, p.cover.radius, digits), p.found, p.cover, error};
-}
-
-column_list<map_row> place_columns() {
-    using row = map_row;
-    return {
-        {"position_re", "Re of the estimated nearest singularity, from the point, dimensionless time",
-         [](const row& r) { return r.found.position ? decimal_cell(r.found.position->re, r.digits) : cell(); }},
-        {"position_im", "Im of it",
-         [](const row& r) { return r.found.position ? decimal_cell(r.found.position->im, r.digits) : cell(); }},
-        {"position_error", "its distance from (1-x) T* + i K~', over R",
-         [](const row& r) { return decimal_cell(r.position_error, digits_of_errors); }},
-        {"log10_position_error", "log10 of position_error", [](const row& r) { return log10_cell(r.position_error); }},
-        {"kind", "of the singularity by the verdict: logarithm is right",
-         [](const row& r) { return r.found.radius ? cell(name_of(r.found.kind)) : cell(); }},
-        {"count", "singularities on the circle by the verdict: 4 about the top and 2 elsewhere is right",
-         [](const row& r) { return r.found.radius ? cell(r.found.count) : cell(); }},
-        {"rate", "max(x, 1-x) T*/radius: factor of the error on [0, T*] a power",
-         [](const row& r) {
-             return r.found.radius ? decimal_cell(mpfr(r.cover.reach / *r.found.radius), r.digits) : cell();
-         }},
-        {"tstar", "T*, dimensionless", [](const row& r) { return decimal_cell(r.cover.effective_period, r.digits); }},
-        {"height", "K~', dimensionless", [](const row& r) { return decimal_cell(r.cover.height, r.digits); }},
-        gap_column<row>(),
-        log10_gap_column<row>(),
-        {"note", "which test decided, or why there is no radius", [](const row& r) { return r.found.note; }}};
+    return {verdict, cover,
+            mpfr(modulus_of(*position - nearest_on_arc(cover, verdict.point->coefficient)) / cover.radius)};
 }
 
 const column_list<map_row>& columns() {
     using row = map_row;
-    static const auto all = with_typed_energy<row>(
-        joined(joined<row>({energy_column<row>(),
-                            point_column<row>(),
-                            {"order", "N, last power of t of the list", [](const row& r) { return r.order; }}},
-                           columns_within(judged_columns(), &row::judged)),
-               place_columns()));
+    const column_list<row> own{
+        {"position_error", "its distance from (1-x) T* + i K~', over R",
+         [](const row& r) { return decimal_cell(r.position_error, digits_of_errors); }},
+        {"log10_position_error", "log10 of position_error", [](const row& r) { return log10_cell(r.position_error); }},
+        {"rate", "max(x, 1-x) T*/radius: factor of the error on [0, T*] a power",
+         [](const row& r) {
+             const auto& radius = r.of.found.radius;
+             return radius ? decimal_cell(mpfr(r.cover.reach / *radius), r.of.digits) : cell();
+         }},
+        {"tstar", "T*, dimensionless",
+         [](const row& r) { return decimal_cell(r.cover.effective_period, r.of.digits); }},
+        {"height", "K~', dimensionless", [](const row& r) { return decimal_cell(r.cover.height, r.of.digits); }},
+    };
+    static const auto all = columns_named(
+        "energy,point,order,radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,"
+        "position_re,position_im,position_error,log10_position_error,kind,count,rate,tstar,height,gap,log10_gap,note,"
+        "energy_typed,gap_typed",
+        joined(own, columns_within(answer_columns(), &row::of)));
     return all;
 }
 
@@ -190,7 +148,7 @@ optimum_row optimum_of(const std::vector<seen_point>& points) {
 
 // Computes the second table from the first.
 void derive_optimum(std::vector<study_table>& tables) {
-    const precision_scope scope(tables[0].scalar.digits + digits_for_judging);
+    const precision_scope scope(tables[0].scalar.digits + guard_of_lists);
     const auto& rows = tables[0].data.rows();
     const std::array<std::size_t, 4> of_energy{place_of("energy"), place_of("gap"), place_of("energy_typed"),
                                                place_of("gap_typed")};
@@ -215,18 +173,17 @@ void derive_optimum(std::vector<study_table>& tables) {
 // The rows of one point at one energy.
 table rows_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
                  const scalar_spec& scalar) {
-    const precision_scope scope(scalar.digits + digits_for_judging);
+    const precision_scope scope(scalar.digits + guard_of_lists);
     std::vector<map_row> map;
-    const auto judged = judged_about(motion::of_energy(at.value), point, orders, scalar);
-    for (std::size_t i = 0; i < orders.size(); ++i) {
-        map.push_back(row_of(at, orders[i], judged[i], scalar.digits));
+    for (const answered_list& each : judged_answers(at, point, orders, scalar, is_verdict)) {
+        map.push_back(row_of(each));
     }
     return make_table(columns(), map);
 }
 
 study_plan plan(const study_request& request) {
     const auto sweep = sweep_of(request);
-    const std::vector<int> orders = orders_from(request, least_order, "is too short a list for a radius test");
+    const std::vector<int> orders = orders_from(request, least_order_of_lists, "is too short a list for a radius test");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
     const std::size_t points = sweep->points.size();
     // A cell per order; those about one point share one list.
@@ -253,11 +210,8 @@ namespace of_equation {
 namespace {
 
 const column_list<answered_list>& columns() {
-    using row = answered_list;
-    static const column_list<row> all =
-        joined(joined<row>({{"order", "N, last power of the list", [](const row& r) { return r.order; }}},
-                           columns_within(answer_columns(), &row::found)),
-               {unknown_column<row>()});
+    static const auto all = joined(joined(columns_named("order", answer_columns()), result_columns()),
+                                   columns_named("unknown", answer_columns()));
     return all;
 }
 
@@ -275,14 +229,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace radius_map_study
 
 const study& radius_map() {
@@ -290,7 +236,6 @@ const study& radius_map() {
     static const study result{
         .name = "radius_map",
         .title = "The optimal expansion point from coefficients",
-        .label = "",
         .question = "Can the radius of convergence, and the optimal expansion point, be deduced from N coefficients?",
         .reading =
             "Left: the radius of convergence over the expansion point, in units of T*; middle: the factor by which a "
@@ -311,8 +256,9 @@ const study& radius_map() {
         .quick = {{"--energies", "1,2.02", ""}, {"--orders", "12", ""}, {"--points", "0,1/2,1", ""}},
         .seconds = 4,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .title = "The radius of convergence over the parameters",
             .question = "How does the radius of convergence depend on the parameters and the start of an equation?",
             .reading = "The radius that radius tests read from N coefficients about the start, and how certain they "

@@ -1,22 +1,14 @@
 // Which radius test is reliable, on series whose radius is known?
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
-#include "libration/convergence/known/known_series.hpp"
-#include "libration/convergence/list/coefficient_unit.hpp"
-#include "libration/convergence/radius_report.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
-#include "libration/pendulum/error/known_arc_series.hpp"
 #include "libration/scalar/ball/functions.hpp"
-#include "shared/list_answers.hpp"
-#include "shared/sweep_columns.hpp"
-#include "shared/sweep_plan.hpp"
+#include "tournament_scores.hpp"
 
 namespace libration::studies {
 
@@ -24,328 +16,10 @@ namespace radius_tournament_study {
 
 namespace of_pendulum {
 
-using namespace series;
 using namespace convergence;
-using namespace pendulum;
+using namespace tournament_results;
 
 namespace {
-
-constexpr long guard_digits = 30;
-constexpr long digits_of_errors = 6;
-constexpr long digits_of_scores = digits_of_errors + guard_digits;
-
-// The problems in one precision.
-using problem_list = std::vector<known_series<mpfr>>;
-
-// A motion of the pendulum as a problem: named by its energy, or by its gap if that was given.
-std::string label_of(const sweep_energy& at, const exact& point) {
-    const std::string energy = at.energy_typed.empty() ? "2-E=" + at.gap_typed : "E=" + at.energy_typed;
-    return "pendulum " + energy + " x=" + point.text;
-}
-
-// All problems, in the working precision in force.
-problem_list problems_of(const pendulum_sweep& sweep) {
-    auto all = all_known_series<mpfr>();
-    for (const sweep_energy& at : sweep.energies) {
-        for (const exact& point : sweep.points) {
-            all.push_back(known_arc_series(label_of(at, point), motion::of_energy(at.value), point.coefficient));
-        }
-    }
-    return all;
-}
-
-// One result and its error.
-struct judged_answer {
-    std::string problem, half, method, scalar;
-    int order;
-    long digits;
-    radius_estimate<mpfr> found;
-    std::optional<mpfr> radius;  // the exact one; none for an entire function
-    singularity_kind kind;
-    int count;
-    bool covered = false;
-    mpfr reached = 0;           // correct digits
-    std::optional<mpfr> error;  // relative
-    std::optional<mpfr> ratio;  // uncertainty/error
-
-    bool has_radius() const { return radius && *radius > 0; }
-    bool answered() const { return found.radius.has_value(); }
-};
-
-std::string kind_text(singularity_kind kind) { return kind == singularity_kind::unknown ? "" : name_of(kind); }
-
-cell covered_cell(const judged_answer& r) {
-    return r.has_radius() && !r.answered() ? cell() : cell(r.covered ? "yes" : "no");
-}
-
-column_list<judged_answer> columns_of_truth() {
-    using row = judged_answer;
-    return {
-        {"kind", "of the nearest singularities by the verdict", [](const row& r) { return kind_text(r.found.kind); }},
-        {"exact_kind", "of the one of least argument, truly; empty where there is none",
-         [](const row& r) { return kind_text(r.kind); }},
-        {"count", "nearest singularities as the test sees them",
-         [](const row& r) { return r.found.count > 0 ? cell(r.found.count) : cell(); }},
-        {"exact_count", "truly; 0 for none and for a boundary", [](const row& r) { return r.count; }},
-        {"note", "why there is no radius, or what a reader should know", [](const row& r) { return r.found.note; }}};
-}
-
-column_list<judged_answer> columns_of_error() {
-    using row = judged_answer;
-    return {
-        {"relative_error", "|radius/exact - 1|", [](const row& r) { return decimal_cell(r.error, digits_of_errors); }},
-        {"log10_relative_error", "log10 of relative_error; empty where it is 0",
-         [](const row& r) { return r.ratio ? log10_cell(r.error) : cell(); }},
-        {"digits", "correct digits of the radius, at most those of the scalar",
-         [](const row& r) { return r.error ? decimal_cell(r.reached, digits_of_errors) : cell(); }},
-        {"uncertainty_over_error", "empty where the error is 0",
-         [](const row& r) { return decimal_cell(r.ratio, digits_of_errors); }},
-        {"covered", "yes: the error is within the uncertainty, or no radius is given where there is none | no",
-         covered_cell}};
-}
-
-const column_list<judged_answer>& columns() {
-    using row = judged_answer;
-    static const auto all = joined(
-        joined<row>(
-            {{"problem", "the function, or theta of the pendulum: its energy and expansion point",
-              [](const row& r) { return r.problem; }},
-             {"half", "calibration: safety factors were chosen on it; judged: not used for that",
-              [](const row& r) { return r.half; }},
-             {"order", "N, last power of the list", [](const row& r) { return r.order; }},
-             {"scalar", "arithmetic of the coefficients and of the tests", [](const row& r) { return r.scalar; }},
-             {"method", "radius test, or the verdict of all", [](const row& r) { return r.method; }},
-             {"radius", "estimated; empty where the test gives none",
-              [](const row& r) { return decimal_cell(r.found.radius, r.digits); }},
-             {"uncertainty", "of the radius, by the test itself",
-              [](const row& r) { return r.answered() ? decimal_cell(r.found.uncertainty, digits_of_errors) : cell(); }},
-             {"exact", "radius of convergence; inf for an entire function, 0 for a divergent series",
-              [](const row& r) { return r.radius ? decimal_cell(*r.radius, r.digits) : number_cell("inf"); }}},
-            columns_of_error()),
-        columns_of_truth());
-    return all;
-}
-
-// Digits of agreement, between 0 and the maximum of the scalar.
-mpfr correct_digits(const mpfr& relative_error, long most) {
-    const mpfr reached = relative_error == 0 ? mpfr(most) : mpfr(-log10(relative_error));
-    return std::clamp(reached, mpfr(0), mpfr(most));
-}
-
-judged_answer judge(const known_series<mpfr>& problem, const std::string& half, int order, const scalar_spec& scalar,
-                    const radius_estimate<mpfr>& found) {
-    judged_answer answer{problem.name,  half,    found.method,   scalar.name(), order,
-                         scalar.digits, found,   problem.radius, problem.kind,  problem.count,
-                         false,         mpfr(0), std::nullopt,   std::nullopt};
-    if (!answer.has_radius()) {
-        answer.covered = !answer.answered();
-    } else if (answer.answered()) {
-        const mpfr away = abs(*found.radius - *problem.radius);
-        answer.error = away / *problem.radius;
-        answer.covered = away <= found.uncertainty;
-        answer.reached = correct_digits(*answer.error, scalar.digits);
-        if (away != 0) {
-            answer.ratio = found.uncertainty / away;
-        }
-    }
-    return answer;
-}
-
-// All tests on one problem in one scalar, at all orders.
-std::vector<judged_answer> answers_of(const known_series<mpfr>& problem, const std::string& half,
-                                      const std::vector<int>& orders, const scalar_spec& scalar) {
-    std::vector<judged_answer> answers;
-    const power_series<mpfr> wide = problem.expand(orders.back());
-    for (const int order : orders) {
-        const power_series<mpfr> list = wide.truncated(order);
-        const coefficient_unit unit = unit_of(list);
-        with_scalar(scalar, 0, [&]<class T>() {
-            const auto report = report_on_radius(in_unit_of<T>(list, unit), epsilon<T>());
-            const precision_scope judging(scalar.digits + guard_digits);
-            const mpfr length = narrow<mpfr>(unit.length);
-            answers.push_back(judge(problem, half, order, scalar, in_unit(widened(report.verdict), length)));
-            for (const auto& test : report.tests) {
-                answers.push_back(judge(problem, half, order, scalar, in_unit(widened(test), length)));
-            }
-        });
-    }
-    return answers;
-}
-
-// The contribution of a result to the tables that are derived from all results.
-struct scored_answer {
-    std::string half, scalar, method;
-    int order;
-    bool has_radius, answered, covered;
-    mpfr reached;
-    std::optional<mpfr> ratio;
-};
-
-// The same as a row of a separate table, with more digits than are printed.
-const column_list<judged_answer>& score_columns() {
-    using row = judged_answer;
-    static const column_list<row> all{
-        {"half", "", [](const row& r) { return r.half; }},
-        {"scalar", "", [](const row& r) { return r.scalar; }},
-        {"method", "", [](const row& r) { return r.method; }},
-        {"order", "", [](const row& r) { return r.order; }},
-        {"has_radius", "", [](const row& r) { return static_cast<int>(r.has_radius()); }},
-        {"answered", "", [](const row& r) { return static_cast<int>(r.answered()); }},
-        {"covered", "", [](const row& r) { return static_cast<int>(r.covered); }},
-        {"reached", "", [](const row& r) { return decimal_cell(r.reached, digits_of_scores); }},
-        {"ratio", "", [](const row& r) { return decimal_cell(r.ratio, digits_of_scores); }}};
-    return all;
-}
-
-scored_answer score_in(const table_row_cells& row) {
-    const auto number = [&](std::size_t place) { return from_exact<mpfr>(read_exact(row[place].text())); };
-    return {row[0].text(),
-            row[1].text(),
-            row[2].text(),
-            std::stoi(row[3].text()),
-            row[4].text() == "1",
-            row[5].text() == "1",
-            row[6].text() == "1",
-            number(7),
-            row[8].is_empty() ? std::nullopt : std::optional(number(8))};
-}
-
-// Statistics of a group of results.
-class score {
-public:
-    void add(const scored_answer& answer) {
-        if (!answer.has_radius) {
-            false_answers_ += answer.answered ? 1 : 0;
-            return;
-        }
-        ++problems_;
-        digits_.push_back(answer.reached);
-        if (answer.answered) {
-            ++answers_;
-            covered_ += answer.covered ? 1 : 0;
-        }
-        if (answer.ratio) {
-            ratios_.push_back(*answer.ratio);
-        }
-    }
-    int problems() const { return problems_; }
-    int answers() const { return answers_; }
-    int false_answers() const { return false_answers_; }
-    cell coverage() const { return answers_ == 0 ? cell() : decimal_cell(mpfr(mpfr(covered_) / answers_), 4); }
-    cell median_ratio() const { return decimal_cell(middle_of(ratios_), digits_of_errors); }
-    cell median_digits() const { return decimal_cell(middle_of(digits_), digits_of_errors); }
-    mpfr mean_digits() const {
-        mpfr sum(0);
-        for (const mpfr& d : digits_) {
-            sum += d;
-        }
-        return problems_ == 0 ? sum : mpfr(sum / problems_);
-    }
-
-private:
-    static std::optional<mpfr> middle_of(std::vector<mpfr> values) {
-        if (values.empty()) {
-            return std::nullopt;
-        }
-        std::sort(values.begin(), values.end());
-        return values[values.size() / 2];
-    }
-
-    int problems_ = 0, answers_ = 0, covered_ = 0, false_answers_ = 0;
-    std::vector<mpfr> digits_, ratios_;
-};
-
-// A method among all at one order in one scalar.
-struct ranking_row {
-    int order;
-    std::string scalar;
-    int rank;
-    std::string method;
-    score reached;
-};
-
-const column_list<ranking_row>& ranking_columns() {
-    using row = ranking_row;
-    static const column_list<row> all{
-        {"order", "N, last power of the lists", [](const row& r) { return r.order; }},
-        {"scalar", "arithmetic of the coefficients and of the tests", [](const row& r) { return r.scalar; }},
-        {"rank", "1 for the most digits", [](const row& r) { return r.rank; }},
-        {"method", "radius test, or the verdict of all", [](const row& r) { return r.method; }},
-        {"problems", "series with a radius between 0 and infinity", [](const row& r) { return r.reached.problems(); }},
-        {"answers", "radii given for them", [](const row& r) { return r.reached.answers(); }},
-        {"mean_digits", "correct digits, no answer counted as 0, mean over the problems",
-         [](const row& r) { return decimal_cell(r.reached.mean_digits(), digits_of_errors); }},
-        {"median_digits", "the same, median", [](const row& r) { return r.reached.median_digits(); }},
-        {"covered", "share of the answers whose error is within the uncertainty",
-         [](const row& r) { return r.reached.coverage(); }},
-        {"median_uncertainty_over_error", "of the answers", [](const row& r) { return r.reached.median_ratio(); }},
-        {"false_answers", "radii given for series that have none",
-         [](const row& r) { return r.reached.false_answers(); }},
-    };
-    return all;
-}
-
-table ranking(const std::vector<scored_answer>& answers) {
-    std::map<std::pair<std::string, int>, std::map<std::string, score>> groups;
-    for (const auto& each : answers) {
-        groups[{each.scalar, each.order}][each.method].add(each);
-    }
-    std::vector<ranking_row> all;
-    for (const auto& [group, methods] : groups) {
-        std::vector<ranking_row> ranked;
-        ranked.reserve(methods.size());
-        for (const auto& [method, reached] : methods) {
-            ranked.push_back({group.second, group.first, 0, method, reached});
-        }
-        std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
-            return a.reached.mean_digits() > b.reached.mean_digits();
-        });
-        int rank = 0;
-        for (ranking_row& each : ranked) {
-            each.rank = ++rank;
-            all.push_back(std::move(each));
-        }
-    }
-    return make_table(ranking_columns(), all);
-}
-
-// A method on one half of the problems.
-struct coverage_row {
-    std::string half, scalar, method;
-    score reached;
-};
-
-const column_list<coverage_row>& coverage_columns() {
-    using row = coverage_row;
-    static const column_list<row> all{
-        {"half", "calibration: safety factors were chosen on it; judged: not used for that",
-         [](const row& r) { return r.half; }},
-        {"scalar", "arithmetic of the coefficients and of the tests", [](const row& r) { return r.scalar; }},
-        {"method", "radius test, verdict, or all: every test and no verdict", [](const row& r) { return r.method; }},
-        {"answers", "radii given, of series with a radius between 0 and infinity",
-         [](const row& r) { return r.reached.answers(); }},
-        {"covered", "share of them whose error is within the uncertainty",
-         [](const row& r) { return r.reached.coverage(); }},
-        {"median_uncertainty_over_error", "of them", [](const row& r) { return r.reached.median_ratio(); }},
-    };
-    return all;
-}
-
-table coverage(const std::vector<scored_answer>& answers) {
-    std::map<std::tuple<std::string, std::string, std::string>, score> groups;
-    for (const auto& each : answers) {
-        groups[{each.half, each.scalar, each.method}].add(each);
-        if (each.method != "verdict") {
-            groups[{each.half, each.scalar, "all"}].add(each);
-        }
-    }
-    std::vector<coverage_row> all;
-    for (const auto& [group, reached] : groups) {
-        const auto& [half, scalar, method] = group;
-        all.push_back({half, scalar, method, reached});
-    }
-    return make_table(coverage_columns(), all);
-}
 
 // The problems in the precision of each scalar, computed once.
 std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, const pendulum_sweep& sweep) {
@@ -369,58 +43,50 @@ void derive_rankings(std::vector<study_table>& tables) {
     tables[3].data = coverage(answers);
 }
 
-// The shared data of a plan's groups.
+// The groups of a plan: every problem in every scalar.
 struct tournament {
     std::vector<scalar_spec> scalars;
     std::vector<problem_list> problems;  // by scalar
-    std::vector<int> orders;
 
-    std::size_t groups() const { return problems.front().size() * scalars.size(); }
-    cell_group group(std::size_t i) const {
+    struct contest {
+        const known_series<mpfr>& problem;
+        std::string half;
+        const scalar_spec& scalar;
+    };
+
+    std::size_t size() const { return problems.front().size() * scalars.size(); }
+    contest at(std::size_t i) const {
         const std::size_t in = i % scalars.size();
         const std::size_t which = i / scalars.size();
-        const auto& problem = problems[in][which];
-        const scalar_spec& scalar = scalars[in];
-        const std::string half = which % 2 == 0 ? "calibration" : "judged";
-        cell_group group;
-        for (const int order : orders) {
-            group.cells.push_back({{"problem", problem.name},
-                                   {"half", half},
-                                   {"scalar", scalar.name()},
-                                   {"order", std::to_string(order)}});
-        }
-        group.compute = [this, &problem, &scalar, half](const std::vector<std::size_t>& chosen) {
-            const precision_scope scope(scalar.digits + guard_digits);
-            std::vector<int> own;
-            own.reserve(chosen.size());
-            for (const std::size_t each : chosen) {
-                own.push_back(orders[each]);
-            }
-            const auto answers = answers_of(problem, half, own, scalar);
-            return equal_parts({make_table(columns(), answers), make_table(score_columns(), answers)}, own.size());
-        };
-        return group;
+        return {problems[in][which], which % 2 == 0 ? "calibration" : "judged", scalars[in]};
     }
 };
 
 study_plan plan(const study_request& request) {
-    const pendulum_sweep sweep(request.values);
     const auto all = std::make_shared<tournament>();
-    all->orders = orders_from(request, 0, "");
     all->scalars =
         request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
-    all->problems = problems_in(all->scalars, sweep);
+    all->problems = problems_in(all->scalars, pendulum_sweep(request.values));
     const scalar_spec& last = all->scalars.back();
-    study_plan plan;
-    plan.tables = {head_of("", last, columns()), head_of("scores", last, score_columns()),
-                   head_of("ranking", last, ranking_columns()), head_of("coverage", last, coverage_columns())};
+    study_plan plan = plan_of_values(
+        {head_of("", last, columns()), head_of("scores", last, score_columns()),
+         head_of("ranking", last, ranking_columns()), head_of("coverage", last, coverage_columns())},
+        {"energy", "gap", "point", "order"}, all->size(),
+        [all](std::size_t i) {
+            const auto& [problem, half, scalar] = all->at(i);
+            return cell_inputs{{"problem", problem.name}, {"half", half}, {"scalar", scalar.name()}};
+        },
+        orders_from(request, 0, ""),
+        [all](std::size_t i, const std::vector<int>& orders) {
+            const auto& [problem, half, scalar] = all->at(i);
+            const precision_scope scope(scalar.digits + guard_digits);
+            const auto answers = answers_of(problem, half, orders, scalar);
+            return std::vector<table>{make_table(columns(), answers), make_table(score_columns(), answers)};
+        });
     plan.tables[1].written = false;
-    plan.axes = {"energy", "gap", "point", "order"};
-    plan.groups = all->groups();
-    plan.group = [all](std::size_t i) { return all->group(i); };
     // The cost of a list is that of its arithmetic, some tens of times more without hardware support.
     plan.cost = [all](std::size_t i) {
-        const scalar_spec& scalar = all->scalars[i % all->scalars.size()];
+        const scalar_spec& scalar = all->at(i).scalar;
         return scalar.kind == scalar_kind::arbitrary ? static_cast<double>(scalar.digits) : 1.0;
     };
     plan.derive = derive_rankings;
@@ -440,29 +106,22 @@ struct judged_row {
     answered_list of;
     std::optional<mpfr> difference;
     std::string truth;
-    std::string unknown;
 };
 
 const column_list<judged_row>& columns() {
     using row = judged_row;
-    static const column_list<row> all{
-        {"order", "N, last power of the list", [](const row& r) { return r.of.order; }},
-        {"method", "verdict, or the radius test", [](const row& r) { return r.of.method; }},
-        {"radius", "its answer; empty where it has none",
-         [](const row& r) { return decimal_cell(r.of.found.radius, r.of.found.digits); }},
-        {"uncertainty", "that it gives: an estimate, not a bound",
-         [](const row& r) { return r.of.found.radius ? decimal_cell(r.of.found.of.uncertainty, 3) : cell(); }},
+    const column_list<row> own{
         {"difference", "|radius/R - 1|, R as `truth` says, to 10^-D where it is proved; empty without one",
          [](const row& r) { return decimal_cell(r.difference, 6); }},
         {"log10_difference", "log10 of difference", [](const row& r) { return log10_cell(r.difference); }},
-        {"note", "which test decided, or why there is no radius",
-         [](const row& r) { return without_commas(r.of.found.of.note); }},
         {"truth",
          "R: proved | proved from below: the radius that another unknown is proved to have, which the verdict on the "
          "reference list agrees with | verdict: that verdict, so that difference measures agreement and not truth",
          [](const row& r) { return r.truth; }},
-        unknown_column<row>(),
     };
+    static const auto all =
+        columns_named("order,method,radius,uncertainty,difference,log10_difference,note,truth,unknown",
+                      joined(own, columns_within(answer_columns(), &row::of)));
     return all;
 }
 
@@ -532,13 +191,11 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
         reference[each.unknown] = truth_of(each.unknown, each.found.radius, proved);
     }
     std::vector<judged_row> rows;
-    for (auto& each : answers_to(lists, sweep, orders, scalar, [](const std::string&) { return true; })) {
+    for (answered_list& each : answers_to(lists, sweep, orders, scalar, is_any_test)) {
         const auto& truth = reference[each.unknown];
-        const auto difference = each.found.radius && truth.radius
-                                    ? std::optional(mpfr(abs(*each.found.radius / *truth.radius - 1)))
-                                    : std::optional<mpfr>();
-        const std::string unknown = each.unknown;
-        rows.push_back({std::move(each), difference, truth.by, unknown});
+        each.true_radius = truth.radius;
+        const auto difference = relative_error(each);
+        rows.push_back({std::move(each), difference, truth.by});
     }
     return {make_table(columns(), rows)};
 }
@@ -560,14 +217,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace radius_tournament_study
 
 const study& radius_tournament() {
@@ -575,7 +224,6 @@ const study& radius_tournament() {
     static const study result{
         .name = "radius_tournament",
         .title = "A tournament of radius tests",
-        .label = "",
         .question = "Which radius test can be trusted, on series whose radius is known?",
         .reading =
             "Every test sees a list of coefficients and nothing else: theta of the pendulum about several points, and "
@@ -600,8 +248,9 @@ const study& radius_tournament() {
                   {"--scalar", "double", ""}},
         .seconds = 8.5,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .title = "The radius tests",
             .question = "Which radius test settles with the fewest coefficients?",
             .reading =

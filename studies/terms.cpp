@@ -164,10 +164,11 @@ terms_row least_of(const std::vector<mpfr>& norms, int digits, approximation met
 }
 
 std::optional<mpfr> predicted_order(const radius_row& radius, int digits) {
-    if (!radius.found.radius || radius.reach >= *radius.found.radius || radius.reach == 0) {
+    const auto& found = radius.of.found.radius;
+    if (!found || radius.reach >= *found || radius.reach == 0) {
         return std::nullopt;
     }
-    return mpfr(digits * log(mpfr(10)) / log(mpfr(*radius.found.radius / radius.reach)));
+    return mpfr(digits * log(mpfr(10)) / log(mpfr(*found / radius.reach)));
 }
 
 std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<ode::number>& times,
@@ -211,14 +212,6 @@ study_plan plan(const study_request& request) {
 
 }  // namespace
 }  // namespace of_equation
-
-namespace {
-
-study_plan plan(const study_request& request) {
-    return request.equation ? of_equation::plan(request) : of_pendulum::plan(request);
-}
-
-}  // namespace
 }  // namespace terms_study
 
 const study& terms() {
@@ -226,7 +219,6 @@ const study& terms() {
     static const study result{
         .name = "terms",
         .title = "Terms for a number of digits",
-        .label = "",
         .question = "How many terms give D digits on [0, T*], and how does that number grow towards E = 2?",
         .reading =
             "The least order N whose error norm stays below 10^-D, for libration (left) and rotation (right), against "
@@ -244,8 +236,9 @@ const study& terms() {
         .seconds = 3.5,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
-        .plan = plan,
+        .plan = of_pendulum::plan,
         .any_equation = equation_form{
+            .plan = of_equation::plan,
             .question = "How many terms give D digits on an interval?",
             .reading =
                 "The least order N whose largest error at the times stays below 10^-D, of the partial sum and of the "

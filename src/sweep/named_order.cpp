@@ -12,6 +12,7 @@
 #include "libration/scalar/text/near_word.hpp"
 #include "sweep/study_files.hpp"
 #include "text/input_error.hpp"
+#include "text/members.hpp"
 
 namespace libration {
 
@@ -30,12 +31,9 @@ void require_any_equation(const study& what, const equation_words& asked) {
     if (what.any_equation) {
         return;
     }
-    std::string names;
-    for (const study* each : studies_of_equations()) {
-        names += (names.empty() ? "" : ", ") + each->name;
-    }
+    const auto names = members_of(studies_of_equations(), &study::name);
     throw input_error("--problem", asked.problem, "is not supported by the study " + what.name,
-                      "leave it out, or choose one of " + names);
+                      fmt::format("leave it out, or choose one of {}", fmt::join(names, ", ")));
 }
 
 // The words of a command, split at blanks, except within double quotes.
@@ -86,7 +84,7 @@ std::shared_ptr<const study> study_about(const study& what, const shared_problem
     result->parameters.insert(result->parameters.end(), form.parameters.begin(), form.parameters.end());
     result->parameters.push_back({"--unknowns", "", "unknowns of the problem; default all"});
     result->seconds = form.seconds;
-    result->plan = [plan = what.plan, equation](study_request request) {
+    result->plan = [plan = form.plan, equation](study_request request) {
         request.equation = equation;
         return plan(request);
     };

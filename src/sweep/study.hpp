@@ -47,14 +47,15 @@ struct equation_words {
 
 /// A study with --problem P, where it differs from the study of its own problem.
 struct equation_form {
-    std::string title = {};                   ///< empty: that of the study
-    std::string question = {};                ///< empty: that of the study
-    std::string reading = {};                 ///< empty: that of the study
-    std::vector<study_parameter> parameters;  ///< in addition to --problem, --set and --unknowns
-    equation_words example;                   ///< as in the set `problems`,
-    study_words example_words = {};           ///< with these parameters
-    study_words quick;                        ///< the same, for a run of at most one second
-    double seconds;                           ///< of the example, on two cores
+    std::function<study_plan(const study_request&)> plan;  ///< as study::plan; the request has an equation
+    std::string title = {};                                ///< empty: that of the study
+    std::string question = {};                             ///< empty: that of the study
+    std::string reading = {};                              ///< empty: that of the study
+    std::vector<study_parameter> parameters;               ///< in addition to --problem, --set and --unknowns
+    equation_words example;                                ///< as in the set `problems`,
+    study_words example_words = {};                        ///< with these parameters
+    study_words quick;                                     ///< the same, for a run of at most one second
+    double seconds;                                        ///< of the example, on two cores
 };
 
 /// A file: its name and its content.
@@ -78,8 +79,9 @@ struct study {
     std::vector<study_parameter> quick = {};    ///< (option, argument) of a run of at most one second, for the tests
     double seconds = 0;                         ///< with the default parameters, on two cores
     std::vector<without_answer> excluded = {};  ///< where it has no result
-    /// The cells for the request. Throws input_error for requests that the study does not support.
-    std::function<study_plan(const study_request&)> plan;
+    /// The cells for the request. Throws input_error for requests that the study does not support. Empty: it requires
+    /// --problem.
+    std::function<study_plan(const study_request&)> plan = {};
     /// Incremented when a cell's rows change for the same inputs: journals of other versions are then not used.
     int version = 1;
     arithmetics offers = arithmetics::rounding;      ///< proved_too if it supports proofs
@@ -94,7 +96,7 @@ struct study {
     std::function<std::vector<text_file>(const std::vector<study_table>&)> files = {};
 
     /// Whether it lacks its own problem and requires --problem.
-    bool needs_equation() const { return parameters.empty() && any_equation; }
+    bool needs_equation() const { return !plan && any_equation; }
 };
 
 /// All studies, by name (generated at build time from the files in studies/).

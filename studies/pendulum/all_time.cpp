@@ -172,7 +172,6 @@ const study& all_time() {
     static const study result{
         .name = "all_time",
         .title = "The accuracy of the period at late times",
-        .label = "",
         .question = "What does the accuracy of T* cost after many periods?",
         .reading =
             "Each panel has one way to T*, each colour one energy; left over the number of periods p, both axes "

@@ -25,7 +25,6 @@ const study& audit_boost() {
     static const study result{
         .name = "audit_boost",
         .title = "Boost.Math, judged",
-        .label = "",
         .question = "How many digits of theta does Boost.Math leave in double when the energy comes close to 2?",
         .reading =
             "Correct digits of theta (absolute where |theta| < 1) against the gap 2 - E, one panel a time. Circles: "

@@ -51,7 +51,6 @@ const study& audit_gsl() {
     static const study result{
         .name = "audit_gsl",
         .title = "The GNU Scientific Library, judged",
-        .label = "",
         .question = "How many digits of theta does GSL leave in double when the energy comes close to 2?",
         .reading =
             "Correct digits of theta (absolute where |theta| < 1) against the gap 2 - E, one panel a time. Circles: "

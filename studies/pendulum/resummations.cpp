@@ -187,7 +187,6 @@ const study& resummations() {
     static const study result{
         .name = "resummations",
         .title = "Resummations at the same number of coefficients",
-        .label = "",
         .question = "How do the resummations compare at the same number of coefficients, and which survive E = 2?",
         .reading =
             "The error norm on [0, T*] against the number of coefficients that are not 0 and belong to powers of t (at "

@@ -114,7 +114,6 @@ const study& uniform() {
     static const study result{
         .name = "uniform",
         .title = "One resummation for every energy",
-        .label = "",
         .question =
             "How many digits does the uniform resummation reach with 8, 16 and 32 coefficients, from E = 1e-20 "
             "over |2-E| = 1e-100 to E = 1e4?",

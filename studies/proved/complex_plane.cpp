@@ -162,7 +162,6 @@ const study& complex_plane() {
     static const study result{
         .name = "complex_plane",
         .title = "Solutions in the complex plane of time",
-        .label = "",
         .question = "What stands in the way of a series in the complex plane of time, and what proves it?",
         .reading =
             "The first unknown of each problem, continued from its start in double precision: its argument as a "
@@ -175,7 +174,6 @@ const study& complex_plane() {
                         "names of the catalogue"}},
         .quick = {{"--problems", "riccati", ""}},
         .seconds = 30,
-        .excluded = {},
         .plan = plan,
         .offers = arithmetics::proved_too};
     return result;

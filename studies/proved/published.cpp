@@ -3,20 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "../shared/catalogue_system.hpp"
+#include "../shared/named_choice.hpp"
 #include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/problem/catalogue.hpp"
 #include "libration/problem/known/proved/blasius.hpp"
 #include "libration/problem/known/proved/falkner_skan.hpp"
 #include "libration/problem/known/proved/painleve_1.hpp"
 #include "libration/problem/known/proved/sakiadis.hpp"
 #include "libration/problem/known/proved/thomas_fermi.hpp"
 #include "libration/problem/problem_family.hpp"
-#include "named_choice.hpp"
 #include "sweep/study.hpp"
+#include "text/members.hpp"
 
 namespace libration::studies {
 
@@ -42,14 +42,6 @@ struct kind_of_value {
     std::function<std::vector<proved_decimal>(long digits)> prove;
 };
 
-ode::equation_system equations_of(const std::string& name, const std::vector<std::string>& changes = {}) {
-    auto system = ode::parse(std::string(problem_text(name)));
-    for (const std::string& each : changes) {
-        system = ode::changed(system, each);
-    }
-    return system;
-}
-
 std::vector<proved_decimal> state_at(const ode::equation_system& system, const std::string& time, long digits) {
     return ode::proved_trajectory(ode::explicit_system(system), {ode::parse_constant(time).constant()}, digits).front();
 }
@@ -72,7 +64,7 @@ const std::vector<kind_of_value>& kinds() {
           {"f''(0) for b = 1", "1.23258765682022", "public codes for the flow towards a wall"}},
          [](long digits) {
              const auto shear = [&](const std::string& b, const std::string& s) {
-                 const auto equations = equations_of("falkner_skan", {"b = " + b, "s = " + s});
+                 const auto equations = catalogue_system("falkner_skan", {"b = " + b, "s = " + s});
                  return proved_value(digits, [&] { return ode::falkner_skan_shear(equations); });
              };
              const auto flat = proved_value(digits, [] { return ode::blasius_shear(ball(1)) * sqrt(ball(2)); });
@@ -83,7 +75,7 @@ const std::vector<kind_of_value>& kinds() {
          "sakiadis",
          {{"f''(0) for f'(inf) = 0", "-0.443748313368861", "the catalogue, after B. C. Sakiadis"}},
          [](long digits) {
-             const auto equations = equations_of("sakiadis");
+             const auto equations = catalogue_system("sakiadis");
              return std::vector<proved_decimal>{proved_value(digits, [&] { return ode::sakiadis_shear(equations); })};
          }},
         {"thomas_fermi_slope",
@@ -111,7 +103,7 @@ const std::vector<kind_of_value>& kinds() {
          [](long digits) {
              std::vector<proved_decimal> zeros;
              for (const std::string n : {"n = 2", "n = 3", "n = 4"}) {
-                 const auto equations = equations_of("lane_emden", {n});
+                 const auto equations = catalogue_system("lane_emden", {n});
                  ode::event_request request;
                  request.g = ode::parse_condition(equations, "y = 0");
                  zeros.push_back(ode::proved_events(ode::explicit_system(equations), request, digits).front().time);
@@ -125,7 +117,7 @@ const std::vector<kind_of_value>& kinds() {
           {"its period", "1.55865221071617472756", "D. Viswanath, Physica D 190 (2004) 115-128"}},
          [](long digits) {
              const auto orbit = ode::proved_periodic_orbit(
-                 ode::explicit_system(equations_of("lorenz", {"x(0) = -13.7636", "y(0) = -19.5788", "z(0) = 27"})),
+                 ode::explicit_system(catalogue_system("lorenz", {"x(0) = -13.7636", "y(0) = -19.5788", "z(0) = 27"})),
                  digits);
              return std::vector<proved_decimal>{orbit.start[0], orbit.start[1], orbit.period};
          }},
@@ -135,7 +127,8 @@ const std::vector<kind_of_value>& kinds() {
            "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"},
           {"its period", "6.66328685932313018969", "the catalogue, after E. Hairer, S. P. Norsett, G. Wanner, I.16"}},
          [](long digits) {
-             const auto orbit = ode::proved_periodic_orbit(ode::explicit_system(equations_of("van_der_pol")), digits);
+             const auto orbit =
+                 ode::proved_periodic_orbit(ode::explicit_system(catalogue_system("van_der_pol")), digits);
              return std::vector<proved_decimal>{orbit.start[0], orbit.period};
          }},
         {"hires",
@@ -148,18 +141,18 @@ const std::vector<kind_of_value>& kinds() {
           {"y6", "0.6238968252742796e-2", test_set},
           {"y7", "0.2849998395185769e-2", test_set},
           {"y8", "0.2850001604814231e-2", test_set}},
-         [](long digits) { return state_at(equations_of("hires"), "321.8122", digits); }},
+         [](long digits) { return state_at(catalogue_system("hires"), "321.8122", digits); }},
         {"oregonator",
          "oregonator",
          {{"x at t = 360", "1.000814870318523", test_set},
           {"y", "1228.178521549917", test_set},
           {"z", "132.0554942846706", test_set}},
-         [](long digits) { return state_at(equations_of("oregonator"), "360", digits); }},
+         [](long digits) { return state_at(catalogue_system("oregonator"), "360", digits); }},
         {"van_der_pol_1000",
          "van_der_pol",
          {{"x at t = 2000 for m = 1000", "1.706167732170483", test_set},
           {"x' there", "-0.8928097010247975e-3", test_set}},
-         [](long digits) { return state_at(equations_of("van_der_pol", {"m = 1000"}), "2000", digits); }},
+         [](long digits) { return state_at(catalogue_system("van_der_pol", {"m = 1000"}), "2000", digits); }},
     };
     return all;
 }
@@ -171,12 +164,6 @@ long last_place_of(const std::string& printed) {
     const auto point = digits.find('.');
     const long exponent = mark == std::string::npos ? 0 : std::stol(printed.substr(mark + 1));
     return exponent - (point == std::string::npos ? 0 : static_cast<long>(digits.size() - point - 1));
-}
-
-mpfr number_of(const std::string& decimal) {
-    mpfr result;
-    mpfr_set_str(handle(result), decimal.c_str(), 10, MPFR_RNDN);
-    return result;
 }
 
 struct published_row {
@@ -219,26 +206,26 @@ table rows_of_kind(const kind_of_value& of) {
     for (std::size_t i = 0; i < of.printed.size(); ++i) {
         const printed_value& printed = of.printed[i];
         const mpfr unit = pow(mpfr(10), static_cast<int>(last_place_of(printed.printed)));
-        const mpfr distance = abs(number_of(proved[i].text) - number_of(printed.printed));
+        const mpfr distance = abs(mpfr(proved[i].text) - mpfr(printed.printed));
         rows.push_back({of.name, of.problem, printed, proved[i].text, mpfr(distance / unit)});
     }
     return make_table(columns(), rows);
 }
 
-const proved::named_choice& values_to_choose() {
-    static const proved::named_choice result{.axis = "value_of",
-                                             .option = "--values",
-                                             .help = "published values: LIST, or all",
-                                             .remedy = "write names such as blasius,lorenz_orbit, or all",
-                                             .what = "not a set of values of this study",
-                                             .names = proved::names_of(kinds())};
+const named_choice& values_to_choose() {
+    static const named_choice result{.axis = "value_of",
+                                     .option = "--values",
+                                     .help = "published values: LIST, or all",
+                                     .remedy = "write names such as blasius,lorenz_orbit, or all",
+                                     .what = "not a set of values of this study",
+                                     .names = members_of(kinds(), &kind_of_value::name)};
     return result;
 }
 
 study_plan plan(const study_request& request) {
     std::vector<kind_of_value> all;
-    for (const std::string& name : proved::chosen_names(values_to_choose(), request.values)) {
-        all.push_back(proved::named(kinds(), name));
+    for (const std::string& name : chosen_names(values_to_choose(), request.values)) {
+        all.push_back(named(kinds(), name));
     }
     return plan_of_cells(
         {head_of("", {scalar_kind::proved, 50}, columns())}, {"value_of"}, all.size(),
@@ -249,7 +236,7 @@ study_plan plan(const study_request& request) {
 }
 
 const problem_family& values_in_print() {
-    static const problem_family result{.name = "values in print", .axes = {proved::axis_of(values_to_choose())}};
+    static const problem_family result{.name = "values in print", .axes = {axis_of(values_to_choose())}};
     return result;
 }
 
@@ -261,7 +248,6 @@ const study& published() {
     static const study result{
         .name = "published",
         .title = "Published reference values",
-        .label = "",
         .question = "Are the values in print right, to the last digit?",
         .reading =
             "How far each printed value is from the proved one, in units of its last printed digit: what stands left "
@@ -273,7 +259,6 @@ const study& published() {
                         "which values; hires and van_der_pol_1000 take minutes, oregonator most of an hour"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle", ""}},
         .seconds = 600,
-        .excluded = {},
         .plan = plan,
         .offers = arithmetics::proved_too};
     return result;

@@ -3,13 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "../shared/named_choice.hpp"
 #include "libration/ode/proved/condition_numbers.hpp"
 #include "libration/problem/problem_family.hpp"
-#include "named_choice.hpp"
 #include "reference_files.hpp"
 #include "solution_facts.hpp"
 #include "sweep/study.hpp"
 #include "test_problems.hpp"
+#include "text/members.hpp"
 
 namespace libration::studies {
 
@@ -113,20 +114,20 @@ std::vector<table> tables_of(const test_problem& of, long digits) {
     return {make_table(columns(), rows), make_table(invariant_columns(), facts.invariants(times, printed))};
 }
 
-const proved::named_choice& problems_to_choose() {
-    static const proved::named_choice result{.axis = "problem",
-                                             .option = "--problems",
-                                             .help = "problems of the set: LIST, or all",
-                                             .remedy = "write names such as lorenz,kepler, or all",
-                                             .what = "not a problem of this set",
-                                             .names = proved::names_of(test_problems())};
+const named_choice& problems_to_choose() {
+    static const named_choice result{.axis = "problem",
+                                     .option = "--problems",
+                                     .help = "problems of the set: LIST, or all",
+                                     .remedy = "write names such as lorenz,kepler, or all",
+                                     .what = "not a problem of this set",
+                                     .names = members_of(test_problems(), &test_problem::name)};
     return result;
 }
 
 study_plan plan(const study_request& request) {
     std::vector<test_problem> problems;
-    for (const std::string& name : proved::chosen_names(problems_to_choose(), request.values)) {
-        problems.push_back(proved::named(test_problems(), name));
+    for (const std::string& name : chosen_names(problems_to_choose(), request.values)) {
+        problems.push_back(named(test_problems(), name));
     }
     const scalar_spec scalar = request.scalar.value_or(read_scalar("ball:50", arithmetics::proved_too));
     study_plan result = plan_of_cells(
@@ -141,7 +142,7 @@ study_plan plan(const study_request& request) {
 }
 
 const problem_family& problems_of_study() {
-    static const problem_family result{.name = "test problems", .axes = {proved::axis_of(problems_to_choose())}};
+    static const problem_family result{.name = "test problems", .axes = {axis_of(problems_to_choose())}};
     return result;
 }
 
@@ -153,7 +154,6 @@ const study& reference_problems() {
     static const study result{
         .name = "reference_problems",
         .title = "Reference values of test problems",
-        .label = "",
         .question =
             "What are the solutions of the classical test problems, to digits that integrators can be judged by?",
         .reading =
@@ -167,7 +167,6 @@ const study& reference_problems() {
         .parameters = {{"--problems", "all", "problems of the set"}, {"--scalar", "ball:50", "digits of the values"}},
         .quick = {{"--problems", "logistic,kepler", ""}, {"--scalar", "ball:20", ""}},
         .seconds = 600,
-        .excluded = {},
         .plan = plan,
         .version = 2,
         .offers = arithmetics::proved_too,

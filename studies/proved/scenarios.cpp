@@ -162,7 +162,6 @@ const study& scenarios() {
     static const study result{
         .name = "scenarios",
         .title = "The three scenarios",
-        .label = "",
         .question = "Is the radius of convergence larger than the physical domain, equal to it, or within it?",
         .reading =
             "The paper closes with three scenarios for the series of a nonlinear equation: its radius of convergence "
@@ -175,7 +174,6 @@ const study& scenarios() {
         .parameters = {{"--problems", "all", "names of the catalogue"}},
         .quick = {{"--problems", "harmonic,riccati", ""}},
         .seconds = 240,
-        .excluded = {},
         .plan = plan,
         .offers = arithmetics::proved_too};
     return result;

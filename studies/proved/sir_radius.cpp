@@ -140,12 +140,10 @@ axis axis_named(const std::string& name, const std::string& help) {
     return {.name = name,
             .option = "--" + name,
             .help = help,
-            .unit = "",
             .form = axis_form::numbers,
             .remedy = "write numbers above 0 such as 1/2,1,2 or 1/2:8:9log",
             .check = require_positive,
-            .coordinate = name,
-            .to_coordinate = {}};
+            .coordinate = name};
 }
 
 const problem_family& epidemics() {
@@ -163,7 +161,6 @@ const study& sir_radius() {
     static const study result{
         .name = "sir_radius",
         .title = "The radius of convergence of SIR",
-        .label = "",
         .question = "Where are the nearest singularities of an SIR epidemic, for all of its parameters?",
         .reading =
             "In units of 1/a of time and a/r of people an epidemic has two parameters: the reproduction number at the "
@@ -177,7 +174,6 @@ const study& sir_radius() {
                        {"--infected", "1/1000,1/100,1/10,1,10", "r I(0)/a"}},
         .quick = {{"--reproduction", "2", ""}, {"--infected", "1/10", ""}},
         .seconds = 60,
-        .excluded = {},
         .plan = plan,
         .offers = arithmetics::proved_too};
     return result;

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "../shared/named_choice.hpp"
 #include "libration/ode/proved/condition_numbers.hpp"
 #include "libration/problem/problem_family.hpp"
-#include "named_choice.hpp"
 #include "solution_facts.hpp"
 #include "solver_peers.hpp"
 #include "sweep/study.hpp"
 #include "test_problems.hpp"
+#include "text/members.hpp"
 
 namespace libration::studies {
 
@@ -75,46 +76,46 @@ const column_list<solver_row>& columns() {
 }
 
 // Stiff and nonstiff problems whose reference values take two minutes at most.
-const proved::named_choice& problems_to_choose() {
-    static const proved::named_choice result{.axis = "problem",
-                                             .option = "--problems",
-                                             .help = "problems of the set: LIST, or all",
-                                             .remedy = "write names such as lorenz,kepler, or all",
-                                             .what = "not a problem of this study",
-                                             .names = {"arenstorf",
-                                                       "brusselator",
-                                                       "detest_a3",
-                                                       "detest_d5",
-                                                       "double_pendulum",
-                                                       "duffing",
-                                                       "fitzhugh_nagumo",
-                                                       "henon_heiles",
-                                                       "hires",
-                                                       "kepler",
-                                                       "logistic",
-                                                       "lorenz",
-                                                       "lotka_volterra",
-                                                       "oregonator",
-                                                       "pendulum_179deg",
-                                                       "robertson",
-                                                       "seir",
-                                                       "three_body_figure_8",
-                                                       "van_der_pol",
-                                                       "van_der_pol_100"}};
+const named_choice& problems_to_choose() {
+    static const named_choice result{.axis = "problem",
+                                     .option = "--problems",
+                                     .help = "problems of the set: LIST, or all",
+                                     .remedy = "write names such as lorenz,kepler, or all",
+                                     .what = "not a problem of this study",
+                                     .names = {"arenstorf",
+                                               "brusselator",
+                                               "detest_a3",
+                                               "detest_d5",
+                                               "double_pendulum",
+                                               "duffing",
+                                               "fitzhugh_nagumo",
+                                               "henon_heiles",
+                                               "hires",
+                                               "kepler",
+                                               "logistic",
+                                               "lorenz",
+                                               "lotka_volterra",
+                                               "oregonator",
+                                               "pendulum_179deg",
+                                               "robertson",
+                                               "seir",
+                                               "three_body_figure_8",
+                                               "van_der_pol",
+                                               "van_der_pol_100"}};
     return result;
 }
 
-const proved::named_choice& solvers_to_choose() {
-    static const proved::named_choice result{.axis = "solver",
-                                             .option = "--solvers",
-                                             .help = "libraries: odeint, gsl, sundials, scipy, mpmath, or all",
-                                             .remedy = "write names such as odeint,gsl, or all",
-                                             .what = "not a solver of this study",
-                                             .names = proved::names_of(solver_peers())};
+const named_choice& solvers_to_choose() {
+    static const named_choice result{.axis = "solver",
+                                     .option = "--solvers",
+                                     .help = "libraries: odeint, gsl, sundials, scipy, mpmath, or all",
+                                     .remedy = "write names such as odeint,gsl, or all",
+                                     .what = "not a solver of this study",
+                                     .names = members_of(solver_peers(), &solver_peer::name)};
     return result;
 }
 
-const test_problem& problem_named(const std::string& name) { return proved::named(proved::test_problems(), name); }
+const test_problem& problem_named(const std::string& name) { return named(proved::test_problems(), name); }
 
 // The proved values of a problem at its times, and the scales of errors.
 class judge {
@@ -190,8 +191,8 @@ struct asked_peer {
 
 std::vector<asked_peer> asked_peers(const study_request& request) {
     std::vector<asked_peer> all;
-    for (const std::string& name : proved::chosen_names(solvers_to_choose(), request.values)) {
-        const solver_peer& peer = proved::named(solver_peers(), name);
+    for (const std::string& name : chosen_names(solvers_to_choose(), request.values)) {
+        const solver_peer& peer = named(solver_peers(), name);
         all.push_back({peer, proved::version_of(peer)});
     }
     return all;
@@ -230,7 +231,7 @@ std::vector<table> tables_of(const std::string& problem, const std::vector<asked
 }
 
 study_plan plan(const study_request& request) {
-    const auto problems = proved::chosen_names(problems_to_choose(), request.values);
+    const auto problems = chosen_names(problems_to_choose(), request.values);
     const auto peers = asked_peers(request);
     study_plan result = plan_of_cells(
         {head_of("", {scalar_kind::proved, truth_digits}, columns())}, {"problem", "versions"}, problems.size(),
@@ -254,17 +255,15 @@ void check_tolerance(const exact& each) {
 
 const problem_family& problems_of_study() {
     static const problem_family result{.name = "test problems",
-                                       .axes = {proved::axis_of(problems_to_choose()),
-                                                proved::axis_of(solvers_to_choose()),
+                                       .axes = {axis_of(problems_to_choose()),
+                                                axis_of(solvers_to_choose()),
                                                 {.name = "tolerance",
                                                  .option = "--tolerances",
                                                  .help = "requested tolerances of the solvers, relative and absolute",
-                                                 .unit = "",
                                                  .form = axis_form::numbers,
                                                  .remedy = "write a list such as 1e-4,1e-8,1e-12",
                                                  .check = check_tolerance,
-                                                 .coordinate = "tolerance",
-                                                 .to_coordinate = {}}}};
+                                                 .coordinate = "tolerance"}}};
     return result;
 }
 
@@ -276,7 +275,6 @@ const study& solvers() {
     static const study result{
         .name = "solvers",
         .title = "Solvers of initial value problems, judged",
-        .label = "",
         .question =
             "How many digits do solvers of initial value problems deliver, and for how many evaluations of the right "
             "sides?",
@@ -293,7 +291,6 @@ const study& solvers() {
                        {"--tolerances", "1e-3,1e-5,1e-7,1e-9,1e-11,1e-13", "relative and absolute"}},
         .quick = {{"--problems", "logistic", ""}, {"--solvers", "odeint", ""}, {"--tolerances", "1e-4,1e-8", ""}},
         .seconds = 300,
-        .excluded = {},
         .plan = plan,
         .offers = arithmetics::proved_too};
     return result;

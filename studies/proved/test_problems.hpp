@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
-#include "libration/problem/catalogue.hpp"
+#include "../shared/catalogue_system.hpp"
 
 namespace libration::studies::proved {
 
@@ -22,13 +21,7 @@ struct test_problem {
 
     std::string in_catalogue() const { return catalogue.empty() ? name : catalogue; }
 
-    ode::equation_system equations() const {
-        auto system = ode::parse(std::string(problem_text(in_catalogue())));
-        for (const std::string& each : changes) {
-            system = ode::changed(system, each);
-        }
-        return system;
-    }
+    ode::equation_system equations() const { return catalogue_system(in_catalogue(), changes); }
 
     std::vector<ode::number> times() const {
         const ode::number start = ode::explicit_system(equations()).point();

@@ -1,10 +1,6 @@
 // The largest errors of approximants of an equation at times of an interval, to digits on which two runs agree.
 #pragma once
 
-#include <functional>
-#include <map>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "agreed_numbers.hpp"
@@ -36,7 +32,7 @@ struct asked_norms {
 class agreed_norms {
 public:
     agreed_norms(asked_norms asked, int highest, long digits)
-        : asked_(std::move(asked)), highest_(highest), digits_(digits) {}
+        : asked_(std::move(asked)), digits_(digits), runs_(asked_.system, asked_.times, highest) {}
 
     /// The norms of one order, unknown by unknown.
     std::vector<found_norm> of_order(int order) {
@@ -48,7 +44,7 @@ public:
         }
         const auto found = agreed_numbers(digits_, [&](long guard) {
             const precision_scope scope(digits_ + guard);
-            const one_run& here = run(guard);
+            const interval_run& here = runs_.at(digits_ + guard);
             std::vector<mpfr> values;
             for (found_norm& each : norms) {
                 const auto error = here.unknowns[static_cast<std::size_t>(each.unknown)].error_of(each.method, order);
@@ -69,38 +65,16 @@ public:
     mpfr size_of(int unknown) {
         const precision_scope scope(digits_ + 20);
         mpfr largest(0);
-        for (const mpfr& value : run(20).truth.values[static_cast<std::size_t>(unknown)]) {
+        for (const mpfr& value : runs_.at(digits_ + 20).truth.values[static_cast<std::size_t>(unknown)]) {
             largest = std::max(largest, mpfr(abs(value)));
         }
         return largest;
     }
 
 private:
-    struct one_run {
-        solution_on_interval truth;
-        series_about_start<mpfr> series;
-        std::vector<unknown_on_interval<mpfr>> unknowns;
-
-        one_run(const asked_norms& asked, int order)
-            : truth(solve_on(asked.system, asked.times)), series(asked.system, order) {
-            for (int i = 0; i < static_cast<int>(asked.system.unknowns().size()); ++i) {
-                unknowns.emplace_back(series, truth, i);
-            }
-        }
-    };
-
-    const one_run& run(long guard) {
-        auto& made = runs_[guard];
-        if (!made) {
-            made = std::make_unique<one_run>(asked_, highest_);
-        }
-        return *made;
-    }
-
     asked_norms asked_;
-    int highest_;
     long digits_;
-    std::map<long, std::unique_ptr<one_run>> runs_;
+    interval_runs runs_;
 };
 
 inline constexpr long digits_of_truth = 60;  ///< of the reference for fixed scalars

@@ -13,8 +13,7 @@ namespace libration::studies {
 /// The radius of an unknown by the tests, and the farthest of the times.
 struct radius_row {
     mpfr reach;
-    answer_of_test found;
-    std::string unknown;
+    answered_list of;
     int root;  // q of the variable's q-th root, in powers of which the series proceeds
 };
 
@@ -23,20 +22,17 @@ inline const column_list<radius_row>& radius_columns() {
     static const column_list<row> all = joined(
         joined<row>({{"reach", "distance of the farthest time from the start",
                       [](const row& r) { return decimal_cell(r.reach, 12); }}},
-                    columns_within(answer_columns(), &row::found)),
+                    columns_within(result_columns(), &row::of)),
         {{"rate",
           "reach/radius, to the power 1/q where the series goes in powers of the q-th root: factor of the error of the "
           "series a power; above 1 it diverges",
           [](const row& r) {
-              return r.found.radius
-                         ? decimal_cell(mpfr(pow(mpfr(r.reach / *r.found.radius), mpfr(mpfr(1) / r.root))), 12)
-                         : cell();
+              const auto& radius = r.of.found.radius;
+              return radius ? decimal_cell(mpfr(pow(mpfr(r.reach / *radius), mpfr(mpfr(1) / r.root))), 12) : cell();
           }},
-         unknown_column<row>()});
+         {"unknown", "of the problem", [](const row& r) { return r.of.unknown; }}});
     return all;
 }
-
-inline table no_radii() { return make_table(radius_columns(), std::vector<radius_row>()); }
 
 /// From lists of 120 powers in mpfr:30.
 inline std::vector<radius_row> radii_about(const ode::explicit_system& system, const equation_sweep& sweep,
@@ -51,7 +47,7 @@ inline std::vector<radius_row> radii_about(const ode::explicit_system& system, c
     std::vector<radius_row> rows;
     const int root = ode::tape::about_start(system).root();
     for (const auto& each : verdicts_of(system, sweep, {order}, scalar)) {
-        rows.push_back({reach, each.found, each.unknown, root});
+        rows.push_back({reach, each, root});
     }
     return rows;
 }

@@ -11,6 +11,8 @@ namespace libration::studies {
 
 inline const sweep_energy& energy_of(const sweep_energy& at) { return at; }
 inline const sweep_energy& energy_of(const sweep_energy* at) { return *at; }
+inline const exact& point_of(const exact& point) { return point; }
+inline const exact& point_of(const exact* point) { return *point; }
 
 /// The columns of rows with a member `at`, the energy of the sweep; a pointer if other rows have none.
 template <class Row>
@@ -38,11 +40,11 @@ column_list<Row> typed_energy_columns() {
             {"gap_typed", "2 - E as typed", [](const Row& r) { return cell(energy_of(r.at).gap_typed); }}};
 }
 
-/// The expansion point of rows with a member `point`.
+/// The expansion point of rows with a member `point`; a pointer if other rows have none.
 template <class Row>
 column_of<Row> point_column() {
     return {"point", "expansion point as a fraction of T*: 0 the top, 1 the bottom",
-            [](const Row& r) { return read_cell(r.point.text); }};
+            [](const Row& r) { return read_cell(point_of(r.point).text); }};
 }
 
 /// The columns followed by those of the values as typed.

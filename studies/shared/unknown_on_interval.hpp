@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -58,6 +60,42 @@ private:
     const std::vector<mpfr>& values_;
     approximants_of_unknown<T> approximants_;
     std::vector<T> x_;
+};
+
+/// The solution at the times and the series of all unknowns, computed in the precision in force.
+struct interval_run {
+    solution_on_interval truth;
+    series_about_start<mpfr> series;
+    std::vector<unknown_on_interval<mpfr>> unknowns;
+
+    interval_run(const ode::explicit_system& system, const std::vector<ode::number>& times, int order)
+        : truth(solve_on(system, times)), series(system, order) {
+        for (int i = 0; i < static_cast<int>(system.unknowns().size()); ++i) {
+            unknowns.emplace_back(series, truth, i);
+        }
+    }
+};
+
+/// The runs of one system in several precisions, each computed once.
+class interval_runs {
+public:
+    interval_runs(const ode::explicit_system& system, const std::vector<ode::number>& times, int order)
+        : system_(system), times_(times), order_(order) {}
+
+    /// In the working precision in force, of so many digits.
+    const interval_run& at(long digits) {
+        auto& made = runs_[digits];
+        if (!made) {
+            made = std::make_unique<interval_run>(system_, times_, order_);
+        }
+        return *made;
+    }
+
+private:
+    const ode::explicit_system& system_;
+    const std::vector<ode::number>& times_;
+    int order_;
+    std::map<long, std::unique_ptr<interval_run>> runs_;
 };
 
 }  // namespace libration::studies

@@ -141,7 +141,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"studies/shared", study},
         {"studies", study + rooms{"studies/shared"}},
         {"studies/pendulum", study + rooms{"studies/shared"}},
-        {"studies/proved", study},
+        {"studies/proved", study + rooms{"studies/shared"}},
     };
 }
 

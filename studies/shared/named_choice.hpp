@@ -9,7 +9,7 @@
 #include "libration/problem/axis.hpp"
 #include "libration/scalar/error.hpp"
 
-namespace libration::studies::proved {
+namespace libration::studies {
 
 /// Names that an option accepts.
 struct named_choice {
@@ -26,7 +26,6 @@ inline axis axis_of(const named_choice& of) {
     return {.name = of.axis,
             .option = of.option,
             .help = of.help,
-            .unit = "",
             .form = axis_form::words,
             .remedy = of.remedy,
             .check =
@@ -35,8 +34,7 @@ inline axis axis_of(const named_choice& of) {
                         throw error(error_kind::argument, "list", "", "has '" + each.text + "', which is " + of.what);
                     }
                 },
-            .coordinate = of.axis,
-            .to_coordinate = {}};
+            .coordinate = of.axis};
 }
 
 /// The requested names.
@@ -55,15 +53,4 @@ const T& named(const std::vector<T>& all, const std::string& name) {
     return *std::ranges::find(all, name, &T::name);
 }
 
-/// The names of all elements.
-template <class T>
-std::vector<std::string> names_of(const std::vector<T>& all) {
-    std::vector<std::string> names;
-    names.reserve(all.size());
-    for (const T& each : all) {
-        names.push_back(each.name);
-    }
-    return names;
-}
-
-}  // namespace libration::studies::proved
+}  // namespace libration::studies

@@ -1,0 +1,62 @@
+// The error norms of an approximation as they are printed by the study error_norm.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "shared/equation_plan.hpp"
+#include "shared/sweep_columns.hpp"
+
+namespace libration::studies::error_norm_study {
+
+/// A norm and its time as they are printed; empty if there is no such approximant.
+struct norm_row {
+    int order;
+    std::string method;
+    const scalar_spec& scalar;
+    cell norm = {};
+    cell time = {};
+    cell log10_norm = {};
+    std::string rigour = {};
+    std::optional<mpfr> bound = {};    ///< of the pendulum
+    const sweep_energy* at = nullptr;  ///< of the pendulum
+    std::string unknown = {};          ///< of an equation
+};
+
+/// All columns of norms, from which the tables of the pendulum and of an equation choose.
+inline const column_list<norm_row>& columns() {
+    using row = norm_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        {"order", "N, last power of the series; last index of the resummed series",
+         [](const row& r) { return r.order; }},
+        {"method",
+         "series | resummed | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out | endpoint: "
+         "with value and slope of the far end of the times",
+         [](const row& r) { return r.method; }},
+        {"norm",
+         "max of |approximation - solution| over the times, of the pendulum [0, T*], in the unit of the unknown; empty "
+         "where that is not decided",
+         [](const row& r) { return r.norm; }},
+        {"time_of_maximum",
+         "dimensionless time since the top, with ball the digits that are proved; of an equation which of the times, "
+         "empty where the norm is 0",
+         [](const row& r) { return r.time; }},
+        {"scalar", "arithmetic of the approximation", [](const row& r) { return r.scalar.name(); }},
+        {"rigour",
+         "proved: with --scalar ball:D | two-method: for the pendulum confirmed by the sum over separatrix solutions, "
+         "else two marches and series of other precisions agree | heuristic | not decided: no precision tells it from "
+         "0, as where the approximation is the solution",
+         [](const row& r) { return r.rigour; }},
+        gap_column<row>(),
+        {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold",
+         [](const row& r) { return decimal_cell(r.bound, 12); }},
+        {"log10_norm", "log10 of norm", [](const row& r) { return r.log10_norm; }},
+        {"log10_bound", "log10 of bound", [](const row& r) { return log10_cell(r.bound); }},
+        log10_gap_column<row>(),
+        unknown_column<row>(),
+    });
+    return all;
+}
+
+}  // namespace libration::studies::error_norm_study
