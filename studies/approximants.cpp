@@ -104,7 +104,7 @@ const named_choice& problems_to_choose() {
         .option = "--problems",
         .help = "problems of the catalogue with a known asymptotic behaviour: LIST, or all",
         .remedy = "write names such as blasius,sir, or all",
-        .what = "not known for an asymptotic behaviour: choose among " +
+        .what = "not a problem with a known asymptotic behaviour: choose among " +
                 fmt::format("{}", fmt::join(problems_with_far_behaviour(), ", ")),
         .names = problems_with_far_behaviour()};
     return result;

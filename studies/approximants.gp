@@ -10,9 +10,7 @@
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
-    k = place(main, 'order') - 1
-    all = cases(main, k)
-    n = words(all)
+    eval axes_before('order')
     N = place(main, 'order')
     y = place(main, 'log10_norm')
     q = place(main, 'log10_predicted')

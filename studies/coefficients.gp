@@ -3,9 +3,7 @@
 # Columns: <axes>,n,coefficient,log10_abs,log10_fitted,power,unknown; in _radius the results of the tests.
 load scripts.'/shared/panels.gp'
 
-k = place(main, 'n') - 1
-all = cases(main, k)
-n = words(all)
+eval axes_before('n')
 place_x = place(main, 'n')
 tone(c) = n == 1 ? shade[5] : colour(c, n)
 curve(c, u) = both(in_case(word(all, c)), of_unknown(main, u))

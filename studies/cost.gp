@@ -8,8 +8,7 @@ if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
     times = table_of('_time')
-    k = place(main, 'order') - 1
-    all = cases(main, k)
+    eval axes_before('order')
     routes = seen(main, k + 2, '1')
     scalars = seen(times, k + 3, '1')
     curve(f, r) = both(in_case(word(all, 1)), with_word(f, 'route', r))

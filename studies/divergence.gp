@@ -9,8 +9,7 @@ if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
     radii = table_of('_radius')
-    k = place(main, 'order') - 1
-    all = cases(main, k)
+    eval axes_before('order')
     orders = sorted(main, k + 1, '1')
     n = words(orders)
     place_x = place(main, 'time')

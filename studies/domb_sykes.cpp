@@ -12,6 +12,56 @@ namespace libration::studies {
 
 namespace domb_sykes_study {
 
+namespace {
+
+// One ratio in units of 1/u^p, where u is the radius of the pendulum's series, and for an equation a length near it.
+struct ratio_row {
+    int power, root, n;
+    std::optional<mpfr> scaled;
+    mpfr unit;  // u^p
+    long digits;
+    std::string unknown = {};          // of an equation
+    std::optional<int> limit = {};     // of the pendulum
+    const sweep_energy* at = nullptr;  // of the pendulum
+    const exact* point = nullptr;      // of the pendulum
+
+    std::optional<mpfr> ratio() const { return scaled ? std::optional(mpfr(*scaled / unit)) : std::nullopt; }
+};
+
+const column_list<ratio_row>& columns() {
+    using row = ratio_row;
+    static const auto all = with_typed_energy<row>({
+        energy_column<row>(),
+        point_column<row>(),
+        {"power",
+         "p: the series is taken in the p-th power of the distance, as its zeros allow; of a list in powers of the "
+         "q-th root p/q, a_n the coefficient of the power n/q",
+         [](const row& r) {
+             return r.root == 1 ? cell(r.power) : number_cell(decimal_of(rational(r.power, r.root), 12));
+         }},
+        {"n", "power of the later coefficient", [](const row& r) { return r.n; }},
+        {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
+        {"ratio",
+         "a_n/a_(n-p), in the unit of the variable to the power -p; empty where a_(n-p) is 0, and the ratio not "
+         "defined",
+         [](const row& r) { return decimal_cell(r.ratio(), r.digits); }},
+        {"log10_abs_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.ratio()); }},
+        {"scaled_ratio", "ratio times R^p with the exact radius R",
+         [](const row& r) { return decimal_cell(r.scaled, r.digits); }},
+        {"log10_scaled_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.scaled); }},
+        {"line", "the straight line of one logarithm, +-(1 - p/n); empty where the nearest singularities are a pair",
+         [](const row& r) {
+             const mpfr one_over_n = mpfr(1) / r.n;
+             return r.limit ? decimal_cell(mpfr(*r.limit * (1 - r.power * one_over_n)), r.digits) : cell();
+         }},
+        gap_column<row>(),
+        unknown_column<row>(),
+    });
+    return all;
+}
+
+}  // namespace
+
 namespace of_pendulum {
 
 using namespace series;
@@ -74,38 +124,10 @@ plot plot_in(const plotted& p, int power) {
     return result;
 }
 
-// One ratio of a plot, times R^p.
-struct ratio_row {
-    const sweep_energy& at;
-    const exact& point;
-    long digits;
-    int power;
-    int n;
-    std::optional<mpfr> scaled;
-    mpfr unit;  // R^p
-    std::optional<int> limit;
-};
-
-const column_list<ratio_row>& columns() {
-    using row = ratio_row;
-    static const auto all = with_typed_energy<row>({
-        energy_column<row>(),
-        point_column<row>(),
-        {"power", "p: the series is taken in t^p", [](const row& r) { return r.power; }},
-        {"n", "power of t of the later coefficient", [](const row& r) { return r.n; }},
-        {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
-        {"ratio", "a_n/a_(n-p), in (dimensionless time)^-p; empty where a_(n-p) is 0, and the ratio not defined",
-         [](const row& r) { return r.scaled ? decimal_cell(mpfr(*r.scaled / r.unit), r.digits) : cell(); }},
-        {"scaled_ratio", "ratio times R^p with the exact radius R",
-         [](const row& r) { return decimal_cell(r.scaled, r.digits); }},
-        {"log10_scaled_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.scaled); }},
-        {"line", "the straight line of one logarithm, +-(1 - p/n); empty where the nearest singularities are a pair",
-         [](const row& r) {
-             const mpfr one_over_n = mpfr(1) / r.n;
-             return r.limit ? decimal_cell(mpfr(*r.limit * (1 - r.power * one_over_n)), r.digits) : cell();
-         }},
-        gap_column<row>(),
-    });
+const column_list<ratio_row>& ratio_columns() {
+    static const auto all = columns_named(
+        "energy,point,power,n,inverse_n,ratio,scaled_ratio,log10_scaled_ratio,line,gap,energy_typed,gap_typed",
+        columns());
     return all;
 }
 
@@ -118,7 +140,7 @@ std::vector<ratio_row> ratio_rows(const plot& drawn, long digits) {
         const int n = drawn.series.power(k);
         const auto found = drawn.defined.find(n);
         const auto scaled = found != drawn.defined.end() ? std::optional(found->second) : std::nullopt;
-        all.push_back({p.at, p.point, digits, drawn.power, n, scaled, unit, drawn.limit});
+        all.push_back({drawn.power, 1, n, scaled, unit, digits, "", drawn.limit, &p.at, &p.point});
     }
     return all;
 }
@@ -202,7 +224,7 @@ std::vector<table> plots_at(const sweep_energy& at, const exact& point, const st
     std::vector<list_row> lists;
     for (const int power : powers_of(p)) {
         const plot drawn = plot_in(p, power);
-        points.push_back(make_table(columns(), ratio_rows(drawn, scalar.digits)));
+        points.push_back(make_table(ratio_columns(), ratio_rows(drawn, scalar.digits)));
         lists.push_back(row_of(drawn, scalar.digits));
     }
     return {stacked(points), make_table(list_columns(), lists), std::move(answers)};
@@ -211,7 +233,7 @@ std::vector<table> plots_at(const sweep_energy& at, const exact& point, const st
 study_plan plan(const study_request& request) {
     const std::vector<int> orders = orders_from(request, least_order_of_lists, "leaves no ratios to draw");
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
-    return plan_by_point({head_of("", scalar, columns()), head_of("lists", scalar, list_columns()),
+    return plan_by_point({head_of("", scalar, ratio_columns()), head_of("lists", scalar, list_columns()),
                           head_of("intercepts", scalar, judged_answer_columns())},
                          sweep_of(request), [orders, scalar](const sweep_energy& at, const exact& point) {
                              return plots_at(at, point, orders, scalar);
@@ -225,27 +247,8 @@ namespace of_equation {
 
 namespace {
 
-struct ratio_row {
-    int power, root, n;
-    mpfr ratio;
-    long digits;
-    std::string unknown;
-};
-
-const column_list<ratio_row>& columns() {
-    using row = ratio_row;
-    static const column_list<row> all{
-        {"power",
-         "p: the series is taken in the p-th power of the distance, as its zeros allow; of a list in powers of the "
-         "q-th root p/q, a_n the coefficient of the power n/q",
-         [](const row& r) { return number_cell(decimal_of(rational(r.power, r.root), 12)); }},
-        {"n", "power of the later coefficient", [](const row& r) { return r.n; }},
-        {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
-        {"ratio", "a_n/a_(n-p), in the unit of the variable to the power -p",
-         [](const row& r) { return decimal_cell(r.ratio, r.digits); }},
-        {"log10_abs_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.ratio); }},
-        unknown_column<row>(),
-    };
+const column_list<ratio_row>& ratio_columns() {
+    static const auto all = columns_named("power,n,inverse_n,ratio,log10_abs_ratio,unknown", columns());
     return all;
 }
 
@@ -260,15 +263,15 @@ std::vector<ratio_row> ratios_in(const list_of_unknown& of) {
     }
     const int power = std::max(1, pattern.stride);
     const convergence::strided_series<mpfr> part(scaled, pattern.first % power, power);
-    const mpfr back = pow(mpfr(unit.length), -power);
+    const mpfr length = pow(mpfr(unit.length), power);
     for (const auto& each : convergence::ratios_of(part)) {
-        rows.push_back({power, of.root, each.n, mpfr(each.value * back), of.digits, of.unknown});
+        rows.push_back({power, of.root, each.n, each.value, length, of.digits, of.unknown});
     }
     return rows;
 }
 
 study_plan plan(const study_request& request) {
-    return plan_of_lists(request, "leaves no ratios to draw", columns(), ratios_in, "intercepts", is_any_test);
+    return plan_of_lists(request, "leaves no ratios to draw", ratio_columns(), ratios_in, "intercepts", is_any_test);
 }
 
 }  // namespace

@@ -12,9 +12,7 @@ if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
     intercepts = table_of('_intercepts')
-    k = place(main, 'power') - 1
-    all = cases(main, k)
-    n = words(all)
+    eval axes_before('power')
     tone(c) = n == 1 ? shade[5] : colour(c, n)
     late = sprintf('$%d >= 4', k + 2)
     curve(c, u) = both(late, both(in_case(word(all, c)), of_unknown(main, u)))

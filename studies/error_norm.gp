@@ -11,9 +11,7 @@ if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
     radii = table_of('_radius')
-    k = place(main, 'order') - 1
-    all = cases(main, k)
-    n = words(all)
+    eval axes_before('order')
     N = place(main, 'order')
     y = place(main, 'log10_norm')
     scalar = first_of(main, place(main, 'scalar'), '1')

@@ -8,9 +8,7 @@
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
-    k = place(main, 'time') - 1
-    all = cases(main, k)
-    n = words(all)
+    eval axes_before('time')
     last = sprintf('%.0f', span(main, 'order', '1', 0, 1))
     tone(c) = n == 1 ? shade[5] : colour(c, n)
     curve(c, u) = both(both(in_case(word(all, c)), of_unknown(main, u)), sprintf('$%d == %s', k + 2, last))

@@ -9,8 +9,7 @@
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
-    k = place(main, 'order') - 1
-    all = cases(main, k)
+    eval axes_before('order')
     scalars = seen(main, k + 3, '1')
     n = words(scalars)
     curve(u, m, s) = both(both(in_case(word(all, 1)), of_unknown(main, u)), both(with_word(main, 'method', m), with_word(main, 'scalar', s)))

@@ -10,8 +10,7 @@
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
-    k = place(main, 'order') - 1
-    all = cases(main, k)
+    eval axes_before('order')
     methods = seen(main, k + 2, '1')
     n = words(methods)
     y = place(main, 'log10_difference')

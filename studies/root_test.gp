@@ -10,9 +10,7 @@ if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
     estimates = table_of('_estimates')
-    k = place(main, 'n') - 1
-    all = cases(main, k)
-    n = words(all)
+    eval axes_before('n')
     place_x = place(main, 'inverse_n')
     tone(c) = n == 1 ? shade[5] : colour(c, n)
     late = sprintf('$%d >= 4', k + 1)

@@ -7,9 +7,7 @@
 if (equation ne '') {
     load scripts.'/shared/panels.gp'
 
-    k = place(main, 'digits') - 1
-    all = cases(main, k)
-    n = words(all)
+    eval axes_before('digits')
     tone(c, m) = n == 1 ? shade[m eq 'series' ? 4 : 3] : colour(c, n)
     curve(c, u, m) = both(both(in_case(word(all, c)), of_unknown(main, u)), with_word(main, 'method', m))
     eval grid(drawn, 3)

@@ -10,6 +10,8 @@ place(f, c) = ask(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | c
 header(f, i) = ask(sprintf("head -n 1 '%s' | cut -d, -f%d", f, i))
 # The values of the first k columns, one word "a,b," each; '-' if there is no axis.
 cases(f, k) = k == 0 ? '-' : ask(sprintf("awk -F, 'NR > 1 { s = \"\"; for (i = 1; i <= %d; ++i) s = s $i \",\"; if (!n[s]++) print s }' '%s'", k, f))
+# The number k of axes, which come before column c, and all their combinations, n of them.
+axes_before(c) = sprintf("k = place(main, '%s') - 1; all = cases(main, k); n = words(all)", c)
 in_case(c) = c eq '-' ? '1' : sprintf('index($0, "%s") == 1', c)
 case_name(f, k, c) = c eq '-' ? '' : ask(sprintf("head -n 1 '%s' | cut -d, -f1-%d | awk -F, -v c=\"%s\" '{ split(c, v, \",\"); for (i = 1; i <= NF; ++i) s = s (i > 1 ? \", \" : \"\") $i \" = \" sprintf(\"%%.6g\", v[i]); print s }'", f, k, c))
 of_unknown(f, u) = sprintf('$%d == "%s"', place(f, 'unknown'), u)
