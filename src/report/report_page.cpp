@@ -12,7 +12,6 @@
 #include "report/report.hpp"
 #include "run/provenance.hpp"
 #include "text/html.hpp"
-#include "text/html_mathematics.hpp"
 #include "text/measured_text.hpp"
 
 namespace libration {

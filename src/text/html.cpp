@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "text/html_mathematics.hpp"
-
 namespace libration {
 
 namespace {

@@ -8,7 +8,12 @@ namespace libration {
 /// Text as HTML shows it.
 std::string html_text(const std::string& text);
 
-/// The same with formulas as html_mathematics writes them, and text between backticks as code.
+/// Plain text as HTML with symbols and indices: theta and omega0 are written in Greek, a_n and T*^(N+1) with subscripts
+/// and superscripts, 2.5e-7 as a power of ten, sqrt as a root, <= and +- as one sign, and a minus between blanks as
+/// one. Everything else is unchanged, with & < > " escaped.
+std::string html_mathematics(const std::string& text);
+
+/// Text with formulas as html_mathematics writes them, and text between backticks as code.
 std::string html_prose(const std::string& text);
 
 /// An SVG image as a data: URI for an attribute in double quotes, with the few characters escaped that are not allowed

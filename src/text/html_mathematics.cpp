@@ -1,5 +1,4 @@
-#include "text/html_mathematics.hpp"
-
+// Formulas of plain text as a reader of a page expects them.
 #include <cctype>
 #include <cstddef>
 #include <map>

@@ -1,8 +1,6 @@
 // Pieces of the page: what stands in text, and images within the page.
 #include "text/html.hpp"
 
-#include "text/html_mathematics.hpp"
-
 #include <catch2/catch.hpp>
 #include <string>
 #include <utility>
