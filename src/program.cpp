@@ -5,11 +5,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -19,6 +22,7 @@
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/near_word.hpp"
 #include "option/subcommand.hpp"
+#include "option/timeout_option.hpp"
 #include "run/ending_signal.hpp"
 #include "run/provenance.hpp"
 #include "text/input_error.hpp"
@@ -141,6 +145,26 @@ int run(const libration::subcommand& command) {
     }
 }
 
+// Whether a command may take long; a study also ends by itself at a signal, with its journal.
+bool has_timeout(const std::string& name) {
+    constexpr std::array<std::string_view, 10> names{"reference", "trajectory", "find",   "singularities", "radius",
+                                                     "verify",    "table",      "series", "coefficients",  "study"};
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+int run_limited(const libration::subcommand& command, const libration::timeout_option& timeout) {
+    const std::string name = command.options->get_name();
+    if (!has_timeout(name)) {
+        return run(command);
+    }
+    std::unique_ptr<libration::time_limit> limit;
+    const libration::subcommand limited{command.options, [&] {
+                                            limit = timeout.begin(name != "study");
+                                            return command.run();
+                                        }};
+    return run(limited);
+}
+
 // Help and version, which CLI11 writes to stdout.
 int say_help(const CLI::App& program, const CLI::ParseError& problem) {
     const int code = program.exit(problem);
@@ -168,6 +192,12 @@ int libration::run_program(int argc, char** argv) {
         libration::verify_command(program),       libration::cite_command(program),
         libration::find_command(program),         libration::problems_command(program),
         libration::singularities_command(program)};
+    libration::timeout_option timeout;
+    for (const libration::subcommand& each : commands) {
+        if (has_timeout(each.options->get_name())) {
+            timeout.add_to(*each.options);
+        }
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -176,5 +206,5 @@ int libration::run_program(int argc, char** argv) {
     }
     const auto chosen = std::find_if(commands.begin(), commands.end(),
                                      [](const libration::subcommand& each) { return each.options->parsed(); });
-    return chosen != commands.end() ? run(*chosen) : failed;
+    return chosen != commands.end() ? run_limited(*chosen, timeout) : failed;
 }

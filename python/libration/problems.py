@@ -128,10 +128,12 @@ def radius_of(tests: Table) -> Radius:
     return Radius(value if isinstance(value, Ball) else None, str(verdict["unknown"]), str(verdict["note"]), tests)
 
 
-_start = re.compile(r"(?:^|[;\n])\s*(\w+'*)\s*\(([^()=]*)\)\s*=")
-_parameter = re.compile(r"(?:^|[;\n])\s*([A-Za-z]\w*)\s*=")
-_unknown = re.compile(r"([A-Za-z]\w*)'")
-_name = re.compile(r"(?<![\w.])[A-Za-z]\w*")
+_start = re.compile(r"(?:^|[;,\n])\s*(\w+'*)\s*\(([^()=]*)\)\s*=")
+_parameter = re.compile(r"(?:^|[;,\n])\s*([^\W\d_]\w*)\s*=")
+_unknown = re.compile(r"([^\W\d_]\w*)'")
+_quotient = re.compile(r"(?<!\w)d(?:\d|\^\d|[²³])?\s*([^\W\d_]\w*)\s*/\s*d")
+_name = re.compile(r"(?<![\w.])[^\W\d_]\w*")
+_primes = str.maketrans({"′": "'", "’": "'", "″": "''", "”": "''"})
 
 
 def _without_comments(text: str) -> str:
@@ -153,9 +155,9 @@ def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, 
     if "=" not in text:
         known = dict(_libration.catalogue())
         text = known.get(text.strip(), text)
-    bare = _without_comments(text)
+    bare = _without_comments(text).translate(_primes)
     given = {left: point.strip() for left, point in _start.findall(bare)}
-    unknowns = set(_unknown.findall(bare))
+    unknowns = set(_unknown.findall(bare)) | set(_quotient.findall(bare))
     parameters = set(_parameter.findall(bare)) - unknowns
     names = _name.findall(bare)
     for name in sorted(each for each in parameters if names.count(each) == 1):
@@ -175,7 +177,7 @@ def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, 
             added.append(f"{name} = {number}")
         else:
             settings.append(f"{name} = {number}")  # which the library refuses, with the name that is near
-    return Problem("\n".join([text.rstrip().rstrip(";"), *added]) if added else text, "; ".join(settings))
+    return Problem("\n".join([text.rstrip().rstrip(";,"), *added]) if added else text, "; ".join(settings))
 
 
 def catalogue() -> dict[str, str]:

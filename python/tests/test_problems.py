@@ -22,6 +22,11 @@ def tangent():
     return lb.problem("x' = a + x^2", x=0, a=1)
 
 
+@pytest.mark.parametrize("text", ["dx/dt = a + x²", "x'(t) = a + x(t)^2", "x′ = a + x·x", "x' = a + x^2, x(0) = 1"])
+def test_notation(text):
+    assert near(lb.problem(text, x=0, a=1).reference(1, 40)["x"], mpmath.tan(1), 40)
+
+
 @pytest.mark.parametrize("rigour", ["proved", "rounded"])
 def test_tangent(rigour):
     assert near(tangent().reference(1, 40, rigour)["x"], mpmath.tan(1), 40)

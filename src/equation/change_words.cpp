@@ -45,21 +45,24 @@ std::string started_in(const std::string& left) {
 
 void require_changeable(const ode::equation_system& system, const std::string& change) {
     const std::string left = left_side_of(change);
-    const bool whole = change.find('=') != std::string::npos && change.find(';') == std::string::npos;
+    const bool whole = change.find('=') != std::string::npos && change.find_first_of(";,") == std::string::npos;
     if (!whole || left.empty()) {
         return;
     }
-    if (std::ranges::all_of(left, is_of_name) && system.parameter_of(left) == nullptr) {
+    if (std::ranges::all_of(left, is_of_name) && system.parameter_of(left) == nullptr && !system.is_open(left)) {
         std::vector<std::string> own;
         std::ranges::transform(system.parameters, std::back_inserter(own), &ode::definition::name);
+        std::ranges::transform(system.open, std::back_inserter(own), &ode::open_parameter::name);
         refuse(change, left, "parameter", own);
     }
     const std::string started = started_in(left);
     std::vector<std::string> names;
     std::vector<std::string> own;
-    for (const ode::start& each : system.starts) {
-        names.push_back(ode::primed(each.of.name(), each.of.derivative()));
-        own.push_back(names.back() + left.substr(std::min(left.find('('), left.size())));
+    for (const std::string& unknown : started.empty() ? std::vector<std::string>() : system.unknowns()) {
+        for (int order = 0; order < system.order_of(unknown); ++order) {
+            names.push_back(ode::primed(unknown, order));
+            own.push_back(names.back() + left.substr(std::min(left.find('('), left.size())));
+        }
     }
     if (!started.empty() && std::ranges::find(names, started) == names.end()) {
         refuse(change, left, "initial value", own);

@@ -13,6 +13,8 @@
 #include "libration/problem/known_facts.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "run/progress.hpp"
+#include "run/time_limit.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -46,7 +48,16 @@ std::vector<proved_decimal> found_for_infinity(const find_options& options, cons
     }
 }
 
-std::vector<found_value> found_unknowns(const find_options& options, long digits, const ode::proof_route& route) {
+// Of each integration; it ends the search at --timeout and at a signal.
+ode::march_watch watch_of(progress& shown) {
+    return [&shown](const ball& reached, long bits) {
+        shown.reached(midpoint_of(reached).convert_to<double>(), bits);
+        check_time();
+    };
+}
+
+std::vector<found_value> found_unknowns(const find_options& options, long digits, const ode::proof_route& route,
+                                        progress& shown) {
     const auto system = options.problem.equations();
     const auto named = [&](const std::vector<proved_decimal>& values) {
         std::vector<found_value> found;
@@ -71,13 +82,16 @@ std::vector<found_value> found_unknowns(const find_options& options, long digits
         const ode::start read = naming_option("--such-that", [&] { return ode::parse_point_condition(system, each); });
         conditions.push_back({read.of.name(), read.of.derivative(), read.point.constant(), read.value.constant()});
     }
-    return named(naming_option("--unknown",
-                               [&] { return proved_unknowns(system, options.unknowns, conditions, digits, route); }));
+    return named(naming_option("--unknown", [&] {
+        return proved_unknowns(system, options.unknowns, conditions, digits, route, watch_of(shown));
+    }));
 }
 
-std::vector<found_value> found_orbit(const find_options& options, long digits, const ode::proof_route& route) {
+std::vector<found_value> found_orbit(const find_options& options, long digits, const ode::proof_route& route,
+                                     progress& shown) {
     const auto system = options.problem.choose();
-    const auto orbit = naming_option("--problem", [&] { return ode::proved_periodic_orbit(system, digits, route); });
+    const auto orbit =
+        naming_option("--problem", [&] { return ode::proved_periodic_orbit(system, digits, route, watch_of(shown)); });
     std::vector<found_value> found;
     for (std::size_t i = 0; i < orbit.names.size(); ++i) {
         found.push_back({orbit.names[i], orbit.start[i]});
@@ -87,7 +101,9 @@ std::vector<found_value> found_orbit(const find_options& options, long digits, c
 }
 
 std::vector<found_value> found_values(const find_options& options, long digits, const ode::proof_route& route) {
-    return options.periodic ? found_orbit(options, digits, route) : found_unknowns(options, digits, route);
+    progress shown("find", 1);
+    return options.periodic ? found_orbit(options, digits, route, shown)
+                            : found_unknowns(options, digits, route, shown);
 }
 
 void check_values(const find_options& options, long digits, const std::vector<found_value>& first) {

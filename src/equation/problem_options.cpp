@@ -46,6 +46,36 @@ std::string text_of_catalogue(const std::string& name) {
     return std::string(problem_text(name));
 }
 
+// The text of a problem with a statement added; the statement alone if the problem is not typed, or is long.
+std::string with_statement(const std::string& words, const std::string& statement) {
+    const bool shown = words.find('=') != std::string::npos && words.size() <= longest_quotation &&
+                       words.find('\n') == std::string::npos;
+    return shown ? words + "; " + statement : statement;
+}
+
+// Throws input_error for parameters and initial values that neither the text nor --set gives.
+void require_values(const ode::equation_system& system, const std::string& words) {
+    if (!system.open.empty()) {
+        const ode::open_parameter& open = system.open.front();
+        throw input_error(fmt::format(
+            "--problem {0} at line {1}, column {2} has no value: add --set {3}=NUMBER, or write {4} for a parameter, "
+            "{3}' = ... for an unknown",
+            quotation(open.name), open.at.line, open.at.column, open.name,
+            with_statement(words, open.name + " = NUMBER")));
+    }
+    for (const std::string& name : system.unknowns()) {
+        for (int order = 0; order < system.order_of(name); ++order) {
+            const auto of = ode::unknown(name, order);
+            if (std::ranges::any_of(system.starts, [&](const ode::start& s) { return same_form(s.of, of); })) {
+                continue;
+            }
+            const std::string value = ode::primed(name, order) + "(0) = NUMBER";
+            throw input_error(fmt::format("--problem {} has no initial value: add --set \"{}\", or write {}",
+                                          quotation(ode::primed(name, order)), value, with_statement(words, value)));
+        }
+    }
+}
+
 }  // namespace
 
 problem_source problem_named(const std::string& words) {
@@ -62,10 +92,14 @@ void problem_options::add_to(CLI::App& command, closed_forms known) {
     command_ = &command;
     command
         .add_option("--problem", problem_,
-                    "any equation: a name of the catalogue, a file, or \"y' = y; y(0) = 1\", with the functions " +
+                    "any equation: a name of the catalogue, a file, or \"y' = 2y; y(0) = 1\", also dy/dt = ..., y'(x) "
+                    "= ..., e^t, "
+                    "x^2 or x\u00b2, with the functions " +
                         function_names())
         ->type_name("P");
-    command.add_option("--set", changes_, "another parameter or initial value of the problem: k=1/3, \"f'(0)=1\"")
+    command
+        .add_option("--set", changes_,
+                    "a parameter or initial value that the problem leaves open, or another one: k=1/3, \"f'(0)=1\"")
         ->type_name("X=VALUE");
     if (known == closed_forms::used) {
         command.add_flag("--general", general_,
@@ -134,6 +168,7 @@ ode::equation_system problem_options::equations() const {
         require_changeable(system, each);
         system = naming_option("--set", [&] { return ode::changed(system, each); });
     }
+    require_values(system, *problem_);
     return system;
 }
 

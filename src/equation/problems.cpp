@@ -1,10 +1,12 @@
 // libration problems: the catalogue of differential equations, and one of them as text.
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "equation/problem_options.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/text/near_word.hpp"
@@ -43,8 +45,24 @@ table_row_cells catalogue_row(const catalogue_entry& entry) {
     return {entry.name, title_of(entry), joined_by_blanks(system.unknowns()), joined_by_blanks(parameters)};
 }
 
+// A problem that is typed or in a file, in standard notation.
+int write_problem(const problems_options& options) {
+    const problem_source of = problem_named(*options.name);
+    const auto system = naming_option("problems", [&] { return ode::parse(of.text); });
+    table list({{"name", ""}, {"title", ""}, {"unknowns", ""}, {"parameters", ""}});
+    std::vector<std::string> parameters;
+    std::ranges::transform(system.parameters, std::back_inserter(parameters), &ode::definition::name);
+    std::ranges::transform(system.open, std::back_inserter(parameters), &ode::open_parameter::name);
+    list.add_row({of.name, cell(), joined_by_blanks(system.unknowns()), joined_by_blanks(parameters)});
+    options.output.write(list, ode::canonical_text(of.text));
+    return 0;
+}
+
 int list_problems(const problems_options& options) {
     options.output.check();
+    if (options.name && (options.name->find_first_of("=/") != std::string::npos || options.name->ends_with(".ode"))) {
+        return write_problem(options);
+    }
     std::vector<std::string> names;
     table list({{"name", ""}, {"title", ""}, {"unknowns", ""}, {"parameters", ""}});
     for (const catalogue_entry& each : catalogue()) {
@@ -70,7 +88,9 @@ int list_problems(const problems_options& options) {
 subcommand problems_command(CLI::App& program) {
     const auto options = std::make_shared<problems_options>();
     CLI::App* command = program.add_subcommand("problems", "the catalogue of differential equations for --problem");
-    command->add_option("NAME", options->name, "this problem: equations, initial values, parameters, sources");
+    command->add_option("NAME", options->name,
+                        "this problem: equations, initial values, parameters, sources; of a text with = or a file, the "
+                        "same in standard notation");
     options->output.add_to(*command);
     return {command, [options] { return list_problems(*options); }};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <stdexcept>
 
 #include "libration/pendulum/energy/energy.hpp"
@@ -14,6 +15,7 @@
 #include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
 #include "run/grid.hpp"
+#include "run/progress.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -32,6 +34,18 @@ exact angle_of(const std::string& option, const std::string& value) {
         throw input_error(option, value, "is a time", angle_remedy);
     }
     return angle;
+}
+
+// A line on stderr, once, for a number of more than a turn, which is often meant in degrees.
+void note_radians(const exact& angle) {
+    static std::once_flag noted;
+    const rational size = angle.coefficient < 0 ? rational(-angle.coefficient) : angle.coefficient;
+    if (angle.measure == unit::one && size > rational(44, 7)) {
+        std::call_once(noted, [&] {
+            say_line(fmt::format("--theta0 {0} is more than a turn, as it is in radians: write {0}deg for degrees",
+                                 angle.text));
+        });
+    }
 }
 
 }  // namespace
@@ -136,6 +150,9 @@ chosen_motion motion_options::by_state() const {
 chosen_motion motion_options::choose() const {
     if (energy_ && gap_) {
         throw input_error("--gap", *gap_, "is given together with --energy '" + *energy_ + "'", "give one of the two");
+    }
+    if (theta0_) {
+        note_radians(angle_of("--theta0", *theta0_));
     }
     const bool energetic = energy_ || gap_;
     if (energetic && omega0_) {

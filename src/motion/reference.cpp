@@ -229,7 +229,8 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
         progress_of_part to(shown);
         parts[i] = states_of(asked[i], {.scalar = {scalar_kind::proved, digits},
                                         .check = options.check,
-                                        .progress = [&](double part) { to(part); }});
+                                        .progress = [&](double part) { to(part); },
+                                        .reached = [&](double time, long bits) { to.reached(time, bits); }});
         to(1);
     });
     return parts;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -21,6 +22,7 @@ constexpr std::array<int, 3> ending_signals{SIGINT, SIGTERM, SIGHUP};
 struct signal_registry {
     std::mutex mutex;
     std::list<std::function<void()>> actions;
+    std::function<void()> first;
     std::array<int, 2> pipe{-1, -1};
 };
 
@@ -39,15 +41,22 @@ extern "C" void tell_of_signal(int number) {
 
 // With the lock held.
 void call_actions() {
-    for (const auto& action : registered().actions) {
-        action();
-    }
+    const auto& actions = registered().actions;
+    std::for_each(actions.rbegin(), actions.rend(), [](const auto& action) { action(); });
 }
 
 // Calls the actions and lets the signal do what it does by itself.
 void wait_for_signal() {
     unsigned char number = 0;
     while (::read(registered().pipe[0], &number, 1) != 1) {
+    }
+    std::function<void()> first;
+    {
+        const std::lock_guard lock(registered().mutex);
+        first = registered().first;
+    }
+    if (first) {
+        first();
     }
     const std::lock_guard lock(registered().mutex);
     call_actions();
@@ -87,6 +96,14 @@ at_ending_signal::at_ending_signal(std::function<void()> done) {
 at_ending_signal::~at_ending_signal() {
     const std::lock_guard guard(registered().mutex);
     registered().actions.erase(place_);
+}
+
+void at_ending_signal::set_first(std::function<void()> first) {
+    if (first) {
+        watch_signals();
+    }
+    const std::lock_guard guard(registered().mutex);
+    registered().first = std::move(first);
 }
 
 std::unique_lock<std::mutex> at_ending_signal::uninterrupted() { return std::unique_lock(registered().mutex); }

@@ -8,7 +8,7 @@
 namespace libration {
 
 /// During its lifetime, INT, TERM and HUP call `done` before they end the process in the default way: in a separate
-/// thread, one after the other, so that `done` may call any function but should return soon. A signal that was ignored
+/// thread, the latest first, so that `done` may call any function but should return soon. A signal that was ignored
 /// when the process started (nohup) remains ignored.
 class at_ending_signal {
 public:
@@ -16,6 +16,10 @@ public:
     at_ending_signal(const at_ending_signal&) = delete;
     at_ending_signal& operator=(const at_ending_signal&) = delete;
     ~at_ending_signal();
+
+    /// Called at a signal before the actions, and instead of them if it does not return; an empty function removes it. Throws
+    /// std::system_error if no thread can be started.
+    static void set_first(std::function<void()> first);
 
     /// While it is held, these signals wait: for the moment in which files change places.
     static std::unique_lock<std::mutex> uninterrupted();

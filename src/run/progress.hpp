@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "run/time_limit.hpp"
 #include "run/work_estimate.hpp"
 
 namespace libration {
@@ -39,8 +40,11 @@ public:
     ~progress();
 
     void step(std::size_t count = 1);
+    /// Of an integration: the time reached and the bits of the run, for the line.
+    void reached(double time, long bits);
 
 private:
+    std::string status();
     void show();
     void keep_showing(const std::stop_token& ended);
     std::string line() const;
@@ -52,10 +56,12 @@ private:
     bool watched_;
     bool shown_ = false;
     slowest slow_;
+    std::string reached_;
     std::mutex mutex_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_shown_ = start_;
     std::condition_variable_any ended_;
+    status_source status_{[this] { return status(); }};
     std::jthread keeper_;  // last, so that it ends first
 };
 
@@ -69,8 +75,11 @@ public:
 
     /// `all` counts `steps` for each of the works.
     explicit progress_of_part(progress& all) : all_(all) {}
-    /// A part from 0 to 1; one that is less than before does not count.
+    /// A part from 0 to 1; one that is less than before does not count. Throws error if the command is to end
+    /// (check_time) before the whole part is done.
     void operator()(double part);
+    /// The time reached by an integration, and its bits.
+    void reached(double time, long bits) { all_.reached(time, bits); }
 
 private:
     progress& all_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/parallel.hpp"
+#include "run/time_limit.hpp"
 #include "sweep/study_order.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
@@ -75,6 +77,8 @@ struct comparison_run {
 // Batches are compared in parallel and written in their order; a set of batches at a time is in memory.
 void compare_all(column_file& records, const comparison_run& run, row_target& target, verify_summary& summary) {
     const std::size_t most = batches_per_job * static_cast<std::size_t>(run.jobs);
+    std::atomic<long> finished = 0;
+    const status_source status([&] { return fmt::format("row {}", finished.load()); });
     for (auto batches = read_batches(records, most); !batches.empty(); batches = read_batches(records, most)) {
         std::vector<std::vector<compared_row>> compared(batches.size());
         on_threads(batches.size(), run.jobs, [&](std::size_t i) {
@@ -92,6 +96,7 @@ void compare_all(column_file& records, const comparison_run& run, row_target& ta
             }
         }
         show_progress(summary.rows());
+        finished = summary.rows();
     }
     show_progress(0);
 }

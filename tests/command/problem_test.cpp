@@ -344,8 +344,8 @@ TEST_CASE("the catalogue is listed, and a problem shown", "[command][problem]") 
 
 TEST_CASE("wrong problems are refused with the place and the remedy", "[command][problem][bad input]") {
     const words order{"--order", "5"};
-    check_refused(coefficients("y' = 2x; y(0)=1", order), {"--problem", "'2x'", "column 6", "2*x"});
-    check_refused(coefficients("y' = y, y(0)=1", order), {"--problem", "','"});
+    check_refused(coefficients("y' = x y; y(0)=1", order), {"--problem", "'x y'", "column 6", "write y' = x*y"});
+    check_refused(coefficients("y' = y, y(0)=0,5", order), {"--problem", "'0,5'", "write 0.5"});
     check_refused(coefficients("y'' = y; y(0)=1", order), {"--problem", "y'(0)"});
     check_refused(coefficients("y' = log(y); y(0)=0", order), {"--problem", "logarithm"});
     check_refused(coefficients("sin(y') = y; y(0)=0", order), {"--problem", "function"});

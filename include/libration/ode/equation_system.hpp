@@ -15,7 +15,7 @@ struct place {
     int column = 0;
 };
 
-/// The text, truncated after 60 characters, for quotation in messages.
+/// The text, truncated after 60 characters of UTF-8, for quotation in messages.
 std::string beginning_of(const std::string& text);
 
 /// Throws error: problem 'what' (truncated), at line 1, column 2 reason.
@@ -43,6 +43,12 @@ struct definition {
     place at = {};
 };
 
+/// A parameter without a value, at its first occurrence.
+struct open_parameter {
+    std::string name;
+    place at = {};
+};
+
 /// Differential equations in any sequence and of any order, from text (parse.hpp) or C++:
 ///     const auto f = ode::unknown("f");
 ///     ode::equation_system blasius;
@@ -56,6 +62,7 @@ struct equation_system {
     std::vector<definition> parameters;
     std::vector<equation> invariants;  ///< constant along a solution: the left-hand side; the right-hand side is 0
     std::vector<definition> exact;     ///< the closed form of the unknown of this name
+    std::vector<open_parameter> open;  ///< of a text: parameters that it leaves open, to be set before solving
 
     /// left = right.
     equation_system& add(const expression& left, const expression& right = 0);
@@ -68,6 +75,10 @@ struct equation_system {
     std::vector<std::string> unknowns() const;
     /// The parameter, or null.
     const definition* parameter_of(const std::string& name) const;
+    /// Whether the text leaves the value of this parameter open.
+    bool is_open(const std::string& name) const;
+    /// The highest derivative of an unknown in the equations; 0 if it does not occur.
+    int order_of(const std::string& unknown) const;
 };
 
 /// The values of the parameters of a system, each computed once; they may depend on each other at any depth.
@@ -95,6 +106,7 @@ private:
     void open(const std::string& name);
     expression substituted(const expression& e) const;
 
+    const std::vector<open_parameter>& without_value_;
     std::map<std::string, known_definition> definitions_;
     std::map<std::string, expression> values_;
     std::vector<opened_definition> open_;

@@ -16,23 +16,42 @@ inline constexpr std::size_t longest_name = 200;
 
 /// Parses
 ///     f''' + f*f''/2 = 0                     equations
-///     f(0) = 0; f'(0) = 0; f''(0) = k        initial values, all at one point
+///     f(0) = 0; f'(0) = 0, f''(0) = k        initial values, all at one point
 ///     k = 1                                  parameters, in any order, may contain parameters
-///     variable x                             the independent variable, by default t
+///     variable x                             the independent variable
 ///     invariant E - cos(y)                   constant along a solution
 ///     exact f = tan(t)                       a closed form
 ///     # a comment
-/// Statements end with ; or the end of the line. Names: a letter, then letters, digits, _; case-sensitive. Reserved are
-/// pi, inf, the variable and the names of functions; for unknowns also n, time, digits, rigour, other columns of
-/// tables. Numbers are exact: 2E-3 is 0.002. Operators + - * / ^ (also **): * and / are left-associative; ^ binds
-/// tighter than a sign, is right-associative, and its exponent is constant; primes bind to their name. Functions exp
-/// log sqrt sin cos tan asin acos atan sinh cosh tanh. In values (initial values and values of parameters) a number may
-/// directly precede pi and deg. At most longest_problem characters; parentheses, signs and exponents nest at most 100
-/// deep. Throws error with the line, the column and the remedy.
+/// Statements end with ; or the end of the line, or a comma outside parentheses. Names: a letter, then letters, digits,
+/// _; case-sensitive. Reserved are pi, inf, the variable and the names of functions; for unknowns also n, time, digits,
+/// rigour, other columns of tables. e is Euler's number unless it is an unknown, a parameter or the variable. Numbers
+/// are exact: 2E-3 is 0.002. Operators + - * / ^ (also **): * and / are left-associative; ^ binds tighter than a sign,
+/// is right-associative, and its exponent is constant, except that of e; primes bind to their name. Functions exp log
+/// sqrt sin cos tan asin acos atan sinh cosh tanh and the others of function/list.hpp. At most longest_problem
+/// characters; parentheses, signs and exponents nest at most 100 deep.
+///
+/// Derivatives: x', x'(t), dx/dt for the first, x'', x''(t), d2x/dt2, d^2x/dt^2 for the second; x(t) is x. The
+/// independent variable is that of `variable`; else t of dx/dt; else x of y'(x) or y(x); else x, if no unknown is
+/// called x and t does not occur; else t.
+///
+/// Products: a number multiplies a name or a parenthesis directly after it, with or without a blank: 2y, 2 y, 2(y + 1),
+/// 3 sin(t), where 2e3 is a number. 1/2y and x^2y are rejected as ambiguous, as are a(t + 1) and f(0) in a formula. pi
+/// and deg after a number are units, 150deg.
+///
+/// UTF-8: Greek letters are read as their names (theta), x² and x⁻¹ for powers, y₁ for y1, ′ and ″ for primes, · × ÷ − for
+/// operators, π ∞ ° √ for pi, inf, deg, sqrt.
+///
+/// Other names without a definition are parameters whose values are open (equation_system::open): changed() sets them,
+/// and initial values that are missing; a system with open parameters has no solution. Throws error with the line, the
+/// column in characters, and the remedy.
 equation_system parse(std::string_view text);
 
-/// The system with one parameter or initial value changed, as `k = 1/3` or `f''(0) = 0.332`. Throws error like parse(),
-/// and for a name that does not occur in the system.
+/// The same problem in standard notation, which parse() reads as the same system: a statement in each line, in ASCII,
+/// with primes for derivatives, * for each product and the variable, if it is not t. Throws error like parse().
+std::string canonical_text(std::string_view text);
+
+/// The system with parameters and initial values that are changed, or that were open, as `k = 1/3` or `f''(0) = 0.332,
+/// k = 2`. Throws error like parse(), and for a name that does not occur in the system.
 equation_system changed(equation_system system, std::string_view text);
 
 /// left - right of a condition such as x' = 1/2 on the unknowns of a system, their lower derivatives and the variable,

@@ -20,8 +20,11 @@ struct request {
     long digits = 0;
     /// Each proof is compared with a second one by another route.
     bool check = false;
-    /// Progress callback: the part of the work that is done, from 0 to 1.
+    /// Progress callback: the part of the work that is done, from 0 to 1. If it throws an error of the kind undecided,
+    /// states() returns what is finished, with this error as the reason of what is missing.
     std::function<void(double part)> progress = {};
+    /// Of an integration, before progress: the time reached, and the bits of the run.
+    std::function<void(double time, long bits)> reached = {};
 
     long printed_digits() const { return digits > 0 ? digits : scalar.digits; }
 };

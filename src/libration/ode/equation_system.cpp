@@ -29,7 +29,14 @@ std::vector<std::string> parameters_in(const expression& e) {
 
 std::string beginning_of(const std::string& text) {
     constexpr std::size_t shown = 60;
-    return text.size() > shown ? text.substr(0, shown) + "..." : text;
+    std::size_t end = 0;
+    for (std::size_t count = 0; end < text.size(); ++end) {
+        const bool begins = (static_cast<unsigned char>(text[end]) & 0xc0) != 0x80;  // a character of UTF-8
+        if (begins && count++ == shown) {
+            return text.substr(0, end) + "...";
+        }
+    }
+    return text;
 }
 
 void refuse(const std::string& what, const place& at, const std::string& reason) {
@@ -54,6 +61,7 @@ equation_system& equation_system::set(const std::string& name, const expression&
         found->value = value;
     } else {
         parameters.push_back({name, value, {}});
+        std::erase_if(open, [&](const open_parameter& each) { return each.name == name; });
     }
     return *this;
 }
@@ -78,8 +86,26 @@ const definition* equation_system::parameter_of(const std::string& name) const {
     return found == parameters.end() ? nullptr : &*found;
 }
 
+bool equation_system::is_open(const std::string& name) const {
+    return std::ranges::find(open, name, &open_parameter::name) != open.end();
+}
+
+int equation_system::order_of(const std::string& unknown) const {
+    int order = 0;
+    for (const equation& each : equations) {
+        for (const expression* side : {&each.left, &each.right}) {
+            each_leaf(*side, [&](const expression& leaf) {
+                if (leaf.kind() == node_kind::unknown && leaf.name() == unknown) {
+                    order = std::max(order, leaf.derivative());
+                }
+            });
+        }
+    }
+    return order;
+}
+
 parameter_values::parameter_values(const equation_system& system, std::map<std::string, expression> open)
-    : values_(std::move(open)) {
+    : without_value_(system.open), values_(std::move(open)) {
     for (const definition& each : system.parameters) {
         definitions_.emplace(each.name, known_definition{&each});
     }
@@ -122,7 +148,9 @@ void parameter_values::open(const std::string& name) {
     }
     const auto found = definitions_.find(name);
     if (found == definitions_.end()) {
-        refuse(name, {}, "has no value: write " + name + " = number");
+        const auto at = std::ranges::find(without_value_, name, &open_parameter::name);
+        refuse(name, at != without_value_.end() ? at->at : place(),
+               "has no value: write " + name + " = number for a parameter, " + name + "' = ... for an unknown");
     }
     if (!found->second.open) {
         found->second.open = true;

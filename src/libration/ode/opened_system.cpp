@@ -36,6 +36,9 @@ public:
         }
         for (const std::string& each : names_) {
             const definition* const found = made_.parameter_of(each);
+            if (made_.is_open(each)) {
+                refuse(each, {}, "has no first guess: write " + each + " = number in the problem");
+            }
             if (found == nullptr) {
                 refuse(each, {}, "is neither a parameter nor an initial value of the problem: choose one that is");
             }

@@ -41,10 +41,10 @@ struct point_condition {
 
 /// Values of parameters, or initial values named as f''(0), that satisfy the same number of conditions. The values in
 /// the system are the initial guess; the rows are in the order of the names. Throws error like proved_root, and for a
-/// name that is neither.
+/// name that is neither. `watch` is the progress callback of each integration.
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
                                             const std::vector<point_condition>& conditions, long digits,
-                                            const proof_route& route = {});
+                                            const proof_route& route = {}, const march_watch& watch = {});
 
 /// The unknowns and their lower derivatives on a section, one of them fixed at its initial value, and the period.
 struct periodic_orbit {
@@ -56,6 +56,7 @@ struct periodic_orbit {
 /// The periodic orbit near the initial values of an autonomous system: the unknown that changes fastest there, relative
 /// to its size, is fixed, and the period is estimated from the nearest return among the first ones. Throws error like
 /// proved_root; for orbits in families, as if there is a first integral, dF/dx is singular.
-periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route = {});
+periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route = {},
+                                     const march_watch& watch = {});
 
 }  // namespace libration::ode

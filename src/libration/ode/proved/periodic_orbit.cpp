@@ -18,14 +18,15 @@ constexpr int most_returns = 12;
 // F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its initial value.
 class closing {
 public:
-    closing(const explicit_system& system, const first_order_form& form, std::size_t held, const proof_route& route)
-        : system_(system), form_(form), held_(held), route_(route) {}
+    closing(const explicit_system& system, const first_order_form& form, std::size_t held, const proof_route& route,
+            const march_watch& watch)
+        : system_(system), form_(form), held_(held), route_(route), watch_(watch) {}
 
     std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const {
         const precision_scope scope(decimal_digits(bits));
         std::vector<ball> start(x.begin(), x.end() - 1);
         start.insert(start.begin() + static_cast<std::ptrdiff_t>(held_), constant_value<ball>::of(form_.starts[held_]));
-        proved_march march(system_, start, bits, error_bits, {}, route_);
+        proved_march march(system_, start, bits, error_bits, watch_, route_);
         march.keep_derivative();
         const ball time = march.reached() + x.back();
         const auto state = march.at(time);
@@ -53,6 +54,7 @@ private:
     const first_order_form& form_;
     std::size_t held_;
     proof_route route_;
+    march_watch watch_;
 };
 
 std::vector<ball> start_of(const first_order_form& form) {
@@ -83,11 +85,12 @@ std::size_t fastest(const first_order_form& form) {
 }
 
 // The time of the return closest to the initial point.
-number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held) {
+number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held,
+                      const march_watch& watch) {
     const auto start = start_of(form);
     const auto rising = form.slopes_at(start, ball(0))[held];
     const crossing way = arb_is_positive(rising.handle()) != 0 ? crossing::up : crossing::down;
-    event_search search(system, form.given[held] - expression(form.starts[held]), first_bits);
+    event_search search(system, form.given[held] - expression(form.starts[held]), first_bits, 1, {}, watch);
     std::optional<ball> period;
     magnitude nearest;
     for (int i = 0; i < most_returns; ++i) {
@@ -116,7 +119,8 @@ number guessed_period(const explicit_system& system, const first_order_form& for
 
 }  // namespace
 
-periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route) {
+periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route,
+                                     const march_watch& watch) {
     const first_order_form form(system);
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
@@ -129,10 +133,10 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     {
         const precision_scope scope(decimal_digits(first_bits));
         held = fastest(form);
-        guess.push_back(guessed_period(system, form, held));
+        guess.push_back(guessed_period(system, form, held, watch));
     }
     guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
-    const closing closed(system, form, held, route);
+    const closing closed(system, form, held, route, watch);
     auto values =
         proved_root([&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
                     guess, digits);

@@ -23,8 +23,11 @@ std::vector<std::string> unknowns_in(const std::vector<point_condition>& conditi
 class shooting {
 public:
     shooting(const equation_system& given, const std::vector<std::string>& names,
-             const std::vector<point_condition>& conditions, const proof_route& route)
-        : open_(closed_part(opened(given, names), unknowns_in(conditions))), conditions_(conditions), route_(route) {
+             const std::vector<point_condition>& conditions, const proof_route& route, const march_watch& watch)
+        : open_(closed_part(opened(given, names), unknowns_in(conditions))),
+          conditions_(conditions),
+          route_(route),
+          watch_(watch) {
         for (const expression& each : open_.starts) {
             std::vector<expression> row;
             for (const expression& leaf : open_.leaves) {
@@ -75,7 +78,7 @@ private:
         if (order.empty()) {
             return true;
         }
-        proved_march march(open_.system, start, bits, error_bits, {}, route_);
+        proved_march march(open_.system, start, bits, error_bits, watch_, route_);
         march.keep_derivative();
         for (const std::size_t i : order) {
             const ball time = constant_value<ball>::of(conditions_[i].time);
@@ -108,6 +111,7 @@ private:
     opened_system open_;
     std::vector<point_condition> conditions_;
     proof_route route_;
+    march_watch watch_;
     std::vector<std::vector<expression>> slopes_;
     std::vector<std::size_t> states_;
 };
@@ -116,8 +120,8 @@ private:
 
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
                                             const std::vector<point_condition>& conditions, long digits,
-                                            const proof_route& route) {
-    const shooting shots(system, names, conditions, route);
+                                            const proof_route& route, const march_watch& watch) {
+    const shooting shots(system, names, conditions, route, watch);
     return proved_root(
         [&](const std::vector<ball>& x, long bits, long error_bits) { return shots(x, bits, error_bits); },
         shots.guess(), digits);

@@ -1,9 +1,10 @@
 #include "formula_parser.hpp"
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <utility>
 
+#include "formula_refusals.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -11,7 +12,6 @@ namespace libration::ode {
 namespace {
 
 constexpr int deepest_formula = 100;
-constexpr std::array<std::string_view, 4> names_of_columns{"n", "time", "digits", "rigour"};
 
 // By recursive descent, of bounded depth: sum, product, signed factor, power, primary.
 class formula_parser {
@@ -43,31 +43,27 @@ private:
 
     [[noreturn]] void refuse_end() const {
         const token& end = words_[std::min(last_, words_.size()) - 1];
-        refuse(text_of(words_, 0, words_.size()), end.at, "ends where a number or a name is missing: write one");
+        refuse(whole(words_), end.at, "ends where a number or a name is missing: write one");
     }
 
     // Reports a token that cannot follow an operand.
     [[noreturn]] void refuse_next() const {
         const token& word = words_[next_];
         if (at_operand() && next_ > 0) {
-            const token& before = words_[next_ - 1];
-            const std::string both = text_of(words_, next_ - 1, next_ + 1);
-            const std::string left = beginning_of(text_of(words_, next_ - 1, next_));
-            const std::string right = beginning_of(text_of(words_, next_, next_ + 1));
-            refuse(both, before.at, "multiplies without *: write " + left + "*" + right);
+            refuse_product(words_, next_);
         }
         if (word.symbol == ')') {
             refuse(")", word.at, "closes nothing: add a (");
         }
         if (word.symbol == ',') {
-            refuse(",", word.at, "is not expected: write a decimal point, and ; between statements");
+            refuse(",", word.at, "is not expected in parentheses: write a decimal point");
         }
-        refuse(std::string(word.text), word.at, "is not expected here: write + - * / or ^ between numbers and names");
+        refuse(word.text, word.at, "is not expected here: write + - * / or ^ between numbers and names");
     }
 
     void enter() {
         if (++depth_ > deepest_formula) {
-            refuse(text_of(words_, 0, words_.size()), words_[std::min(next_, last_ - 1)].at,
+            refuse(whole(words_), words_[std::min(next_, last_ - 1)].at,
                    "is nested more than " + std::to_string(deepest_formula) + " deep: use fewer parentheses");
         }
     }
@@ -82,7 +78,7 @@ private:
                 throw;
             }
             const std::string subject = problem.subject() == "number" ? "" : problem.subject() + " ";
-            throw error(problem.kind(), "problem", beginning_of(text_of(words_, 0, words_.size())),
+            throw error(problem.kind(), "problem", beginning_of(whole(words_)),
                         "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " " +
                             (subject.empty() ? "" : "has an " + subject + "that ") + problem.reason() +
                             (problem.subject() == "number" ? ": choose another number" : ""));
@@ -102,13 +98,14 @@ private:
     }
 
     expression product() {
+        const std::size_t begin = next_;
         expression value = factor();
         while (at_symbol('*') || at_symbol('/')) {
-            const token& sign = words_[next_++];
+            const std::size_t at = next_++;
+            const token& sign = words_[at];
             const expression next = factor();
-            if (sign.symbol == '/' && juxtaposed_) {
-                refuse(text_of(words_, 0, words_.size()), sign.at,
-                       "is ambiguous: write parentheses, as 1/(2*pi) or (1/2)*pi");
+            if (sign.symbol == '/' && joined_at_) {
+                refuse_denominator(words_, begin, at, *joined_at_, next_);
             }
             value = folded(sign.at, [&] { return sign.symbol == '*' ? value * next : value / next; });
         }
@@ -125,50 +122,94 @@ private:
     }
 
     expression power() {
-        juxtaposed_ = false;
+        joined_at_.reset();
         if (next_ >= last_) {
             refuse_end();
         }
-        const token& first = words_[next_];
+        const std::size_t at = next_;
+        const token& first = words_[at];
         if (first.kind == token_kind::numeral) {
             ++next_;
+            const expression value(first.value);
+            if (!at_factor()) {
+                return raised_by_exponent(value, first.at);
+            }
             const auto behind = unit_behind();
-            expression raised = raised_by_exponent(behind.value_or(expression(first.value)), first.at);
-            juxtaposed_ = behind.has_value();
-            return behind ? expression(first.value) * raised : raised;
+            const expression right = behind ? raised_by_exponent(*behind, first.at) : named_power();
+            joined_at_ = at;
+            return folded(first.at, [&] { return value * right; });
         }
-        expression raised = raised_by_exponent(primary(), first.at);
-        juxtaposed_ = false;
+        expression raised = named_power();
+        joined_at_.reset();
         return raised;
     }
 
-    // pi or deg directly after a number, in values.
+    // A power of a name, a call or a parenthesis.
+    expression named_power() {
+        const token& first = words_[next_];
+        const bool euler = is_euler(first);
+        const expression base = primary();
+        return euler && at_symbol('^') ? exponential(first.at) : raised_by_exponent(base, first.at);
+    }
+
+    // A name or a parenthesis, which a number directly before it multiplies.
+    bool at_factor() const { return at_symbol('(') || (next_ < last_ && words_[next_].kind == token_kind::name); }
+
+    // pi and deg after a number.
     std::optional<expression> unit_behind() {
-        if (role_ == formula_role::equation || next_ >= last_ || words_[next_].kind != token_kind::name ||
-            !words_[next_].touches) {
+        if (words_[next_].kind != token_kind::name || names_.parameters.contains(words_[next_].text) ||
+            names_.unknowns.contains(words_[next_].text)) {
             return std::nullopt;
         }
-        const std::string_view name = words_[next_].text;
+        const std::string& name = words_[next_].text;
         if (name == "pi" || name == "deg") {
             ++next_;
             return expression(number(1, name == "pi" ? unit::pi : unit::degree));
         }
-        if (name == "i" && role_ == formula_role::point) {
-            ++next_;
-            return parameter("i");
-        }
-        if (name == "T" && !names_.parameters.contains(name)) {
+        if (name == "T" && role_ != formula_role::equation) {
             refuse("T", words_[next_].at, "is the period of a pendulum, of which a problem has none: write a number");
         }
         return std::nullopt;
     }
 
+    bool is_euler(const token& word) const {
+        return word.kind == token_kind::name && word.text == "e" && word.primes == 0 && names_.variable != "e" &&
+               !names_.unknowns.contains("e") && !names_.parameters.contains("e");
+    }
+
+    // e^x.
+    expression exponential(const place& at) {
+        const expression exponent = exponent_behind();
+        return folded(at, [&] { return apply(function_kind::exp, exponent); });
+    }
+
     expression raised_by_exponent(const expression& base, const place& at) {
-        if (!take('^')) {
+        if (!at_symbol('^')) {
             return base;
         }
-        const expression exponent = factor();
+        const expression exponent = exponent_behind();
         return folded(at, [&] { return pow(base, exponent); });
+    }
+
+    // Of x^2y it is not known where the exponent ends; of x²y it is.
+    expression exponent_behind() {
+        std::size_t at = ++next_;
+        while (at < last_ && (is_symbol(words_[at], '-') || is_symbol(words_[at], '+'))) {
+            ++at;
+        }
+        const bool number = at < last_ && words_[at].kind == token_kind::numeral && at + 1 < last_;
+        const bool joined = number && (words_[at + 1].kind == token_kind::name || is_symbol(words_[at + 1], '('));
+        if (joined && words_[at].raised) {
+            next_ = at + 1;
+            refuse_next();
+        }
+        if (joined) {
+            const std::size_t begin = next_;
+            next_ = at;
+            power();
+            refuse_exponent(words_, begin, at, next_);
+        }
+        return factor();
     }
 
     expression primary() {
@@ -184,7 +225,10 @@ private:
             return function(word);
         }
         if (at_symbol('(') && words_[next_].touches) {
-            refuse_argument(word);
+            if (!names_.unknowns.contains(word.text) || !has_variable_behind(words_, next_ - 1, names_.variable)) {
+                refuse_argument(words_, next_ - 1, names_);
+            }
+            next_ += 3;  // y(t) is y
         }
         return named(word);
     }
@@ -195,20 +239,19 @@ private:
                    "is the derivative of a function: write primes only after unknowns");
         }
         if (!take('(')) {
-            refuse(std::string(word.text), word.at,
-                   "is a function without ( after it: write " + std::string(word.text) + "(...)");
+            refuse_without_argument(words_, next_ - 1);
         }
         const function_kind f = *function_named(word.text);
         const place opened = words_[next_ - 1].at;
         const expression first = before_end(opened);
         if (!has_order(f)) {
-            refuse_comma(word, " has one argument: write " + std::string(word.text) + "(x)");
+            refuse_comma(word, " has one argument: write " + word.text + "(x)");
             close(opened);
             return folded(word.at, [&] { return apply(f, first); });
         }
-        const std::string call = std::string(word.text) + "(0, x)";
+        const std::string call = word.text + "(0, x)";
         if (!take(',')) {
-            refuse(std::string(word.text), word.at, "has two arguments, its order and its argument: write " + call);
+            refuse(word.text, word.at, "has two arguments, its order and its argument: write " + call);
         }
         const expression x = before_end(opened);
         refuse_comma(word, " has two arguments: write " + call);
@@ -218,29 +261,17 @@ private:
 
     void refuse_comma(const token& word, const std::string& reason) const {
         if (at_symbol(',')) {
-            refuse(std::string(word.text), word.at, reason.substr(1));
+            refuse(word.text, word.at, reason.substr(1));
         }
-    }
-
-    // f(t), f(0), g(x).
-    [[noreturn]] void refuse_argument(const token& word) const {
-        const std::string name = text_of(words_, next_ - 1, next_);
-        const bool known = names_.unknowns.contains(word.text);
-        if (known && next_ + 1 < last_ && words_[next_ + 1].text == names_.variable) {
-            refuse(name + "(" + names_.variable + ")", word.at, "has an argument: write " + name);
-        }
-        if (known) {
-            refuse(name + "(", word.at,
-                   "is not part of an equation: an initial value is a statement, " + name +
-                       "(0) = 1, and a product has *");
-        }
-        refuse(name, word.at, "is not a function: write * for a product, or one of " + function_names());
     }
 
     expression named(const token& word) const {
-        const std::string name(word.text);
+        const std::string& name = word.text;
         if (name == "pi" && word.primes == 0) {
             return number(1, unit::pi);
+        }
+        if (is_euler(word)) {
+            return apply(function_kind::exp, expression(1));
         }
         if (names_.unknowns.contains(name)) {
             return unknown(name, word.primes);
@@ -254,16 +285,7 @@ private:
         if (names_.parameters.contains(name)) {
             return parameter(name);
         }
-        if (name == "i") {
-            refuse(name, word.at, "has no value: use imaginary numbers only in points");
-        }
-        if (name == "inf") {
-            refuse(name, word.at, "is not a number: write one");
-        }
-        refuse(name, word.at,
-               name == "t"
-                   ? "has no value: use the variable, " + names_.variable
-                   : "has no value: write " + name + " = number for a parameter, " + name + "' = ... for an unknown");
+        refuse_name(word, names_);
     }
 
     expression in_parentheses(const place& opened) {
@@ -291,7 +313,7 @@ private:
             }
             refuse_next();
         }
-        juxtaposed_ = false;
+        joined_at_.reset();
     }
 
     const statement& words_;
@@ -299,29 +321,10 @@ private:
     const known_names& names_;
     formula_role role_;
     int depth_ = 0;
-    bool juxtaposed_ = false;  // whether the last factor was a number directly before pi or deg
+    std::optional<std::size_t> joined_at_;  // the index of the number, if the last factor was one before a name
 };
 
 }  // namespace
-
-bool is_function_name(std::string_view name) { return function_named(name).has_value(); }
-
-void require_free_name(const token& name, const std::string& variable) {
-    const std::string text(name.text);
-    if (name.text == variable) {
-        refuse(text, name.at, "is the independent variable: choose another name, or `variable x`");
-    }
-    if (is_function_name(name.text) || text == "pi" || text == "inf") {
-        refuse(text, name.at, "is a reserved name: choose another");
-    }
-}
-
-void require_free_column(const token& name, const std::string& variable) {
-    require_free_name(name, variable);
-    if (std::ranges::find(names_of_columns, name.text) != names_of_columns.end()) {
-        refuse(std::string(name.text), name.at, "is the name of a column of tables: choose another");
-    }
-}
 
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
                         formula_role role) {

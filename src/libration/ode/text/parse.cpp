@@ -9,76 +9,33 @@
 #include "formula_parser.hpp"
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/scalar/text/near_word.hpp"
+#include "names.hpp"
 #include "statement.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-bool is_symbol(const token& word, char c) { return word.kind == token_kind::symbol && word.symbol == c; }
-
-std::string whole(const statement& words) { return text_of(words, 0, words.size()); }
-
-// The index of the only = of a statement.
-std::size_t equals_of(const statement& words) {
-    const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
-    const auto found = std::ranges::find_if(words, is_equals);
-    if (found == words.end()) {
-        refuse(whole(words), words.front().at, "is not an equation: write one with =");
-    }
-    if (std::ranges::count_if(words, is_equals) > 1) {
-        refuse(whole(words), words.front().at, "has more than one =: write separate statements");
-    }
-    const auto place = static_cast<std::size_t>(found - words.begin());
-    if (place == 0 || place + 1 == words.size()) {
-        refuse(whole(words), found->at, "has nothing on one side of =: write both sides");
-    }
-    return place;
-}
-
-bool is_keyword(const statement& words, std::string_view name) {
-    return words.size() > 1 && words[0].kind == token_kind::name && words[0].primes == 0 && words[0].text == name &&
-           words[1].kind != token_kind::symbol;
-}
-
-// invariant y^2 + x; also invariant (x + y)/2, but neither invariant = 3 nor invariant(0) = 1.
-bool is_invariant(const statement& words) {
-    const bool named =
-        words.size() > 1 && words[0].kind == token_kind::name && words[0].primes == 0 && words[0].text == "invariant";
-    return named && std::ranges::none_of(words, [](const token& word) { return is_symbol(word, '='); });
-}
-
-// name(...) = ...
-bool is_start(const statement& words) {
-    if (words.size() < 5 || words[0].kind != token_kind::name || is_function_name(words[0].text) ||
-        !is_symbol(words[1], '(')) {
-        return false;
-    }
-    int open = 0;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        open += is_symbol(words[i], '(') ? 1 : is_symbol(words[i], ')') ? -1 : 0;
-        if (open == 0) {
-            return i + 1 < words.size() && is_symbol(words[i + 1], '=');
-        }
-    }
-    return false;
-}
-
 // The statements of one problem, read in two passes: names first.
 class problem_reader {
 public:
     explicit problem_reader(std::string_view text) : all_(statements_of(text)) {
-        find_variable();
-        find_names();
+        const auto declared = declared_variable(all_);
+        const auto of_quotients = with_primes(all_, declared);
+        names_ = names_in(all_, declared ? *declared : of_quotients ? *of_quotients : inferred_variable(all_));
+        result_.open = open_names(all_, names_);
+        accept_open(result_.open);
     }
     /// Statements that change a system.
     problem_reader(std::string_view text, const equation_system& of) : all_(statements_of(text)) {
+        with_primes(all_, of.variable);
         names_.variable = of.variable;
         const auto unknowns = of.unknowns();
         names_.unknowns.insert(unknowns.begin(), unknowns.end());
         for (const definition& each : of.parameters) {
             names_.parameters.insert(each.name);
         }
+        accept_open(of.open);
     }
 
     equation_system read() {
@@ -111,9 +68,9 @@ public:
 
     void read_equality(const statement& words) {
         const std::size_t equals = equals_of(words);
-        if (is_start(words)) {
+        if (is_start(words, names_.variable)) {
             read_start(words, equals);
-        } else if (is_definition(words)) {
+        } else if (is_definition(words, names_)) {
             read_parameter(words);
         } else {
             result_.equations.push_back(
@@ -132,48 +89,17 @@ public:
             }
         }
         std::vector<std::string> found;
-        std::ranges::copy_if(names_.parameters, std::back_inserter(found),
-                             [&](const std::string& name) { return times[name] == 1; });
+        std::ranges::copy_if(names_.parameters, std::back_inserter(found), [&](const std::string& name) {
+            return times[name] == 1 &&
+                   std::ranges::find(result_.open, name, &open_parameter::name) == result_.open.end();
+        });
         return found;
     }
 
 private:
-    bool is_definition(const statement& words) const {
-        return words[0].kind == token_kind::name && words[0].primes == 0 && is_symbol(words[1], '=') &&
-               !names_.unknowns.contains(words[0].text);
-    }
-
-    void find_variable() {
-        bool found = false;
-        for (const statement& words : all_) {
-            if (is_keyword(words, "variable")) {
-                if (words.size() > 2 || words[1].kind != token_kind::name || words[1].primes > 0) {
-                    refuse(whole(words), words[0].at, "does not name a variable: write variable x");
-                }
-                if (found) {
-                    refuse(whole(words), words[0].at, "is a second independent variable: leave one out");
-                }
-                require_free_name(words[1], "");
-                names_.variable = words[1].text;
-                found = true;
-            }
-        }
-    }
-
-    void find_names() {
-        for (const statement& words : all_) {
-            for (const token& word : words) {
-                if (word.kind == token_kind::name && word.primes > 0 && !is_function_name(word.text)) {
-                    require_free_column(word, names_.variable);
-                    names_.unknowns.emplace(word.text);
-                }
-            }
-        }
-        for (const statement& words : all_) {
-            if (words.size() > 1 && is_definition(words)) {
-                require_free_name(words[0], names_.variable);
-                names_.parameters.emplace(words[0].text);
-            }
+    void accept_open(const std::vector<open_parameter>& open) {
+        for (const open_parameter& each : open) {
+            names_.parameters.insert(each.name);
         }
     }
 
@@ -192,21 +118,18 @@ private:
 
     void read_start(const statement& words, std::size_t equals) {
         const token& name = words[0];
-        const std::string of = primed(std::string(name.text), name.primes);
+        const std::string of = primed(name.text, name.primes);
         if (!names_.unknowns.contains(name.text)) {
             refuse(whole(words), name.at,
-                   "is not an initial value of an unknown: add an equation with " + std::string(name.text) + "'");
-        }
-        if (equals == 4 && words[2].text == names_.variable) {
-            refuse(of + "(" + names_.variable + ")", name.at, "has an argument: write " + of);
+                   "is not an initial value of an unknown: add an equation with " + name.text + "'");
         }
         const expression point = constant(words, 2, equals - 1, "point");
         const expression value = constant(words, equals + 1, words.size(), "value");
-        result_.starts.push_back({unknown(std::string(name.text), name.primes), point, value, name.at});
+        result_.starts.push_back({unknown(name.text, name.primes), point, value, name.at});
     }
 
     void read_parameter(const statement& words) {
-        const std::string name(words[0].text);
+        const std::string& name = words[0].text;
         if (!defined_.insert(name).second) {
             refuse(whole(words), words[0].at, "gives " + name + " a second value: give it only one");
         }
@@ -215,16 +138,17 @@ private:
 
     void read_exact_solution(const statement& words) {
         const std::size_t equals = equals_of(words);
-        if (equals != 2 || words[1].primes > 0 || !names_.unknowns.contains(words[1].text)) {
+        const bool named = equals == 2 || (equals == 5 && has_variable_behind(words, 1, names_.variable));
+        if (!named || words[1].primes > 0 || !names_.unknowns.contains(words[1].text)) {
             refuse(whole(words), words[0].at,
                    "does not name an unknown: write exact f = ... in the variable and parameters");
         }
-        expression value = formula(words, 3, words.size());
+        expression value = formula(words, equals + 1, words.size());
         if (value.has_unknowns()) {
             refuse(whole(words), words[0].at,
                    "has an unknown on its right-hand side: write it in the variable and parameters");
         }
-        result_.exact.push_back({std::string(words[1].text), std::move(value), words[0].at});
+        result_.exact.push_back({words[1].text, std::move(value), words[0].at});
     }
 
     std::vector<statement> all_;
@@ -237,6 +161,7 @@ private:
 [[noreturn]] void refuse_parameter(const definition& of, const equation_system& system) {
     std::vector<std::string> own;
     std::ranges::transform(system.parameters, std::back_inserter(own), &definition::name);
+    std::ranges::transform(system.open, std::back_inserter(own), &open_parameter::name);
     std::string list;
     for (const std::string& name : own) {
         list += ", " + name;
@@ -263,7 +188,7 @@ equation_system changed(equation_system system, std::string_view text) {
                "is neither a parameter nor an initial value: write k = 1 or f(0) = 1");
     }
     for (const definition& each : more.parameters) {
-        if (system.parameter_of(each.name) == nullptr) {
+        if (system.parameter_of(each.name) == nullptr && !system.is_open(each.name)) {
             refuse_parameter(each, system);
         }
         system.set(each.name, each.value);
@@ -271,11 +196,14 @@ equation_system changed(equation_system system, std::string_view text) {
     for (const start& each : more.starts) {
         const auto found =
             std::ranges::find_if(system.starts, [&](const start& s) { return same_form(s.of, each.of); });
-        if (found == system.starts.end()) {
+        if (found != system.starts.end()) {
+            *found = each;
+        } else if (each.of.derivative() < system.order_of(each.of.name())) {
+            system.starts.push_back(each);
+        } else {
             refuse(primed(each.of.name(), each.of.derivative()), each.at,
                    "has no initial value in this problem: choose one that has");
         }
-        *found = each;
     }
     return system;
 }

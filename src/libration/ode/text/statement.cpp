@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
+#include "character.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/number_lexer.hpp"
@@ -11,8 +13,16 @@ namespace libration::ode {
 
 namespace {
 
-bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool goes_on_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool begins_name(const character& c) {
+    return c.kind == character_kind::letter ||
+           (c.kind == character_kind::ascii && std::isalpha(static_cast<unsigned char>(c.source.front())) != 0);
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+bool goes_on_name(const character& c) {
+    return begins_name(c) || c.kind == character_kind::subscript || c.source == "_" || is_digit(c.source.front());
+}
 
 // Reads the text from left to right.
 class reader {
@@ -21,17 +31,19 @@ public:
 
     std::vector<statement> read() {
         while (!rest_.empty()) {
-            const char c = rest_.front();
-            if (c == '#') {
+            const character c = first_character(rest_);
+            if (c.source == "#") {
                 advance(std::min(rest_.find('\n'), rest_.size()));
-            } else if (c == ';' || c == '\n') {
+            } else if (c.source == ";" || c.source == "\n" || ends_at_comma()) {
                 end_statement();
                 advance(1);
-            } else if (c == ' ' || c == '\t' || c == '\r') {
-                advance(1);
+            } else if (c.source == " " || c.source == "\t" || c.source == "\r" || c.kind == character_kind::blank) {
+                advance(c.source.size());
                 touches_ = false;
+            } else if (c.kind == character_kind::superscript) {
+                read_superscript();
             } else {
-                words_.push_back(word());
+                words_.push_back(word(c));
                 touches_ = true;
             }
         }
@@ -40,15 +52,14 @@ public:
     }
 
 private:
-    void advance(std::size_t count) {
-        for (const char c : rest_.substr(0, count)) {
-            if (c == '\n') {
-                at_ = {at_.line + 1, 1};
-            } else {
-                ++at_.column;
-            }
+    void advance(std::size_t bytes) {
+        const std::string_view passed = rest_.substr(0, bytes);
+        if (passed == "\n") {
+            at_ = {at_.line + 1, 1};
+        } else {
+            at_.column += static_cast<int>(characters_in(passed));
         }
-        rest_.remove_prefix(count);
+        rest_.remove_prefix(bytes);
     }
 
     void end_statement() {
@@ -59,39 +70,57 @@ private:
         touches_ = false;
     }
 
-    token word() {
-        const char c = rest_.front();
+    token begun() const {
         token made;
         made.at = at_;
         made.touches = touches_;
-        std::size_t length = 1;
-        if (begins_name(c)) {
-            made.kind = token_kind::name;
-            length = name_length();
-            for (; length + static_cast<std::size_t>(made.primes) < rest_.size() &&
-                   rest_[length + static_cast<std::size_t>(made.primes)] == '\'';
-                 ++made.primes) {
-            }
-        } else if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.') {
-            length = read_number(made);
-        } else {
-            length = read_symbol(made);
-        }
-        if (made.kind == token_kind::name && length + static_cast<std::size_t>(made.primes) > longest_name) {
-            refuse(std::string(rest_.substr(0, length)), at_,
-                   "has more than " + std::to_string(longest_name) + " characters, including primes: choose another");
-        }
-        made.text = rest_.substr(0, length);
-        advance(length + static_cast<std::size_t>(made.primes));
         return made;
     }
 
-    std::size_t name_length() const {
-        std::size_t length = 0;
-        while (length < rest_.size() && goes_on_name(rest_[length])) {
-            ++length;
+    // Completes a token with the next bytes of the text as its source.
+    void finish(token& made, std::size_t bytes) {
+        made.source = rest_.substr(0, bytes);
+        if (made.kind != token_kind::name) {
+            made.text = made.source;
         }
-        return length;
+        advance(bytes);
+    }
+
+    token word(const character& c) {
+        token made = begun();
+        if (begins_name(c)) {
+            const std::size_t bytes = read_name(made);
+            finish(made, bytes);
+        } else if (c.kind == character_kind::word) {
+            made.kind = token_kind::name;
+            made.text = c.ascii;
+            finish(made, c.source.size());
+        } else if (is_digit(c.source.front()) || c.source == ".") {
+            finish(made, read_number(made));
+        } else {
+            finish(made, read_symbol(made, c));
+        }
+        return made;
+    }
+
+    std::size_t read_name(token& made) const {
+        made.kind = token_kind::name;
+        std::string_view tail = rest_;
+        for (; !tail.empty() && goes_on_name(first_character(tail));
+             tail.remove_prefix(first_character(tail).source.size())) {
+            made.text += first_character(tail).ascii;
+        }
+        const std::size_t named = rest_.size() - tail.size();
+        while (!tail.empty() && (tail.front() == '\'' || first_character(tail).kind == character_kind::prime)) {
+            const character prime = first_character(tail);
+            made.primes += static_cast<int>(prime.ascii.size());
+            tail.remove_prefix(prime.source.size());
+        }
+        if (made.text.size() + static_cast<std::size_t>(made.primes) > longest_name) {
+            refuse(std::string(rest_.substr(0, named)), at_,
+                   "has more than " + std::to_string(longest_name) + " characters, including primes: choose another");
+        }
+        return rest_.size() - tail.size();
     }
 
     std::size_t read_number(token& made) const {
@@ -112,29 +141,101 @@ private:
         return rest_.size() - tail.size();
     }
 
-    // Whether a comma separates the arguments of a function here.
+    // x² and x⁻¹ as x^2 and x^-1.
+    void read_superscript() {
+        token power = begun();
+        power.symbol = '^';
+        power.raised = true;
+        power.source = rest_.substr(0, 0);
+        power.touches = true;
+        words_.push_back(power);
+        const character first = first_character(rest_);
+        if (!is_digit(first.ascii.front())) {
+            token sign = power;
+            sign.symbol = first.ascii.front();
+            finish(sign, first.source.size());
+            words_.push_back(sign);
+        }
+        token exponent = begun();
+        exponent.kind = token_kind::numeral;
+        exponent.raised = true;
+        std::string digits;
+        std::string_view tail = rest_;
+        while (!tail.empty() && first_character(tail).kind == character_kind::superscript &&
+               is_digit(first_character(tail).ascii.front())) {
+            digits += first_character(tail).ascii;
+            tail.remove_prefix(first_character(tail).source.size());
+        }
+        std::string_view unread = digits;
+        const auto number = take_number(unread);
+        if (!number) {
+            refuse(std::string(first.source), power.at, "is not an exponent: write digits, as in x^2");
+        }
+        exponent.value = number->value();
+        finish(exponent, rest_.size() - tail.size());
+        words_.push_back(exponent);
+        touches_ = true;
+    }
+
     bool in_parentheses() const {
         const auto count = [this](char c) { return std::ranges::count(words_, c, &token::symbol); };
         return count('(') > count(')');
     }
 
-    std::size_t read_symbol(token& made) const {
-        const char c = rest_.front();
+    // A comma outside parentheses separates statements; inside, the arguments of a function.
+    bool ends_at_comma() const {
+        if (rest_.front() != ',' || in_parentheses()) {
+            return false;
+        }
+        const bool in_number = touches_ && !words_.empty() && words_.back().kind == token_kind::numeral &&
+                               rest_.size() > 1 && is_digit(rest_[1]);
+        if (in_number) {
+            std::string_view tail = rest_.substr(1);
+            const std::string digits(tail.substr(0, tail.find_first_not_of("0123456789")));
+            const std::string before(words_.back().source);
+            refuse(before + "," + digits, words_.back().at,
+                   "is ambiguous: write " + before + "." + digits +
+                       " for a decimal, or a blank after a comma between "
+                       "statements");
+        }
+        return true;
+    }
+
+    std::size_t read_symbol(token& made, const character& c) const {
         if (rest_.starts_with("**")) {
             made.symbol = '^';
             return 2;
         }
+        require_no_interval(c);
+        if (c.kind == character_kind::symbol || (c.kind == character_kind::ascii && is_allowed(c.source.front()))) {
+            made.symbol = c.ascii.front();
+            return c.source.size();
+        }
+        refuse_symbol(c);
+    }
+
+    static bool is_allowed(char c) { return std::string_view("()+-*/^=,").find(c) != std::string_view::npos; }
+
+    // +- and -+, also of other characters for a minus.
+    void require_no_interval(const character& c) const {
         if (const auto sign = interval_sign_at(rest_)) {
             refuse(std::string(*sign), at_, interval_reason);
         }
-        made.symbol = c;
-        if (std::string_view("()+-*/^=").find(c) != std::string_view::npos || (c == ',' && in_parentheses())) {
-            return 1;
+        if ((c.ascii == "+" || c.ascii == "-") && rest_.size() > c.source.size()) {
+            const character next = first_character(rest_.substr(c.source.size()));
+            if ((next.ascii == "+" || next.ascii == "-") && next.ascii != c.ascii &&
+                next.kind != character_kind::superscript) {
+                refuse(std::string(c.source) + std::string(next.source), at_, interval_reason);
+            }
         }
-        const std::string shown = c > ' ' && c < '\x7f' ? std::string(1, c) : std::string("\\") + "?";
-        switch (c) {
-            case ',': refuse(shown, at_, "is not expected: write a decimal point, and ; between statements");
-            case '\'': refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
+    }
+
+    [[noreturn]] void refuse_symbol(const character& c) const {
+        const std::string shown = is_printable(c.source) ? std::string(c.source) : "\\?";
+        if (c.kind == character_kind::prime || c.source == "'") {
+            refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
+        }
+        switch (c.source.front()) {
             case '[':
             case '{': refuse(shown, at_, "is not a parenthesis here: write (");
             case '<':
@@ -150,6 +251,16 @@ private:
     std::vector<statement> all_;
 };
 
+// The last characters of a text, with "..." for those before.
+std::string end_of(std::string_view text) {
+    constexpr std::size_t shown = 60;
+    std::string_view rest = text;
+    for (std::size_t left_out = std::max(characters_in(text), shown) - shown; left_out > 0; --left_out) {
+        rest.remove_prefix(first_character(rest).source.size());
+    }
+    return (rest.size() < text.size() ? "..." : "") + std::string(rest);
+}
+
 }  // namespace
 
 std::vector<statement> statements_of(std::string_view text) {
@@ -163,9 +274,51 @@ std::string text_of(const statement& words, std::size_t first, std::size_t last)
     if (first >= last) {
         return "";
     }
-    const std::string_view from = words[first].text;
-    const token& end = words[last - 1];
-    return {from.data(), end.text.data() + end.text.size() + end.primes};
+    const std::string_view from = words[first].source;
+    const std::string_view end = words[last - 1].source;
+    return {from.data(), end.data() + end.size()};
+}
+
+std::string whole(const statement& words) { return text_of(words, 0, words.size()); }
+
+std::string corrected(const statement& words, std::size_t first, std::size_t last, const std::string& by) {
+    const auto end_of_token = [&](std::size_t i) { return words[i].source.data() + words[i].source.size(); };
+    const char* const from = first < last ? words[first].source.data() : end_of_token(first - 1);
+    const char* const to = first < last ? end_of_token(last - 1) : words[first].source.data();
+    return end_of({words.front().source.data(), from}) + by + beginning_of({to, end_of_token(words.size() - 1)});
+}
+
+bool is_symbol(const token& word, char c) { return word.kind == token_kind::symbol && word.symbol == c; }
+
+bool symbol_at(const statement& words, std::size_t index, char c) {
+    return index < words.size() && is_symbol(words[index], c);
+}
+
+std::size_t equals_of(const statement& words) {
+    const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
+    const auto found = std::ranges::find_if(words, is_equals);
+    if (found == words.end()) {
+        refuse(whole(words), words.front().at, "is not an equation: write one with =");
+    }
+    if (std::ranges::count_if(words, is_equals) > 1) {
+        refuse(whole(words), words.front().at, "has more than one =: write separate statements");
+    }
+    const auto place = static_cast<std::size_t>(found - words.begin());
+    if (place == 0 || place + 1 == words.size()) {
+        refuse(whole(words), found->at, "has nothing on one side of =: write both sides");
+    }
+    return place;
+}
+
+bool is_keyword(const statement& words, std::string_view name) {
+    return words.size() > 1 && words[0].kind == token_kind::name && words[0].primes == 0 && words[0].text == name &&
+           words[1].kind != token_kind::symbol;
+}
+
+bool is_invariant(const statement& words) {
+    const bool named =
+        words.size() > 1 && words[0].kind == token_kind::name && words[0].primes == 0 && words[0].text == "invariant";
+    return named && std::ranges::none_of(words, [](const token& word) { return is_symbol(word, '='); });
 }
 
 }  // namespace libration::ode

@@ -186,6 +186,23 @@ std::vector<answer_value> pendulum_solution::state_at(pendulum::proved_states& s
     return values;
 }
 
+// Calls the progress callback after the last row. False if it ends the work: the rows of the other times are empty.
+bool continues(const request& how, answer& result, std::size_t times) {
+    try {
+        if (how.progress) {
+            how.progress(static_cast<double>(result.rows.size()) / static_cast<double>(times));
+        }
+        return true;
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided) {
+            throw;
+        }
+        result.missing = problem;
+        result.rows.resize(times);
+        return false;
+    }
+}
+
 answer pendulum_solution::states(const std::vector<exact>& times, const request& how) const {
     const bool correct = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
     if (!correct) {
@@ -207,8 +224,8 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
             }
             result.missing = problem;
         }
-        if (how.progress) {
-            how.progress(static_cast<double>(i + 1) / static_cast<double>(times.size()));
+        if (!continues(how, result, times.size())) {
+            break;
         }
     }
     if (how.scalar.kind == scalar_kind::arbitrary && general_) {

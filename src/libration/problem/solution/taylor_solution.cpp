@@ -48,9 +48,8 @@ answer_value value_of(const proved_decimal& number) { return {number.text, numbe
 // The part of the interval from the initial point to the farthest time that has been integrated.
 class part_of_way {
 public:
-    part_of_way(const ode::explicit_system& system, const std::vector<ode::number>& times,
-                const std::function<void(double)>& progress)
-        : progress_(progress) {
+    part_of_way(const ode::explicit_system& system, const std::vector<ode::number>& times, const request& how)
+        : progress_(how.progress), reached_(how.reached) {
         const precision_scope few(digits_beyond_result);
         origin_ = ode::constant_value<mpfr>::of(system.point());
         for (const ode::number& each : times) {
@@ -58,7 +57,10 @@ public:
         }
     }
 
-    void operator()(const ball& reached) const {
+    void operator()(const ball& reached, long bits) const {
+        if (reached_) {
+            reached_(midpoint_of(reached).convert_to<double>(), bits);
+        }
         if (progress_ && whole_ > 0) {
             const precision_scope few(digits_beyond_result);
             const mpfr part = abs(midpoint_of(reached) - origin_) / whole_;
@@ -68,6 +70,7 @@ public:
 
 private:
     const std::function<void(double)>& progress_;
+    const std::function<void(double, long)>& reached_;
     mpfr origin_;
     mpfr whole_ = mpfr(0);
 };
@@ -168,9 +171,9 @@ answer taylor_solution::states(const std::vector<exact>& times, const request& h
 answer taylor_solution::proved_states(const std::vector<exact>& times, const request& how) const {
     const auto checked = checked_products(how.check);
     const auto at = numbers_of(times);
-    const part_of_way part(system_, at, how.progress);
+    const part_of_way part(system_, at, how);
     auto found = ode::proved_part_of_trajectory(system_, at, how.printed_digits(),
-                                                [&](const ball& reached, long /*bits*/) { part(reached); });
+                                                [&](const ball& reached, long bits) { part(reached, bits); });
     if (how.check) {
         require_second_proof(system_, times, how, found);
     }

@@ -1,0 +1,31 @@
+// Messages for formulas that are ambiguous or have another form: both readings, or the correction, as the statement
+// that was written with the correction in it.
+#pragma once
+
+#include <cstddef>
+
+#include "names.hpp"
+#include "statement.hpp"
+
+namespace libration::ode {
+
+/// y z, (y)(z): two operands without * between them, the second at this index.
+[[noreturn]] void refuse_product(const statement& words, std::size_t second);
+
+/// a/2y in the tokens begin .. end - 1: the number, at this index, is the denominator, or the product is.
+[[noreturn]] void refuse_denominator(const statement& words, std::size_t begin, std::size_t slash, std::size_t numeral,
+                                     std::size_t end);
+
+/// x^2y, where begin is the first token of the exponent, and the number at this index is its end, or end is.
+[[noreturn]] void refuse_exponent(const statement& words, std::size_t begin, std::size_t numeral, std::size_t end);
+
+/// sin y: the name of a function at this index without a parenthesis behind it.
+[[noreturn]] void refuse_without_argument(const statement& words, std::size_t function);
+
+/// a(t + 1), f(0), Sin(x): a name at this index that is not a function, before a parenthesis.
+[[noreturn]] void refuse_argument(const statement& words, std::size_t name, const known_names& names);
+
+/// A name without a value.
+[[noreturn]] void refuse_name(const token& word, const known_names& names);
+
+}  // namespace libration::ode

@@ -1,0 +1,55 @@
+// The names of a problem: its independent variable, unknowns and parameters, found before formulas are read.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "statement.hpp"
+
+namespace libration::ode {
+
+/// The meanings of the names of a problem.
+struct known_names {
+    std::string variable = "t";
+    std::set<std::string, std::less<>> unknowns;
+    std::set<std::string, std::less<>> parameters;
+};
+
+/// Whether the name is that of a function.
+bool is_function_name(std::string_view name);
+
+/// Throws error for pi, inf, the variable and names of functions.
+void require_free_name(const token& name, const std::string& variable);
+
+/// The independent variable, declared by `variable x`; std::nullopt if it is not declared. Throws error for more than
+/// one declaration.
+std::optional<std::string> declared_variable(const std::vector<statement>& all);
+
+/// Replaces dx/dt, d2x/dt2 and d^2x/dt^2 by x' and x'', unless dx or dt is a name of the problem. The variable is a
+/// letter, a Greek letter, a letter with a number, or `variable`. Returns the variable of the first one; std::nullopt
+/// if there is none. Throws error for another variable, and for orders that are not the same.
+std::optional<std::string> with_primes(std::vector<statement>& all, const std::optional<std::string>& variable);
+
+/// The variable, unless it is known: x in y'(x) = ... or in y(x), if y is an unknown; x, if no unknown is called x and t
+/// does not occur; else t. Throws error if several names are possible.
+std::string inferred_variable(const std::vector<statement>& all);
+
+/// The names that have primes, and those of statements name = ...: unknowns and parameters. Throws error for reserved
+/// names.
+known_names names_in(const std::vector<statement>& all, const std::string& variable);
+
+/// The other names that are not reserved, at their first occurrence: parameters whose value is open.
+std::vector<open_parameter> open_names(const std::vector<statement>& all, const known_names& known);
+
+/// k = ...: the definition of a parameter, which is a name without primes and not an unknown.
+bool is_definition(const statement& words, const known_names& names);
+
+/// name(...) = ..., an initial value; not y'(x) = ..., where x is the variable.
+bool is_start(const statement& words, const std::string& variable);
+
+/// Whether the tokens after the name of this index are the variable in parentheses: y'(x).
+bool has_variable_behind(const statement& words, std::size_t name, const std::string& variable);
+
+}  // namespace libration::ode
