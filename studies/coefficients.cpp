@@ -67,17 +67,16 @@ std::vector<coefficient_row> rows_of(const series::power_series<mpfr>& list, con
 std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const std::vector<int>& orders,
                              const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + guard_of_lists);
-    const auto lists =
-        lists_of_problem({sweep.system(i), 0, orders.back(), std::nullopt}, scalar.digits + guard_of_lists);
+    const auto lists = unknown_lists(sweep.system(i), orders.back(), scalar.digits + guard_of_lists);
     const auto answers = answers_to(lists, sweep, orders, scalar, is_verdict);
     std::vector<coefficient_row> rows;
     for (const int unknown : sweep.unknowns()) {
         const auto& name = sweep.name_of(unknown);
         const auto last = std::ranges::find_if(
             answers, [&](const answered_list& each) { return each.unknown == name && each.order == orders.back(); });
-        const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
-        const auto own =
-            rows_of(list, last == answers.end() ? answer_of_test{} : last->found, lists.root, scalar.digits, name);
+        const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
+        const auto own = rows_of(list, last == answers.end() ? answer_of_test{} : last->found, lists.front().lists.root,
+                                 scalar.digits, name);
         rows.insert(rows.end(), own.begin(), own.end());
     }
     return {make_table(columns(), rows), make_table(answered_columns(), answers)};

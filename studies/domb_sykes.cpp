@@ -276,7 +276,7 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
     const auto lists = lists_about_start(sweep.system(i), orders.back(), scalar.digits + guard_of_lists);
     std::vector<ratio_row> rows;
     for (const int unknown : sweep.unknowns()) {
-        const auto own = ratios_in(lists.unknowns[static_cast<std::size_t>(unknown)].parts.front(), lists.root,
+        const auto own = ratios_in(lists[static_cast<std::size_t>(unknown)].coefficients(), lists.front().lists.root,
                                    scalar.digits, sweep.name_of(unknown));
         rows.insert(rows.end(), own.begin(), own.end());
     }

@@ -133,10 +133,10 @@ std::vector<table> tables_at(const equation_sweep& sweep, std::size_t i, const s
     const auto lists = lists_about_start(sweep.system(i), orders.back(), scalar.digits + guard_of_lists);
     std::vector<root_row> rows;
     for (const int unknown : sweep.unknowns()) {
-        const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
+        const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
         for (int n = 1; n <= list.order(); ++n) {
             if (list[n] != 0) {
-                const mpfr root(mpfr(-lists.root) / n);
+                const mpfr root(mpfr(-lists.front().lists.root) / n);
                 rows.push_back({n, pow(mpfr(abs(list[n])), root), pow(mpfr(abs(list[n]) * n), root), scalar.digits,
                                 sweep.name_of(unknown)});
             }

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "equation/problem_series.hpp"
 #include "equation_plan.hpp"
 #include "libration/convergence/estimate/root_variable.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
+#include "libration/problem/unknown_lists.hpp"
 
 namespace libration::studies {
 
@@ -70,8 +70,8 @@ inline series::power_series<mpfr> first_of_list(const series::power_series<mpfr>
 }
 
 /// The coefficients of all unknowns about the initial point.
-inline problem_lists lists_about_start(const ode::explicit_system& system, int order, long digits) {
-    return lists_of_problem({system, 0, order, std::nullopt}, digits);
+inline std::vector<unknown_series> lists_about_start(const ode::explicit_system& system, int order, long digits) {
+    return unknown_lists(system, order, digits);
 }
 
 /// The results of the tests that are `shown` for the list up to this order, in powers of the root-th root of the
@@ -100,13 +100,13 @@ std::vector<answered_list> answers_to(const std::string& unknown, const series::
 
 /// The same for the requested unknowns and several orders, one order after the other.
 template <class Shown>
-std::vector<answered_list> answers_to(const problem_lists& lists, const equation_sweep& sweep,
+std::vector<answered_list> answers_to(const std::vector<unknown_series>& lists, const equation_sweep& sweep,
                                       const std::vector<int>& orders, const scalar_spec& scalar, const Shown& shown) {
     std::vector<answered_list> all;
     for (const int order : orders) {
         for (const int unknown : sweep.unknowns()) {
-            const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
-            const auto own = answers_to(sweep.name_of(unknown), list, order, scalar, shown, lists.root);
+            const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
+            const auto own = answers_to(sweep.name_of(unknown), list, order, scalar, shown, lists.front().lists.root);
             all.insert(all.end(), own.begin(), own.end());
         }
     }
