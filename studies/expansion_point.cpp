@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "libration/ode/parse.hpp"
 #include "libration/pendulum/error/expansion_coverage.hpp"
 #include "shared/list_answers.hpp"
 #include "shared/sweep_columns.hpp"
@@ -174,7 +175,8 @@ table rows_about(const equation_sweep& sweep, std::size_t i, const std::vector<e
                  const std::vector<int>& orders, const scalar_spec& scalar) {
     const precision_scope scope(scalar.digits + guard_of_lists);
     const exact& time = times[point];
-    const auto lists = lists_of_problem({sweep.system(i), 0, orders.back(), time.text}, scalar.digits + guard_of_lists);
+    const auto lists = unknown_lists(sweep.system(i), orders.back(), scalar.digits + guard_of_lists,
+                                     ode::parse_complex_constant(time.text));
     const auto distance = [&](const exact& end) {
         return mpfr(abs(mpfr(from_exact<mpfr>(end) - from_exact<mpfr>(time))));
     };

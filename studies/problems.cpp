@@ -79,11 +79,11 @@ const column_list<nearest_row>& nearest_columns() {
 }
 
 // The verdicts on the lists of all unknowns.
-std::vector<nearest_row> nearest_in(const std::string& name, const problem_lists& lists, int order) {
+std::vector<nearest_row> nearest_in(const std::string& name, const std::vector<unknown_series>& lists, int order) {
     std::vector<nearest_row> rows;
-    for (const problem_list& list : lists.unknowns) {
-        const auto verdict =
-            answers_to(list.name, list.parts.front(), order, arithmetic_of_lists(), is_verdict, lists.root);
+    for (const unknown_series& list : lists) {
+        const auto verdict = answers_to(list.name, list.coefficients(), order, arithmetic_of_lists(), is_verdict,
+                                        lists.front().lists.root);
         rows.push_back({name, verdict.front(), list.name});
     }
     return rows;
@@ -132,10 +132,10 @@ std::vector<table> tables_of_problem(const std::string& name, int order) {
     const auto lists = lists_about_start(system, order, digits);
     const auto nearest = nearest_in(name, lists, order);
     std::vector<size_row> sizes;
-    for (const problem_list& list : lists.unknowns) {
+    for (const unknown_series& list : lists) {
         for (int n = 0; n <= order; ++n) {
-            if (list.parts.front()[n] != 0) {
-                sizes.push_back({name, n, list.parts.front()[n], list.name});
+            if (list.coefficients()[n] != 0) {
+                sizes.push_back({name, n, list.coefficients()[n], list.name});
             }
         }
     }
@@ -143,9 +143,9 @@ std::vector<table> tables_of_problem(const std::string& name, int order) {
     {
         const precision_scope shorter(working_digits_of_solutions);
         const auto solution = march_over(system, length_for(nearest));
-        for (std::size_t i = 0; i < lists.unknowns.size(); ++i) {
+        for (std::size_t i = 0; i < lists.size(); ++i) {
             for (std::size_t k = 0; k < solution.times.size(); ++k) {
-                values.push_back({name, solution.times[k], solution.values[i][k], lists.unknowns[i].name});
+                values.push_back({name, solution.times[k], solution.values[i][k], lists[i].name});
             }
         }
     }

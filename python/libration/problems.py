@@ -120,6 +120,33 @@ class Problem:
         found = Table._of(parts)
         return Singularities(found.names, found.cells, complete)
 
+    def limits(self, digits: int = 50) -> Row:
+        """The unknowns and their lower derivatives at infinite time, proved by a lemma. Raises UndecidedError for a
+        problem without one."""
+        return Table._of(self._problem.limits(digits))[0]
+
+    def find(self, unknowns: str | Sequence[str], such_that: str | Sequence[str], digits: int = 50) -> dict[str, Ball]:
+        """The parameters or initial values "k", ["k", "f''(0)"] for which as many conditions "f'(5) = 1" hold, near the
+        values that the problem has, each digit proved. A condition at infinity, "f'(inf) = 1", is decided by a lemma
+        about a problem of the catalogue; UndecidedError without one."""
+        names = unknowns if isinstance(unknowns, str) else ", ".join(unknowns)
+        conditions = such_that if isinstance(such_that, str) else "; ".join(such_that)
+        return _values(Table._of(self._problem.find(names, conditions, digits)))
+
+    def orbit(self, digits: int = 50) -> dict[str, Ball]:
+        """The periodic orbit near the initial values of an autonomous problem, each digit proved: the unknowns and
+        their lower derivatives on a section, and the period."""
+        return _values(Table._of(self._problem.orbit(digits)))
+
+
+def _values(table: Table) -> dict[str, Ball]:
+    found: dict[str, Ball] = {}
+    for row in table:
+        value = row["value"]
+        assert isinstance(value, Ball)
+        found[str(row["name"])] = value
+    return found
+
 
 def radius_of(tests: Table) -> Radius:
     """The verdict of a table of tests."""

@@ -54,6 +54,16 @@ def test_coefficients_are_those_of_the_tangent():
         tangent().coefficients(3, scalar="ball:20", at="i")
 
 
+def test_unknowns_orbits_and_limits():
+    speed = lb.problem("y'' = -y; y(0) = 0; y'(0) = 1").find("y'(0)", "y(pi/6) = 1", 20)
+    assert str(speed["y'(0)"]) == "2.0000000000000000000" and speed["y'(0)"].proved
+    assert str(lb.problem("blasius").find(["k"], ["f'(inf) = 1"], 20)["k"]) == "0.33205733621519629894"
+    assert str(lb.problem("van_der_pol").orbit(12)["period"]).startswith("6.6632868593")
+    assert str(lb.problem("sir").limits(12)["S"]) == "76.0563587703"
+    with pytest.raises(lb.UndecidedError):
+        lb.problem("lorenz").limits(5)
+
+
 def test_radius_of_the_tangent():
     found = tangent().radius(order=100)
     assert not found.value.proved

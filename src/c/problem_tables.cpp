@@ -6,8 +6,8 @@
 #include "guarded.hpp"
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/first_order_form.hpp"
-#include "libration/ode/proved/problem_coefficients.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/problem/unknown_lists.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/text/given_number.hpp"
 #include "libration/scalar/text/proved_digits.hpp"
@@ -49,18 +49,6 @@ void add_estimate(libration_table& table, const convergence::radius_estimate<mpf
         table.add(std::string());
     }
     table.add(estimate.note);
-}
-
-std::vector<convergence::listed_function> functions_of(const ode::coefficient_list<mpfr>& list, std::size_t unknowns) {
-    std::vector<convergence::listed_function> functions;
-    for (std::size_t i = 0; i < unknowns; ++i) {
-        std::vector<mpfr> values;
-        for (std::size_t at = i; at < list.values.size(); at += unknowns) {
-            values.push_back(list.values[at]);
-        }
-        functions.push_back({{{series::power_series<mpfr>(std::move(values)), {}}}, list.root});
-    }
-    return functions;
 }
 
 // A part of a position to this number of digits: its uncertainty bounds the distance of the decimal from every point of
@@ -109,22 +97,21 @@ ode::singularity_map search(const ode::explicit_system& system, const std::strin
 
 }  // namespace
 
-libration_table table_of_radii(const std::vector<convergence::listed_function>& functions,
-                               const std::vector<std::string>& names, long digits) {
+libration_table table_of_radii(const std::vector<unknown_series>& unknowns, long digits) {
     const scalar_spec scalar{scalar_kind::arbitrary, digits};
     std::vector<convergence::radius_answers> all;
-    all.reserve(functions.size());
-    for (const auto& function : functions) {
+    all.reserve(unknowns.size());
+    for (const unknown_series& each : unknowns) {
         const precision_scope scope(digits + convergence::radius_guard_digits);
-        all.push_back(answers_of(function, scalar));
+        all.push_back(answers_of(each.lists, scalar));
     }
     const std::size_t nearest = nearest_of(all);
     libration_table table{
         {"method", "unknown", "radius", "position_re", "position_im", "exponent", "kind", "count", "note"}, {}};
-    add_estimate(table, all[nearest].rows.front(), names[nearest], digits);
+    add_estimate(table, all[nearest].rows.front(), unknowns[nearest].name, digits);
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t row = i == nearest ? 1 : 0; row < all[i].rows.size(); ++row) {
-            add_estimate(table, all[i].rows[row], names[i], digits);
+            add_estimate(table, all[i].rows[row], unknowns[i].name, digits);
         }
     }
     return table;
@@ -134,13 +121,7 @@ libration_table radius_table(const ode::explicit_system& system, long last, long
     if (last < 0 || last > most_powers) {
         throw error(error_kind::argument, "power", std::to_string(last), "is not between 0 and 100000");
     }
-    const auto list = ode::rounded_coefficients({scalar_kind::arbitrary, digits + convergence::radius_guard_digits},
-                                                {system, 0, last});
-    std::vector<std::string> names;
-    for (const auto& each : system.unknowns()) {
-        names.push_back(each.name);
-    }
-    return table_of_radii(functions_of(list, names.size()), names, digits);
+    return table_of_radii(unknown_lists(system, last, digits + convergence::radius_guard_digits), digits);
 }
 
 found_singularities singularity_table(const ode::explicit_system& system, const std::string& within, long digits,
@@ -192,6 +173,6 @@ int libration_list_radius(const char* coefficients, long digits, libration_table
             values.push_back(from_exact<mpfr>(written.back()));
         }
         const convergence::listed_series list{series::power_series<mpfr>(std::move(values)), std::move(written)};
-        return table_of_radii({{{list}, 1}}, {""}, digits);
+        return table_of_radii({{"", {{list}, 1}}}, digits);
     });
 }

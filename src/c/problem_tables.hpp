@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "handles.hpp"
-#include "libration/convergence/radius_answers.hpp"
+#include "libration/problem/series_request.hpp"
 
 namespace libration::c {
 
-/// The results for functions, the verdict of the nearest first and then all of each; to at most this number of digits.
-libration_table table_of_radii(const std::vector<convergence::listed_function>& functions,
-                               const std::vector<std::string>& names, long digits);
+/// The results for several lists, the verdict of the nearest first and then all of each; to at most this number of
+/// digits.
+libration_table table_of_radii(const std::vector<unknown_series>& unknowns, long digits);
 
 /// Of the unknowns of a system, from coefficients 0 .. last about its initial point.
 libration_table radius_table(const ode::explicit_system& system, long last, long digits);

@@ -3,15 +3,10 @@
 #include <memory>
 
 #include "guarded.hpp"
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/first_order_form.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/problem_coefficients.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"
-#include "libration/scalar/ball/decimal.hpp"
-#include "libration/scalar/exponent_range.hpp"
 #include "libration/scalar/text/given_number.hpp"
 #include "problem_tables.hpp"
 
@@ -30,6 +25,8 @@ libration_problem make_problem(const std::string& text, const std::string& setti
     const ode::explicit_system system(read.equations());
     return {read.equations(), system, ode::names_of_state(system)};
 }
+
+problem problem_of(const libration_problem& p) { return problem(p.equations); }
 
 exact time_of(const std::string& text) {
     const exact time = given_time("time", text);
@@ -66,7 +63,7 @@ known_states states_of(const libration_problem& p, const std::string& list, long
     const request how{.scalar = {proved ? scalar_kind::proved : scalar_kind::arbitrary, given_digits(digits)},
                       .progress = [&](double part) { watch(part); }};
     // A separate solution for each call: one in which memory ran out is not used again.
-    auto found = solve(problem(p.equations))->states(times, how);
+    auto found = solve(problem_of(p))->states(times, how);
     libration_table table{{"time"}, {}};
     table.names.insert(table.names.end(), p.names.begin(), p.names.end());
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -79,37 +76,34 @@ known_states states_of(const libration_problem& p, const std::string& list, long
     return {std::move(table), std::move(found.missing)};
 }
 
-std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool parts) {
-    std::vector<std::string> names;
-    for (const auto& each : system.unknowns()) {
-        if (parts) {
-            names.insert(names.end(), {each.name + "_re", each.name + "_im"});
-        } else {
-            names.push_back(each.name);
-        }
+libration_number number_of(const answer_value& value, const std::string& rigour) {
+    switch (value.kind) {
+        case value_kind::whole_number: return {value.text, "0", LIBRATION_PROVED};
+        case value_kind::text: return typed_number(value.text);
+        case value_kind::number: break;
     }
-    return names;
+    return rigour == "exact"    ? typed_number(value.text)
+           : rigour == "proved" ? proved_number({value.text, value.bound})
+                                : rounded_number(value.text);
 }
 
-// One row per power; `as_number` converts the elements of the list to numbers.
-template <class Number, class AsNumber>
-libration_table table_of(const ode::coefficient_request& request, const ode::coefficient_list<Number>& list,
-                         const AsNumber& as_number) {
-    libration_table table{{"n"}, {}};
-    const auto names = names_of_unknowns(request.system, list.complex);
-    table.names.insert(table.names.end(), names.begin(), names.end());
-    if (list.root > 1) {
-        table.names.emplace_back("power");
+// An answer of which every value is a number.
+libration_table table_of_numbers(const answer& found) {
+    libration_table table{found.names, {}};
+    for (const auto& row : found.rows) {
+        for (const answer_value& value : row) {
+            table.add(number_of(value, found.rigour));
+        }
     }
-    for (std::size_t at = 0; at < list.values.size(); at += names.size()) {
-        const long n = request.first + static_cast<long>(at / names.size());
-        table.add(count_number(n));
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            table.add(as_number(list.values[at + i]));
-        }
-        if (list.root > 1) {
-            table.add(typed_number(rational(n, list.root).str()));
-        }
+    return table;
+}
+
+// A name and a value in each row.
+libration_table table_of_values(const answer& found) {
+    libration_table table{found.names, {}};
+    for (const auto& row : found.rows) {
+        table.add(row[0].text);
+        table.add(number_of(row[1], found.rigour));
     }
     return table;
 }
@@ -122,30 +116,31 @@ ode::complex_constant read_point(const std::string& text) {
     }
 }
 
-libration_table coefficients_of(const ode::coefficient_request& request, long digits, bool proved) {
-    require_powers(request.first, request.order);
-    const whole_exponent_range exponents;
-    if (proved) {
-        return table_of(request, ode::proved_coefficients(request, given_digits(digits)), proved_number);
-    }
-    return table_of(request, ode::rounded_coefficients({scalar_kind::arbitrary, given_digits(digits)}, request),
-                    [&](const mpfr& value) { return rounded_number(to_decimal(value, digits)); });
-}
-
-ode::coefficient_request request_of(const libration_problem& p, const char* point, const char* corners, long first,
-                                    long last) {
-    ode::coefficient_request request{p.system, first, last};
-    if (is_given(point)) {
-        request.at = read_point(point);
-    } else if (is_given(corners)) {
+series_request request_of(const char* point, const char* corners, long first, long last) {
+    require_powers(first, last);
+    if (is_given(corners) && !is_given(point)) {
         throw error(error_kind::argument, "corners", corners, "are a path to a point, and no point is given");
     }
+    series_request request{.first = first, .order = last, .about = is_given(point) ? point : ""};
     if (is_given(corners)) {
         for (const std::string& each : items_of(corners, "corners")) {
             request.corners.push_back(read_point(each));
         }
     }
     return request;
+}
+
+request digits_by(long digits, int rigour) {
+    return {.scalar = {asks_proof(rigour) ? scalar_kind::proved : scalar_kind::arbitrary, given_digits(digits)}};
+}
+
+// "f'(5) = 1; y(1) = 2".
+std::vector<std::string> conditions_of(const std::string& text) {
+    std::vector<std::string> conditions;
+    for (const auto& [left, right] : settings_of(text, "conditions")) {
+        conditions.push_back(left + " = " + right);
+    }
+    return conditions;
 }
 
 }  // namespace
@@ -196,18 +191,17 @@ int libration_problem_known_states(const libration_problem* problem, const char*
 int libration_problem_coefficients(const libration_problem* problem, const char* point, const char* corners, long first,
                                    long last, long digits, int rigour, libration_table** coefficients) {
     return made(coefficients, [&] {
-        return coefficients_of(request_of(given(problem, "problem"), point, corners, first, last), digits,
-                               asks_proof(rigour));
+        const series_request request = request_of(point, corners, first, last);
+        return table_of_numbers(
+            solve(problem_of(given(problem, "problem")))->series(request, digits_by(digits, rigour)));
     });
 }
 
 int libration_problem_fractions(const libration_problem* problem, long first, long last,
                                 libration_table** coefficients) {
     return made(coefficients, [&] {
-        require_powers(first, last);
-        const ode::coefficient_request request{given(problem, "problem").system, first, last};
-        return table_of(request, ode::exact_coefficients(request),
-                        [](const rational& value) { return typed_number(value.str()); });
+        const series_request request = request_of(nullptr, nullptr, first, last);
+        return table_of_numbers(*solve(problem_of(given(problem, "problem")), {.general = true})->fractions(request));
     });
 }
 
@@ -220,10 +214,10 @@ int libration_problem_radius_bounds(const libration_problem* problem, long digit
     return guarded([&] {
         given(lower, "the pointer to the lower bound");
         given(upper, "the pointer to the upper bound");
-        const auto proof = ode::prove_radius(given(problem, "problem").system, given_digits(digits));
-        const auto [below, above] = ode::outward_decimals(proof, digits);
-        auto first = std::make_unique<libration_number>(typed_number(below));
-        *upper = std::make_unique<libration_number>(typed_number(above)).release();
+        const answer found =
+            solve(problem_of(given(problem, "problem")))->radius("", proved_digits(given_digits(digits)));
+        auto first = std::make_unique<libration_number>(typed_number(found.at(0, "lower")));
+        *upper = std::make_unique<libration_number>(typed_number(found.at(0, "upper"))).release();
         *lower = first.release();
     });
 }
@@ -241,6 +235,29 @@ int libration_problem_singularities(const libration_problem* problem, const char
             *complete = found.complete ? 1 : 0;
         }
         return std::move(found.table);
+    });
+}
+
+int libration_problem_limits(const libration_problem* problem, long digits, libration_table** limits) {
+    return made(limits, [&] {
+        return table_of_numbers(
+            solve(problem_of(given(problem, "problem")))->limits(proved_digits(given_digits(digits))));
+    });
+}
+
+int libration_problem_find(const libration_problem* problem, const char* unknowns, const char* conditions, long digits,
+                           libration_table** values) {
+    return made(values, [&] {
+        return table_of_values(
+            find_unknowns(problem_of(given(problem, "problem")), items_of(text_of(unknowns, "unknowns"), "unknowns"),
+                          conditions_of(text_of(conditions, "conditions")), proved_digits(given_digits(digits))));
+    });
+}
+
+int libration_problem_orbit(const libration_problem* problem, long digits, libration_table** orbit) {
+    return made(orbit, [&] {
+        return table_of_values(
+            find_periodic_orbit(problem_of(given(problem, "problem")), proved_digits(given_digits(digits))));
     });
 }
 

@@ -108,8 +108,7 @@ void problem_options::add_to(CLI::App& command, closed_forms known) {
 }
 
 std::unique_ptr<libration::solution> problem_options::solution(bool general) const {
-    if (!problem_) {
-        require_problem();
+    if (!is_chosen()) {
         return nullptr;
     }
     const libration::problem asked(equations());
@@ -123,13 +122,20 @@ std::unique_ptr<libration::solution> problem_options::solution(bool general) con
     return found;
 }
 
-void problem_options::require_problem() const {
+std::unique_ptr<libration::solution> problem_options::general_solution() const {
+    const libration::problem asked(equations());
+    return naming_option(changes_.empty() ? "--problem" : "--problem with --set",
+                         [&] { return solve(asked, {.general = true}); });
+}
+
+bool problem_options::is_chosen() const {
     if (!problem_ && !changes_.empty()) {
         throw input_error("--set", changes_.front(), "requires --problem", "add --problem P");
     }
     if (!problem_ && general_) {
         throw input_error("--general requires --problem: add --problem P");
     }
+    return problem_.has_value();
 }
 
 void warn_of_unused_parameters(const std::string& written) {
@@ -157,8 +163,7 @@ void problem_options::warn_of_unused(const std::string& written) const {
 }
 
 ode::equation_system problem_options::equations() const {
-    require_problem();
-    if (!problem_) {
+    if (!is_chosen()) {
         throw input_error("no problem is given: add --problem P");
     }
     const std::string written = problem_named(*problem_).text;

@@ -52,13 +52,14 @@ public:
     /// The solution, nullptr if no problem is given; by Taylor series with --general or `general`. A line on stderr
     /// names the closed form that is used. Throws input_error, also for --set and --general without --problem.
     std::unique_ptr<libration::solution> solution(bool general = false) const;
-    bool given() const { return problem_.has_value(); }
+    /// The solution by Taylor series. Throws input_error if no problem is given.
+    std::unique_ptr<libration::solution> general_solution() const;
+    /// Whether a problem is given. Throws input_error for --set and --general without --problem.
+    bool is_chosen() const;
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
     /// The same as it is written, with the changes.
     ode::equation_system equations() const;
-    /// Throws input_error for --set and --general without --problem.
-    void require_problem() const;
     /// The argument as it was given.
     const std::optional<std::string>& problem() const { return problem_; }
     const std::vector<std::string>& changes() const { return changes_; }

@@ -35,10 +35,9 @@ partial_table problem_trajectory(const solution& of, const std::vector<exact>& t
                                  const std::function<void(double)>& progress = {});
 
 /// time_re,time_im,<unknown and its lower derivatives>_re,.._im,...,digits,rigour,time_typed: the same at points of the
-/// complex t-plane, by the corners and then straight to each (ode::complex_path). A part far smaller than the other is
-/// 0 (agreed_complex_values). Throws input_error for a point that is not reached, and for balls, which cannot prove
-/// such a path.
-table problem_trajectory_along(const ode::explicit_system& system, const std::vector<ode::complex_constant>& corners,
+/// complex t-plane (solution::states_along). Throws input_error for a point that is not reached, and for balls, which
+/// cannot prove such a path.
+table problem_trajectory_along(const solution& of, const std::vector<ode::complex_constant>& corners,
                                const std::vector<typed_point>& times, const arithmetic& numbers);
 
 /// How a trajectory of a problem is computed from the coefficients about its initial point.

@@ -61,11 +61,14 @@ void event_options::require_none() const {
     }
 }
 
-void event_options::require_absent() const {
-    if (until_) {
+bool event_options::given(const problem_options& problem) const {
+    if (until_ && !problem.is_chosen()) {
         throw input_error("--until", *until_, "requires --problem", "leave it out, or write --problem pendulum");
     }
-    require_none();
+    if (!until_) {
+        require_none();
+    }
+    return until_.has_value();
 }
 
 ode::event_request event_options::request(const problem_options& problem, const ode::explicit_system& system) const {

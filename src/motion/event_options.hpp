@@ -15,16 +15,14 @@ namespace libration {
 class event_options {
 public:
     void add_to(CLI::App& command);
-    /// Whether --until is given.
-    bool given() const { return until_.has_value(); }
-    /// Throws input_error for an option that has no meaning without --until.
-    void require_none() const;
-    /// Throws input_error for any of them: only problems have events.
-    void require_absent() const;
+    /// Whether --until is given. Throws input_error without a problem, and for an option that requires --until.
+    bool given(const problem_options& problem) const;
     /// Throws input_error.
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
 
 private:
+    void require_none() const;
+
     std::optional<std::string> until_, count_, way_, before_, horizon_;
     bool from_start_ = false;
 };

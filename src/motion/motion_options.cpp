@@ -68,6 +68,10 @@ int direction_of(const std::optional<std::string>& words) {
     return -1;
 }
 
+std::string usual_point_of(const chosen_motion& chosen) {
+    return chosen.by_state ? "start" : at_critical_energy(chosen.of.regime()) ? "bottom" : "top";
+}
+
 std::vector<exact> times_of(const std::string& value, regime r) {
     auto times = reading("--times", value, times_remedy, [&] { return read_grid(value); });
     for (const exact& time : times) {

@@ -54,6 +54,9 @@ private:
     std::optional<std::string> energy_, gap_, theta0_, omega0_, direction_, length_, gravity_;
 };
 
+/// The expansion point of a motion if none is given: start for a state, for an energy the top, at E = 2 the bottom.
+std::string usual_point_of(const chosen_motion& chosen);
+
 /// The times of a motion in this regime: a list or a range, also multiples of T if it has a period.
 std::vector<exact> times_of(const std::string& value, pendulum::regime r);
 

@@ -1,18 +1,15 @@
-// libration radius: the radius of convergence of a series from its coefficients alone, by every test.
+// libration radius: the radius of convergence of a series from its coefficients alone, by every test, or with proved
+// bounds.
 #include <fmt/format.h>
 
 #include <memory>
 #include <utility>
 
-#include "equation/problem_options.hpp"
-#include "equation/problem_radius.hpp"
-#include "equation/problem_series.hpp"
-#include "libration/convergence/radius_answers.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "equation/answer_table.hpp"
+#include "libration/problem/radius_answer.hpp"
 #include "list/coefficient_file.hpp"
-#include "motion/motion_options.hpp"
-#include "motion/motion_series.hpp"
-#include "motion/radius_rows.hpp"
+#include "motion/point_options.hpp"
+#include "motion/solution_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"
@@ -20,31 +17,20 @@
 
 namespace libration {
 
-using namespace series;
-using namespace convergence;
-using namespace pendulum;
-
 namespace {
 
 struct radius_options {
-    motion_options motion;
-    problem_options problem;
+    solution_options of;
     arithmetic_options arithmetic;
     output_options output;
+    point_options point;
     std::optional<std::string> order;
-    std::optional<std::string> at;
-    std::optional<std::string> via;
     std::optional<std::string> file;
     bool prove = false, check = false;
 };
 
-// An unknown of a file or of a problem.
-struct lists_of_unknown {
-    std::string name;
-    listed_function lists;
-};
-
-listed_series judged_part(const radius_options& options, const arithmetic& numbers, std::vector<exact> written) {
+convergence::listed_series listed_part(const radius_options& options, const arithmetic& numbers,
+                                       std::vector<exact> written) {
     if (options.order) {
         const auto order = static_cast<std::size_t>(order_of("--order", *options.order));
         if (order >= written.size()) {
@@ -55,99 +41,87 @@ listed_series judged_part(const radius_options& options, const arithmetic& numbe
         }
         written.resize(order + 1);
     }
-    const precision_scope scope(numbers.scalar.digits + radius_guard_digits);
+    const precision_scope scope(numbers.scalar.digits + convergence::radius_guard_digits);
     std::vector<mpfr> values;
     values.reserve(written.size());
     for (const exact& number : written) {
         values.push_back(from_exact<mpfr>(number));
     }
-    return {power_series<mpfr>(std::move(values)), std::move(written)};
+    return {series::power_series<mpfr>(std::move(values)), std::move(written)};
 }
 
-std::vector<lists_of_unknown> lists_of_file(const radius_options& options, const arithmetic& numbers) {
-    if (const auto motion = options.motion.first_given()) {
+std::vector<unknown_series> lists_of_file(const radius_options& options, const arithmetic& numbers) {
+    std::vector<unknown_series> lists;
+    for (named_list& list : lists_in_file(*options.file)) {
+        unknown_series unknown{list.name, {{listed_part(options, numbers, std::move(list.real))}, 1}};
+        if (list.is_complex()) {
+            unknown.lists.parts.push_back(listed_part(options, numbers, std::move(list.imaginary)));
+        }
+        lists.push_back(std::move(unknown));
+    }
+    return lists;
+}
+
+void require_file_alone(const radius_options& options) {
+    if (const auto motion = options.of.motion_given()) {
         throw input_error(fmt::format("--coefficients {} is given together with {}: give a list or a motion, not both",
                                       quotation(*options.file), *motion));
     }
-    if (options.at) {
-        throw input_error("--at", *options.at, "is a point of a motion, which --coefficients do not have",
+    if (options.of.given()) {
+        throw input_error("--coefficients", *options.file, "is given together with --problem", "give one of them");
+    }
+    if (options.point.at()) {
+        throw input_error("--at", *options.point.at(), "is a point of a motion, which --coefficients do not have",
                           "leave --at out");
     }
-    std::vector<lists_of_unknown> lists;
-    for (named_list& list : lists_in_file(*options.file)) {
-        lists_of_unknown unknown{list.name, {{judged_part(options, numbers, std::move(list.real))}, 1}};
-        if (list.is_complex()) {
-            unknown.lists.parts.push_back(judged_part(options, numbers, std::move(list.imaginary)));
-        }
-        lists.push_back(std::move(unknown));
-    }
-    return lists;
 }
 
-constexpr const char* usual_order_of_problems = "300";
-
-// The coefficients of every unknown, with all digits correct.
-std::vector<lists_of_unknown> judged_lists_of_problem(const radius_options& options, const arithmetic& numbers) {
-    if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
-    }
-    const long order = order_of("--order", options.order.value_or(usual_order_of_problems));
-    const problem_series_request request{options.problem.choose(), 0, order, options.at, options.via};
-    const long digits = numbers.scalar.digits + radius_guard_digits;
-    problem_lists found = naming_option("--problem", [&] { return lists_of_problem(request, digits); });
-    std::vector<lists_of_unknown> lists;
-    for (problem_list& each : found.unknowns) {
-        lists_of_unknown unknown{each.name, {{}, found.root}};
-        for (auto& part : each.parts) {
-            unknown.lists.parts.push_back({std::move(part)});
-        }
-        lists.push_back(std::move(unknown));
-    }
-    return lists;
-}
-
-// The radius of a motion is also known independently.
-struct list_of_known_radius {
-    listed_series list;
-    known_radius known;
-};
-
-list_of_known_radius list_of_motion(const radius_options& options, const arithmetic& numbers) {
-    if (!options.motion.first_given()) {
-        throw input_error(
-            "no coefficients are given: add a motion (--energy E, --gap G, or --theta0 A with --omega0 W) and --order "
-            "N, or --coefficients FILE");
-    }
-    series_request request{options.motion.choose_for(numbers.scalar), numbers.scalar, {}, 0};
-    if (!options.order) {
+answer radius_of_solution(const radius_options& options, const arithmetic& numbers) {
+    options.point.require_path(options.of);
+    const chosen_solution chosen = options.of.choose(options.arithmetic);
+    if (!options.order && !chosen.usual_order) {
         throw input_error("no --order is given: add --order N, the last power of the series");
     }
-    request.order = order_of("--order", *options.order);
-    request.at = point_of(options.at, request.chosen);
-    auto radius = exact_radius(request, numbers.digits + radius_guard_digits);
-    std::string text = radius ? to_decimal(*radius, numbers.digits) : "inf";
-    return {{power_series<mpfr>(coefficient_values(request))}, {std::move(text), std::move(radius)}};
+    series_request request{.order = order_of("--order", options.order ? *options.order : *chosen.usual_order)};
+    options.point.complete(request, chosen);
+    return options.point.asking_about(
+        [&] { return chosen.of->radius(request, {.scalar = numbers.scalar, .digits = numbers.digits}); });
 }
 
-// Lower and upper bound for a problem, by discs and loops instead of coefficients.
+// The columns that the text shows, below the verdict in words.
+std::string text_of(const answer& found, const table& data) {
+    const std::size_t last = data.columns().size() - 1;
+    const bool several = found.names.back() == "unknown";
+    const table shown = data.with_columns(several ? std::vector<std::size_t>{last, 0, 1, 2, 9}
+                                                  : std::vector<std::size_t>{0, 1, 2, 4, 9});
+    const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
+    return lines_of_notes(found) + "\n" + to_text(tests) +
+           "\nheuristic estimate: finitely many coefficients cannot prove a radius\n";
+}
+
+// Lower and upper bound, by discs and loops or by a closed form instead of coefficients.
 int prove_radius(const radius_options& options) {
-    if (!options.problem.given()) {
-        throw input_error("--prove is for differential equations: add --problem P");
-    }
+    options.of.require_problem("--prove is for differential equations: add --problem P");
     for (const auto& [name, value] :
-         {std::pair("--order", options.order), std::pair("--at", options.at), std::pair("--coefficients", options.file),
-          std::pair("--scalar", options.arithmetic.scalar())}) {
+         {std::pair("--order", options.order), std::pair("--at", options.point.at()),
+          std::pair("--coefficients", options.file), std::pair("--scalar", options.arithmetic.scalar())}) {
         if (value) {
             throw input_error(name, *value, "has no meaning for a proof about the initial point", "leave it out");
         }
     }
-    if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
-    }
     const long digits = options.arithmetic.choose().digits;
-    const auto answer =
-        naming_option("--problem", [&] { return proved_radius_of(options.problem.choose(), digits, options.check); });
-    options.output.write(answer.data, answer.text);
+    const chosen_solution chosen = options.of.choose(options.arithmetic);
+    const answer found = naming_option("--problem", [&] {
+        return chosen.of->radius(series_request{}, {.scalar = {scalar_kind::proved, digits}, .check = options.check});
+    });
+    table data({{"lower", ""}, {"upper", ""}, {"digits", ""}, {"rigour", ""}});
+    data.add_row({number_cell(found.at(0, "lower")), number_cell(found.at(0, "upper")), digits, found.rigour});
+    std::string text;
+    for (const answer_note& each : found.notes) {
+        text += fmt::format("{}  {}  {}: {}\n", each.name, found.at(0, each.name == "upper" ? "upper" : "lower"),
+                            found.rigour, each.text);
+    }
+    options.output.write(data, text);
     return 0;
 }
 
@@ -160,42 +134,18 @@ int run_radius(const radius_options& options) {
         throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
     }
     const arithmetic numbers = options.arithmetic.choose();
-    std::vector<lists_of_unknown> unknowns;
-    known_radius known;
-    if (options.problem.given()) {
-        if (options.file) {
-            throw input_error("--coefficients", *options.file, "is given together with --problem", "give one of them");
-        }
-        unknowns = judged_lists_of_problem(options, numbers);
-    } else if (options.file) {
-        unknowns = lists_of_file(options, numbers);
-    } else {
-        options.problem.require_problem();
-        if (options.via) {
-            throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem", "leave it out");
-        }
-        auto of_motion = list_of_motion(options, numbers);
-        unknowns.push_back({"", {{std::move(of_motion.list)}, 1}});
-        known = std::move(of_motion.known);
+    if (options.file) {
+        require_file_alone(options);
+    } else if (!options.of.given()) {
+        options.of.require_problem(
+            "no coefficients are given: add a motion (--energy E, --gap G, or --theta0 A with --omega0 W) and --order "
+            "N, or --coefficients FILE");
     }
-    std::vector<radius_answers> all;
-    all.reserve(unknowns.size());
-    for (const auto& unknown : unknowns) {
-        all.push_back(answers_of(unknown.lists, numbers.scalar));
-    }
-    if (all.size() == 1) {
-        const table data = radius_table(all.front(), known, numbers.digits);
-        options.output.write(data, radius_text(all.front(), known, data));
-        return 0;
-    }
-    std::vector<std::string> names;
-    names.reserve(unknowns.size());
-    for (const auto& unknown : unknowns) {
-        names.push_back(unknown.name);
-    }
-    const std::size_t nearest = nearest_of(all);
-    const table data = radius_table_of_unknowns(all, names, nearest, known, numbers.digits);
-    options.output.write(data, radius_text_of_unknowns(all, names, nearest, known, data));
+    const answer found = options.file ? radius_answer(lists_of_file(options, numbers), std::nullopt,
+                                                      {.scalar = numbers.scalar, .digits = numbers.digits})
+                                      : radius_of_solution(options, numbers);
+    const table data = table_of(found);
+    options.output.write(data, text_of(found, data));
     return 0;
 }
 
@@ -207,19 +157,16 @@ subcommand radius_command(CLI::App& program) {
         "radius",
         "the radius of convergence from coefficients alone: of a motion's series, of any problem, or of a list in a "
         "file");
-    options->motion.add_to(*command);
-    options->problem.add_to(*command);
+    options->of.add_to(*command);
     options->arithmetic.add_to(*command);
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N (default for a file: all of its coefficients)")
         ->type_name("N");
     command->add_flag("--prove", options->prove,
-                      "of a problem: proved lower and upper bounds that agree to --digits D (theorems L and C)");
+                      "proved lower and upper bounds that agree to --digits D (theorems L and C)");
     command->add_flag("--check", options->check,
                       "with --prove: compare with a second proof by another route, exit 1 if they disagree");
-    command->add_option("--at", options->at, "top, bottom, start or a time (T/8, 1.1)")->type_name("POINT");
-    command->add_option("--via", options->via, "corners of the path to --at of a problem in the complex plane: 1+i,2+i")
-        ->type_name("LIST");
+    options->point.add_to(*command);
     command
         ->add_option(
             "--coefficients", options->file,

@@ -239,13 +239,9 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
-    if (!options.problem.given()) {
-        options.events.require_absent();
-    }
-    if (options.events.given()) {
+    if (options.events.given(options.problem)) {
         return write_events(options, digits);
     }
-    options.events.require_none();
     const auto asked = asked_by(options, digits);
     const bool closed = std::ranges::any_of(asked, [](const auto& each) { return !each.of->closed_form().empty(); });
     if (options.check && closed && digits > most_checked_digits) {

@@ -134,12 +134,12 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
                                  {}};
         });
     }
-    const auto system = options.problem.choose();
     if (options.via || has_imaginary_unit(options.times)) {
+        const auto of = options.problem.general_solution();
         const auto corners = corners_of(options.via);
         const auto points = complex_points("--times", options.times);
         return naming_option("--problem", [&] {
-            return partial_table{problem_trajectory_along(system, corners, points, numbers), {}, {}, {}};
+            return partial_table{problem_trajectory_along(*of, corners, points, numbers), {}, {}, {}};
         });
     }
     const auto times = times_of_problem(options.times);
@@ -152,7 +152,7 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
 
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
-    if (options.problem.given()) {
+    if (options.problem.is_chosen()) {
         const partial_table found = trajectory_of_problem(options);
         if (found.has_output()) {
             options.output.write(found.rows);
@@ -160,7 +160,6 @@ int run_trajectory(const trajectory_options& options) {
         require_complete(found);
         return 0;
     }
-    options.problem.require_problem();
     if (options.via) {
         throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem",
                           "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");

@@ -30,28 +30,30 @@ const std::vector<reference_table>& reference_set() {
     static const std::vector<reference_table> set{
         {"near_separatrix",
          "Next to the separatrix: gaps 2 - E from 0.1 to 1e-30 on both sides, from the canonical starts.",
-         {"pendulum", {{"--gaps", "1e-1:1e-30:30log,-1e-1:-1e-30:30log"}, {"--times", "1,10,100,T/8,T/3"}}}},
+         {table_subject_named("pendulum"),
+          {{"--gaps", "1e-1:1e-30:30log,-1e-1:-1e-30:30log"}, {"--times", "1,10,100,T/8,T/3"}}}},
         {"release_angles",
          "Released at rest from 1 to 179 degrees, the classical 30, 60, 90, 120 and 150 among them.",
-         {"pendulum",
+         {table_subject_named("pendulum"),
           {{"--theta0", "1deg,10deg:170deg:17,175deg,179deg"}, {"--omega0", "0"}, {"--times", "1,10,T/8,T/4"}}}},
         {"quarter_periods",
          "A whole period in eighths: theta is exactly 0 or a turning point at the quarters of libration.",
-         {"pendulum",
+         {table_subject_named("pendulum"),
           {{"--energies", "0.01,0.1,0.5,1,1.5,1.71,1.9,1.99,2.01,2.1,2.5,3,4,10,100"}, {"--times", "0:T:9"}}}},
         {"lemniscatic",
          "The lemniscatic case E = 1, released at 90 degrees: T = Gamma(1/4)^2/sqrt(pi).",
-         {"pendulum", {{"--energies", "1"}, {"--times", "0:T:25,0.1,0.5,1,2,5,10,100,1e6"}}}},
+         {table_subject_named("pendulum"), {{"--energies", "1"}, {"--times", "0:T:25,0.1,0.5,1,2,5,10,100,1e6"}}}},
         {"any_state",
          "From any angle with any velocity, also after 1e20 units of time.",
-         {"pendulum", {{"--theta0", "0.5,1,2,2.5,3,-10"}, {"--omega0", "-0.3,1.2,2.5"}, {"--times", "1,1000,1e20"}}}},
+         {table_subject_named("pendulum"),
+          {{"--theta0", "0.5,1,2,2.5,3,-10"}, {"--omega0", "-0.3,1.2,2.5"}, {"--times", "1,1000,1e20"}}}},
         {"jacobi_functions",
          "Jacobi's am, sn, cn and dn, with the complementary parameter m1 = 1 - m down to 1e-30.",
-         {"am,sn,cn,dn", {{"--u", "0.1,0.5,1,1.5,2,5,10,40,1000"}, {"--m1", moduli}}}},
-        {"complete_integral", "The complete elliptic integral K.", {"K", {{"--m1", moduli}}}},
+         {table_subject_named("am,sn,cn,dn"), {{"--u", "0.1,0.5,1,1.5,2,5,10,40,1000"}, {"--m1", moduli}}}},
+        {"complete_integral", "The complete elliptic integral K.", {table_subject_named("K"), {{"--m1", moduli}}}},
         {"incomplete_integral",
          "The incomplete elliptic integral F.",
-         {"F", {{"--phi", "1deg,30deg,45deg,60deg,89deg,90deg,1,1.5,2,10"}, {"--m1", moduli}}}}};
+         {table_subject_named("F"), {{"--phi", "1deg,30deg,45deg,60deg,89deg,90deg,1,1.5,2,10"}, {"--m1", moduli}}}}};
     return set;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
@@ -14,9 +13,7 @@ namespace libration {
 /// The equation of a table.
 struct table_problem {
     ode::explicit_system system;
-    std::shared_ptr<const libration::solution> solution;
-    std::string text;   ///< as it was read
-    std::string words;  ///< " --problem P --set X=VALUE": what names it in a command
+    std::unique_ptr<const libration::solution> solution;
 };
 
 /// The label of the digits of such a table.

@@ -4,13 +4,11 @@
 #include <memory>
 
 #include "equation/problem_options.hpp"
-#include "equation/swept_problem.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
 #include "table/elliptic_request.hpp"
-#include "table/function_table.hpp"
 #include "table/motion_grid.hpp"
 #include "table/table_formats.hpp"
 #include "table/table_order.hpp"
@@ -23,6 +21,7 @@ namespace {
 constexpr const char* usual_name = "reference_values";
 
 struct table_options {
+    std::string what;
     problem_options problem;
     table_order order;
     output_options output{"csv", {"cpp", "ipp", "numpy", "c", "fortran", "julia", "pari"}};
@@ -46,39 +45,13 @@ std::string name_in_program(const table_options& options) {
     return *options.name;
 }
 
-// The problem and the words that name it.
-table_problem chosen_problem(const table_options& options) {
-    if (!options.order.what.empty()) {
-        throw input_error("--problem", *options.problem.problem(),
-                          "comes together with the table " + options.order.what, "give one of them");
-    }
-    std::string words = " --problem " + quoted_word(*options.problem.problem());
-    for (const std::string& each : options.problem.changes()) {
-        words += " --set " + quoted_word(each);
-    }
-    return {options.problem.choose(), options.problem.solution(), problem_named(*options.problem.problem()).text,
-            words};
-}
-
-// What the table is of. Throws input_error where that is nothing.
-void choose_subject(table_order& order, const table_options& options) {
-    options.problem.require_problem();
-    if (options.problem.given()) {
-        order.problem = chosen_problem(options);
-    } else if (order.what.empty()) {
-        throw input_error("table is of nothing: name pendulum, functions as in am,sn, or add --problem P");
-    } else if (order.what != "pendulum") {
-        functions_of(order.what);
-    }
-}
-
 int run_table(const table_options& options) {
     options.output.check();
     const std::string name = name_in_program(options);
     const std::string& format = options.output.format();
     table_order order = options.order;
     order.digits = digits_of(options.digits);
-    choose_subject(order, options);
+    order.subject = table_subject_of(options.what, options.problem);
     require_own_options(order);
     if (order.said["--columns"] && !order.said["--points"]) {
         throw input_error("--columns", *order.said["--columns"], "comes without --points", "leave it out");
@@ -99,7 +72,7 @@ subcommand table_command(CLI::App& program) {
     const auto options = std::make_shared<table_options>();
     CLI::App* command =
         program.add_subcommand("table", "reference tables with proved digits: motions at times, or elliptic functions");
-    command->add_option("what", options->order.what, "pendulum, or functions as in am,sn: " + elliptic_names())
+    command->add_option("what", options->what, "pendulum, or functions as in am,sn: " + elliptic_names())
         ->type_name("pendulum|FUNCTION");
     options->problem.add_to(*command, problem_options::closed_forms::used);
     offer_motions(options->order.said, *command);

@@ -1,22 +1,51 @@
 // `libration table` in words, and the file that they make: what the command writes, and what reproduce publishes.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "equation/problem_options.hpp"
 #include "option/option_words.hpp"
-#include "table/problem_table.hpp"
+#include "table/motion_table.hpp"
 #include "text/table.hpp"
 
 namespace libration {
 
-/// The request: pendulum or a list of elliptic functions, and the arguments of their options.
+/// What a table is of: motions, elliptic functions, or the solution of a problem.
+class table_subject {
+public:
+    table_subject() = default;
+    table_subject(const table_subject&) = delete;
+    table_subject& operator=(const table_subject&) = delete;
+    virtual ~table_subject() = default;
+
+    /// The arguments of the command that name it: " pendulum".
+    virtual std::string words() const = 0;
+    /// For messages: "has no meaning for the table pendulum".
+    virtual std::string name() const = 0;
+    /// The first line of a file with comments.
+    virtual std::string title() const = 0;
+    /// The text of the problem; empty if it is not one.
+    virtual std::string text() const { return {}; }
+    virtual std::string rigour() const { return "proved to one unit in the last place"; }
+    /// The options that belong to the other kinds of table.
+    virtual std::vector<const char*> other_options() const = 0;
+    /// Throws input_error.
+    virtual table rows(const option_words& said, long digits, input_style style, int jobs) const = 0;
+};
+
+/// pendulum, or functions as in am,sn. Throws input_error for another name.
+std::shared_ptr<const table_subject> table_subject_named(const std::string& what);
+
+/// The problem of --problem, otherwise what is named. Throws input_error if both or neither are given.
+std::shared_ptr<const table_subject> table_subject_of(const std::string& what, const problem_options& problem);
+
+/// The request: the subject, and the arguments of its options.
 struct table_order {
-    std::string what;
+    std::shared_ptr<const table_subject> subject;
     option_words said;
     long digits = 50;
-    std::optional<table_problem> problem = {};  ///< instead of `what`, if given
 
     /// The command that makes it, without --out and --jobs.
     std::string command() const;

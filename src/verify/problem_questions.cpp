@@ -11,9 +11,10 @@
 
 namespace libration {
 
-problem_layout::problem_layout(ode::explicit_system system, ode::equation_system equations)
+problem_layout::problem_layout(ode::explicit_system system, ode::equation_system equations, const compare_rules& rules)
     : system_(std::move(system)),
       equations_(std::move(equations)),
+      rules_(rules),
       names_(ode::names_of_state(system_)),
       all_(ode::components_of(system_)) {}
 
@@ -42,6 +43,10 @@ void problem_layout::read(const column_names& names) {
         throw input_error(fmt::format("{} has none of the columns {} of the problem: its columns are {}: {}",
                                       names.file(), listed(names_), names.listed(), mapping_remedy));
     }
+}
+
+std::unique_ptr<question_reader> problem_layout::reader() const {
+    return std::make_unique<problem_questions>(*this, rules_);
 }
 
 exact problem_layout::time(const std::vector<std::string>& cells, bool as_double) const {

@@ -2,6 +2,7 @@
 // time.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,21 +15,19 @@
 
 namespace libration {
 
-/// Where the columns of a file are: time, or the variable of the problem, and unknowns and their lower derivatives,
-/// x, x', ...
-class problem_layout {
+/// The columns of a file: time, or the variable of the problem, and unknowns and their lower derivatives, x, x', ...
+class problem_layout : public row_subject {
 public:
     /// The problem solved for its highest derivatives, and as it is written.
-    problem_layout(ode::explicit_system system, ode::equation_system equations);
+    problem_layout(ode::explicit_system system, ode::equation_system equations, const compare_rules& rules);
 
-    /// The quantities, for column_names; they live as long as this.
-    std::vector<known_column> known() const;
-    /// Finds the columns of a file. Throws input_error where there is no time or nothing to compare.
-    void read(const column_names& names);
+    std::vector<known_column> known() const override;
+    void read(const column_names& names) override;
+    std::unique_ptr<question_reader> reader() const override;
 
     const ode::explicit_system& system() const { return system_; }
     const ode::equation_system& equations() const { return equations_; }
-    const std::vector<compared_column>& compared() const { return compared_; }
+    const std::vector<compared_column>& compared() const override { return compared_; }
     const std::vector<ode::solution_component>& components() const { return components_; }
     /// Throws error of the name of the column.
     exact time(const std::vector<std::string>& cells, bool as_double) const;
@@ -36,6 +35,7 @@ public:
 private:
     ode::explicit_system system_;
     ode::equation_system equations_;
+    const compare_rules& rules_;
     std::vector<std::string> names_;                   // of all components
     std::vector<ode::solution_component> all_;         // in the same order
     std::vector<ode::solution_component> components_;  // those of the file

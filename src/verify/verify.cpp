@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "equation/problem_options.hpp"
-#include "motion/motion_cells.hpp"
+#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/parallel.hpp"
@@ -15,14 +15,11 @@
 #include "sweep/study_order.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
-#include "verify/problem_questions.hpp"
 #include "verify/row_target.hpp"
 #include "verify/verify_layout.hpp"
 #include "verify/verify_summary.hpp"
 
 namespace libration {
-
-using namespace pendulum;
 
 namespace {
 
@@ -70,7 +67,7 @@ struct comparison_run {
     const column_names& names;
     const compare_rules& rules;
     const row_writer& writer;
-    const make_reader& reader;
+    const row_subject& subject;
     int jobs;
 };
 
@@ -82,7 +79,7 @@ void compare_all(column_file& records, const comparison_run& run, row_target& ta
     for (auto batches = read_batches(records, most); !batches.empty(); batches = read_batches(records, most)) {
         std::vector<std::vector<compared_row>> compared(batches.size());
         on_threads(batches.size(), run.jobs, [&](std::size_t i) {
-            row_comparer compare(run.reader(), run.rules, run.names, run.writer);
+            row_comparer compare(run.subject.reader(), run.rules, run.names, run.writer);
             compared[i].reserve(batches[i].size());
             for (const csv_record& record : batches[i]) {
                 compared[i].push_back(compare(record));
@@ -132,69 +129,27 @@ compare_rules rules_of(const verify_options& options) {
             tolerance_of("--ulp", options.ulps), options.inputs == "double", options.modulo_turn};
 }
 
-// Complains of the options as every command does.
-void check_motion(const motion_options& motion) {
-    const motion_cells cells = motion_cells::of(motion);
-    static_cast<void>(motion.squared_frequency());
-    const bool energetic = !cells.gap.text.empty() || !cells.energy.text.empty();
-    if (energetic || (!cells.theta0.text.empty() && !cells.omega0.text.empty())) {
-        motion.choose_for({scalar_kind::proved, 50});
-    }
-}
-
-// A file whose columns are known.
-struct opened_file {
-    const std::string& name;
-    column_file& records;
-    const column_names& names;
-};
-
-int compare_file(const verify_options& options, const opened_file& file, const compare_rules& rules,
-                 const std::vector<compared_column>& compared, const make_reader& reader) {
-    const auto& [name, records, names] = file;
-    const row_writer writer(options.format == "json", records.between(), names.own(), added_columns(compared));
+int run_verify(const verify_options& options) {
+    const compare_rules rules = rules_of(options);
+    const int jobs = jobs_of(options.jobs);  // complains before a file is read
+    const auto subject = row_subject_of(options.problem, options.motion, rules);
+    input_stream source("FILE", options.file);
+    column_file records(source);
+    const column_names names(source.name(), records.names(), records.count(), options.columns, subject->known());
+    subject->read(names);
+    const row_writer writer(options.format == "json", records.between(), names.own(),
+                            added_columns(subject->compared()));
     if (!records.has_records()) {
-        throw input_error(fmt::format("{} has no row to compare: write one below its names", name));
+        throw input_error(fmt::format("{} has no row to compare: write one below its names", source.name()));
     }
     row_target target(options.out);
     target.write(writer.head());
-    verify_summary summary(name);
-    compare_all(records, {names, rules, writer, reader, jobs_of(options.jobs)}, target, summary);
+    verify_summary summary(source.name());
+    compare_all(records, {names, rules, writer, *subject, jobs}, target, summary);
     target.write(writer.tail());
     target.finish();
     summary.print();
     return summary.exit_code();
-}
-
-int verify_problem(const verify_options& options, const compare_rules& rules) {
-    if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
-    }
-    if (options.modulo_turn) {
-        throw input_error("--modulo-2pi has no meaning for --problem: leave it out");
-    }
-    problem_layout layout(options.problem.choose(), options.problem.equations());
-    input_stream source("FILE", options.file);
-    column_file records(source);
-    const column_names names(source.name(), records.names(), records.count(), options.columns, layout.known());
-    layout.read(names);
-    return compare_file(options, {source.name(), records, names}, rules, layout.compared(),
-                        [&layout, &rules] { return std::make_unique<problem_questions>(layout, rules); });
-}
-
-int run_verify(const verify_options& options) {
-    const compare_rules rules = rules_of(options);
-    jobs_of(options.jobs);  // complains before a file is read
-    options.problem.require_problem();
-    if (options.problem.given()) {
-        return verify_problem(options, rules);
-    }
-    check_motion(options.motion);
-    input_stream source("FILE", options.file);
-    column_file records(source);
-    const column_names names(source.name(), records.names(), records.count(), options.columns, known_columns());
-    const verify_layout layout(names, options.motion, rules);
-    return compare_file(options, {source.name(), records, names}, rules, layout.compared(), layout.reader());
 }
 
 }  // namespace

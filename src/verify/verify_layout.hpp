@@ -1,33 +1,19 @@
-// Which kind of file `verify` has before it: motions, or elliptic functions.
+// What `verify` compares a file with, by its options and by the names of its columns.
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <memory>
 
-#include "verify/function_questions.hpp"
-#include "verify/motion_questions.hpp"
+#include "equation/problem_options.hpp"
+#include "libration/verify/proved/compare_rules.hpp"
+#include "motion/motion_options.hpp"
+#include "verify/row_question.hpp"
 
 namespace libration {
 
-/// All quantities that a file may have, for column_names.
-std::vector<known_column> known_columns();
-
-/// The kind of a file and its columns.
-class verify_layout {
-public:
-    /// Throws input_error for a file of neither kind, and for options of motions together with elliptic functions.
-    verify_layout(const column_names& names, const motion_options& motion, const compare_rules& rules);
-
-    const std::vector<compared_column>& compared() const {
-        return of_motions_ ? of_motions_->compared() : of_functions_->compared();
-    }
-    /// Makes a reader of rows for each thread; the layout has to outlive them.
-    make_reader reader() const;
-
-private:
-    std::optional<motion_layout> of_motions_;
-    std::optional<function_layout> of_functions_;
-    const compare_rules& rules_;
-};
+/// The problem of --problem; otherwise motions, whose missing numbers are those of the options, or elliptic functions,
+/// by the columns of the file. Throws input_error for options that contradict each other, and read() for a file of
+/// neither kind. The arguments have to outlive it.
+std::unique_ptr<row_subject> row_subject_of(const problem_options& problem, const motion_options& motion,
+                                            const compare_rules& rules);
 
 }  // namespace libration

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "equation/problem_series.hpp"
 #include "equation_plan.hpp"
 #include "libration/convergence/estimate/root_variable.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
 #include "libration/pendulum/error/series_on_arc.hpp"
+#include "libration/problem/unknown_lists.hpp"
 #include "sweep_columns.hpp"
 
 namespace libration::studies {
@@ -159,8 +159,8 @@ table answers_about(const sweep_energy& at, const exact& point, const std::vecto
 }
 
 /// The coefficients of all unknowns about the initial point.
-inline problem_lists lists_about_start(const ode::explicit_system& system, int order, long digits) {
-    return lists_of_problem({system, 0, order, std::nullopt}, digits);
+inline std::vector<unknown_series> lists_about_start(const ode::explicit_system& system, int order, long digits) {
+    return unknown_lists(system, order, digits);
 }
 
 /// The results for the list up to this order, in powers of the root-th root of the variable.
@@ -185,13 +185,13 @@ std::vector<answered_list> answers_to(const std::string& unknown, const series::
 
 /// The same for the requested unknowns and several orders, one order after the other.
 template <class Shown>
-std::vector<answered_list> answers_to(const problem_lists& lists, const equation_sweep& sweep,
+std::vector<answered_list> answers_to(const std::vector<unknown_series>& lists, const equation_sweep& sweep,
                                       const std::vector<int>& orders, const scalar_spec& scalar, const Shown& shown) {
     std::vector<answered_list> all;
     for (const int order : orders) {
         for (const int unknown : sweep.unknowns()) {
-            const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
-            const auto own = answers_to(sweep.name_of(unknown), list, order, scalar, shown, lists.root);
+            const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
+            const auto own = answers_to(sweep.name_of(unknown), list, order, scalar, shown, lists.front().lists.root);
             all.insert(all.end(), own.begin(), own.end());
         }
     }
@@ -230,8 +230,9 @@ study_plan plan_of_lists(const study_request& request, const char* too_short, co
             const auto answers = answers_to(lists, *sweep, orders, scalar, shown);
             std::vector<Row> all;
             for (const int unknown : sweep->unknowns()) {
-                const auto& list = lists.unknowns[static_cast<std::size_t>(unknown)].parts.front();
-                const auto own = rows({list, lists.root, sweep->name_of(unknown), scalar.digits, answers});
+                const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
+                const auto own =
+                    rows({list, lists.front().lists.root, sweep->name_of(unknown), scalar.digits, answers});
                 all.insert(all.end(), own.begin(), own.end());
             }
             return std::vector<table>{make_table(columns, all), make_table(answered_columns(), answers)};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/ode/parse.hpp"
+#include "libration/problem/find.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -41,6 +42,50 @@ TEST_CASE("a solution has states, events, series and a radius", "[problem]") {
     const answer radius = x->radius("", proved_digits(10));
     CHECK(radius.at(0, "lower").starts_with("1.57079632"));
     CHECK(radius.at(0, "upper").starts_with("1.57079632"));
+}
+
+TEST_CASE("a solution has a radius about any point, fractions and singularities", "[problem]") {
+    const auto x = solve(problem(tangent));
+    // About pi/4 the nearest pole of the tangent is pi/4 away.
+    const answer tests = x->radius({.order = 80, .about = "pi/4"}, rounded_digits(30));
+    CHECK(tests.rigour == "heuristic");
+    CHECK(tests.at(0, "method") == "verdict");
+    CHECK(tests.at(0, "radius").starts_with("0.78539816339744830961"));
+    CHECK(tests.at(0, "kind") == "pole");
+    const auto fractions = x->fractions({.first = 3, .order = 7});
+    REQUIRE(fractions);
+    CHECK(fractions->at(0, "n") == "3");
+    CHECK(fractions->at(4, "x") == "17/315");
+    const answer poles = x->singularities(2, proved_digits(12));
+    REQUIRE(poles.rows.size() == 2);
+    CHECK(poles.at(0, "rigour") == "proved");
+    CHECK(poles.at(0, "modulus") == "1.57079632679");
+    CHECK_FALSE(poles.missing);
+    CHECK_THROWS_AS(x->radius("1/2", proved_digits(5)), error);
+    CHECK_THROWS_AS(x->require_point("f(1)"), error);
+}
+
+// The radius of the closed form against the tests of coefficients, which do not use it.
+TEST_CASE("the radius of the pendulum is known without coefficients", "[problem]") {
+    const auto theta = solve(problem("pendulum"));
+    const answer tests = theta->radius({.order = 120, .about = "pi/4"}, rounded_digits(20));
+    CHECK_FALSE(tests.at(0, "exact").empty());
+    CHECK(std::stod(tests.at(0, "relative_error")) < 1e-8);
+    const answer bounds = theta->radius("", proved_digits(15));
+    const answer by_search = solve(problem("pendulum"), {.general = true})->radius("", proved_digits(6));
+    CHECK(bounds.at(0, "lower").substr(0, 6) == by_search.at(0, "lower").substr(0, 6));
+    CHECK(bounds.notes.size() == 2);
+}
+
+TEST_CASE("unknown parameters and orbits are found", "[problem]") {
+    const answer speed = find_unknowns(problem("y'' = -y; y(0) = 0; y'(0) = 1"), {"y'(0)"}, {"y(pi/6) = 1"},
+                                       {.scalar = {scalar_kind::proved, 20}, .check = true});
+    CHECK(speed.at(0, "name") == "y'(0)");
+    CHECK(speed.at(0, "value") == "2.0000000000000000000");
+    CHECK(find_unknowns(problem("blasius"), {"k"}, {"f'(inf) = 1"}, proved_digits(20)).at(0, "value") ==
+          "0.33205733621519629894");
+    CHECK_THROWS_AS(find_unknowns(problem("blasius"), {"k"}, {}, proved_digits(5)), error);
+    CHECK_THROWS_AS(find_unknowns(problem("blasius"), {"q"}, {"f'(5) = 1"}, proved_digits(5)), error);
 }
 
 TEST_CASE("a solution gives what it reaches and says what it does not", "[problem]") {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/scalar/dispatch.hpp"
@@ -34,12 +35,25 @@ inline request proved_digits(long digits) { return {.scalar = {scalar_kind::prov
 /// Every digit correct to one unit in the last, by runs that agree or by bounds.
 inline request rounded_digits(long digits) { return {.scalar = {scalar_kind::arbitrary, digits}}; }
 
-/// One number of a result.
+enum class value_kind { number, whole_number, text };
+
+/// One value of a result.
 struct answer_value {
     /// The decimal; empty if no digit of it is decided, or if the solution of its unknown does not reach the time.
     std::string text;
     /// If it is proved: an upper bound of |exact - decimal|, or of |exact| if no digit is decided. Empty otherwise.
     std::string bound;
+    value_kind kind = value_kind::number;
+};
+
+/// The index of a row, and words.
+inline answer_value whole_value(long n) { return {std::to_string(n), "0", value_kind::whole_number}; }
+inline answer_value text_value(std::string text) { return {std::move(text), "", value_kind::text}; }
+
+/// A remark about a result: "upper", "a singularity of y within 1e-9 of 1.5707963, because ...".
+struct answer_note {
+    std::string name;
+    std::string text;
 };
 
 /// Numbers with the names of their columns.
@@ -54,6 +68,8 @@ struct answer {
     std::vector<std::string> drifts = {};
     /// Why values are missing, if any are.
     std::optional<error> missing = {};
+    /// What explains the values, line by line: the reasons of a proof, the verdict of several tests.
+    std::vector<answer_note> notes = {};
 
     /// The decimal of a row and a column. Throws the error of missing values, and error for an unknown name.
     const std::string& at(std::size_t row, const std::string& name) const;

@@ -13,7 +13,9 @@
 #include "libration/ode/explicit_system.hpp"
 #include "libration/problem/answer.hpp"
 #include "libration/problem/problem.hpp"
+#include "libration/problem/series_request.hpp"
 #include "libration/scalar/exact.hpp"
+#include "libration/scalar/mpfr.hpp"
 
 namespace libration {
 
@@ -38,6 +40,10 @@ public:
     virtual answer states(const std::vector<exact>& times, const request& how) const = 0;
     /// The same for a list given as text: "0, 1/2, sqrt(2)".
     answer states(const std::string& times, const request& how) const;
+    /// The quantities at points of the complex plane, NAME_re and NAME_im each. A part far smaller than the other is 0
+    /// (agreed_complex_values). Throws error of the subject "point" for a point that is not reached, and for balls,
+    /// which cannot prove such a path.
+    virtual answer states_along(const complex_path_request& along, const request& how) const = 0;
     /// The constants of the motion that are known in closed form, in one row: for the pendulum energy, gap (2 - E),
     /// period, tstar (the effective period) and radius (of convergence about the top), inf if they are infinite.
     /// std::nullopt if there are none.
@@ -47,14 +53,45 @@ public:
     /// The first `count` times after the start at which a condition such as "x' = 1/2" holds: time and the quantities,
     /// proved, without omissions.
     virtual answer events(const std::string& condition, long count, const request& how) const = 0;
-    /// The Taylor coefficients of powers 0 .. order of every unknown about a time, by default the initial point: one
-    /// row per power, n and the unknowns.
-    virtual answer series(long order, const std::string& about, const request& how) const = 0;
-    /// Proved bounds of the radius of convergence of that series: lower and upper in one row; inf for both if every
-    /// solution is entire. Throws error of the kind undecided if the search cannot bound it.
-    virtual answer radius(const std::string& about, const request& how) const = 0;
+    /// Throws error of the kind argument unless the text is the notation of an expansion point of this solution; an
+    /// empty text is the usual one.
+    virtual void require_point(const std::string& about) const = 0;
+    /// The notation of such points, for messages: "a time as 1/2, or a complex one as 1+2i".
+    virtual std::string form_of_points() const = 0;
+    /// Taylor coefficients of the unknowns about a point: one row per power, n and the unknowns (about a complex point
+    /// NAME_re and NAME_im); in powers of a root of the variable also `power`, the exponent. Throws error of the
+    /// subject "time" or "point" for a point that is not reached or, in balls, to which no path is proved.
+    virtual answer series(const series_request& of, const request& how) const = 0;
+    /// Those of powers 0 .. order.
+    answer series(long order, const std::string& about, const request& how) const;
+    /// The same as exact fractions about the initial point; std::nullopt if this solution has only decimals. Throws
+    /// error if a coefficient is not a fraction.
+    virtual std::optional<answer> fractions(const series_request& /*of*/) const { return std::nullopt; }
+    /// The numbers that tests of convergence examine, a_0 .. a_order, with more digits than the scalar.
+    virtual std::vector<unknown_series> coefficient_lists(const series_request& of,
+                                                          const scalar_spec& scalar) const = 0;
+    /// The radius of convergence of the series about a point, for a request in balls: proved bounds `lower` and `upper`
+    /// in one row, both inf if every solution is entire; the order is not used. Throws error of the kind undecided if
+    /// the search cannot bound it. For any other scalar: all tests of the coefficients up to the order (radius_answer),
+    /// heuristic.
+    answer radius(const series_request& of, const request& how) const;
+    /// The same with the usual order.
+    answer radius(const std::string& about, const request& how) const;
+    /// The singularities in the complex plane within a distance of the initial point, by default twice that of the
+    /// nearest, on the branch reached along rays from it: position_re, position_im, modulus, uncertainty, kind,
+    /// exponent_re, exponent_im, rigour, unknown, coefficient_re, coefficient_im, resonances, evidence. Heuristic; for
+    /// a request in balls each position is proved, and those that are not have the reason as evidence. A note states
+    /// what was searched. Throws error of the kind undecided if no distance is given and none is found.
+    virtual answer singularities(const std::optional<double>& within, const request& how) const = 0;
 
 protected:
+    virtual answer proved_radius(const series_request& of, const request& how) const = 0;
+    /// The radius as known without coefficients, correct to `digits` digits, infinity included; std::nullopt if it is
+    /// not known.
+    virtual std::optional<mpfr> exact_radius(const std::string& /*about*/, long /*digits*/) const {
+        return std::nullopt;
+    }
+
     explicit solution(std::vector<std::string> quantities) : quantities_(std::move(quantities)) {}
 
 private:

@@ -9,73 +9,20 @@
 
 #include "../solution/taylor_solution.hpp"
 #include "known_problems.hpp"
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/explicit_system.hpp"
+#include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/pendulum/proved/proved_times.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
 #include "libration/pendulum/taylor/point_coefficients.hpp"
-#include "libration/scalar/ball/predicates.hpp"
-#include "libration/scalar/exponent_range.hpp"
+#include "libration/problem/axis.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "motion_series.hpp"
 
 namespace libration {
 
 namespace {
 
-using ode::explicit_system;
-using ode::node_kind;
 using pendulum::motion;
-
-// c of c sin(x), x the unknown of this name itself.
-std::optional<ode::number> factor_of_sine(const ode::expression& e, const std::string& name) {
-    if (e.kind() == node_kind::product && e.left().kind() == node_kind::constant) {
-        const auto rest = factor_of_sine(e.right(), name);
-        return rest ? std::optional(e.left().constant() * *rest) : std::nullopt;
-    }
-    const bool sine = e.kind() == node_kind::function && e.function() == function_kind::sin;
-    const bool of_it =
-        sine && e.left().kind() == node_kind::unknown && e.left().name() == name && e.left().derivative() == 0;
-    return of_it ? std::optional(ode::number(1)) : std::nullopt;
-}
-
-bool is_unknown(const ode::expression& e, const std::string& name) {
-    return e.kind() == node_kind::unknown && e.name() == name && e.derivative() == 0;
-}
-
-// The index of the angle among the unknowns and c of its second derivative c sin.
-struct pendulum_form {
-    std::size_t angle;
-    ode::number factor;
-};
-
-std::optional<pendulum_form> form_of(const explicit_system& system) {
-    const auto& unknowns = system.unknowns();
-    const auto& right = system.right();
-    if (system.singular()) {
-        return std::nullopt;
-    }
-    if (unknowns.size() == 1 && unknowns[0].order == 2) {
-        const auto factor = factor_of_sine(right[0], unknowns[0].name);
-        return factor ? std::optional(pendulum_form{0, *factor}) : std::nullopt;
-    }
-    if (unknowns.size() != 2 || unknowns[0].order != 1 || unknowns[1].order != 1) {
-        return std::nullopt;
-    }
-    for (const std::size_t angle : {0U, 1U}) {
-        const auto factor = factor_of_sine(right[1 - angle], unknowns[angle].name);
-        if (factor && is_unknown(right[angle], unknowns[1 - angle].name)) {
-            return pendulum_form{angle, *factor};
-        }
-    }
-    return std::nullopt;
-}
-
-exact exact_number(const ode::number& value, const std::string& name) {
-    const auto fraction = value.fraction();
-    return fraction ? exactly(*fraction) : exactly(value, name);
-}
 
 class pendulum_solution : public solution {
 public:
@@ -93,13 +40,27 @@ public:
     std::string closed_form() const override { return "the pendulum"; }
     std::vector<std::string> times_in_decimals(const std::vector<exact>& times, long digits) const override;
     answer states(const std::vector<exact>& times, const request& how) const override;
+    answer states_along(const complex_path_request& along, const request& how) const override {
+        return general("in the complex plane").states_along(along, how);
+    }
     std::optional<answer> constants(const request& how) const override;
     answer limits(const request& how) const override { return general("at infinite time").limits(how); }
     answer events(const std::string& condition, long count, const request& how) const override {
         return general("for events").events(condition, count, how);
     }
-    answer series(long order, const std::string& about, const request& how) const override;
-    answer radius(const std::string& about, const request& how) const override;
+    using solution::series;
+    void require_point(const std::string& about) const override;
+    std::string form_of_points() const override;
+    answer series(const series_request& of, const request& how) const override;
+    std::optional<answer> fractions(const series_request& of) const override {
+        return general_ ? general_->fractions(of) : std::nullopt;
+    }
+    std::vector<unknown_series> coefficient_lists(const series_request& of, const scalar_spec& scalar) const override;
+    std::optional<mpfr> exact_radius(const std::string& about, long digits) const override;
+    answer singularities(const std::optional<double>& within, const request& how) const override {
+        return general("for the singularities").singularities(within, how);
+    }
+    answer proved_radius(const series_request& of, const request& how) const override;
 
 private:
     class taylor_in_general : public taylor_solution {
@@ -122,6 +83,7 @@ private:
     std::vector<answer_value> state_at(pendulum::proved_states& states, const exact& time, bool check) const;
     std::vector<std::string> drifts(const std::vector<exact>& times, long digits) const;
     pendulum::expansion_point point_of(const std::string& about) const;
+    bool has_series(const series_request& of, const request& how) const;
 
     std::unique_ptr<taylor_in_general> general_;
     motion motion_;
@@ -253,83 +215,99 @@ std::vector<std::string> pendulum_solution::drifts(const std::vector<exact>& tim
     return general_->drifts(times, all, digits);
 }
 
-// An empty text is the initial point; the names of points of a motion are not times of an equation.
-pendulum::expansion_point pendulum_solution::point_of(const std::string& about) const {
-    if (!general_) {
-        return pendulum::point_of_motion(motion_, about.empty() ? "start" : about);
+void pendulum_solution::require_point(const std::string& about) const {
+    if (general_) {
+        general_->require_point(about);
+    } else if (!about.empty()) {
+        pendulum::point_of_motion(motion_, about);
     }
-    const exact time = about.empty() ? start_ : read_exact(about);
-    return {pendulum::expansion_point::place::time, since_start(time)};
 }
 
-answer pendulum_solution::series(long order, const std::string& about, const request& how) const {
-    const bool correct = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
-    if (general_ && (!correct || !second_order_ || about.find('i') != std::string::npos)) {
-        return general_->series(order, about, how);
+std::string pendulum_solution::form_of_points() const {
+    if (general_) {
+        return general_->form_of_points();
     }
-    const pendulum::expansion_point point = point_of(about);
-    const long digits = how.printed_digits();
-    const whole_exponent_range exponents;  // of a_n ~ R^-n
-    const auto values = printed(
-        how.scalar, digits,
-        [&]<class T>() {
-            const precision_scope wider(working_digits() + (rounding_scalar<T> ? 20 : 0));
-            return pendulum::point_coefficients<T>(motion_, point, 0, order);
-        },
-        [&] { return pendulum::vanishing_at(motion_, point, 0, order); });
+    return pendulum::at_critical_energy(motion_.regime()) ? "bottom, start or a time without T"
+                                                          : "top, bottom, start or a time such as 1.1 or T/8";
+}
+
+// The names of points of a motion are not times of an equation.
+pendulum::expansion_point pendulum_solution::point_of(const std::string& about) const {
+    if (about.empty()) {
+        return {pendulum::expansion_point::place::start, {}};
+    }
+    if (!general_) {
+        return pendulum::point_of_motion(motion_, about);
+    }
+    return {pendulum::expansion_point::place::time, since_start(read_exact(about))};
+}
+
+// Whether a point is a real time of the equations.
+bool is_real(const std::string& about) {
+    const auto imaginary = about.empty() ? std::nullopt : ode::parse_complex_constant(about).im.plain();
+    return about.empty() || (imaginary && imaginary->coefficient == 0);
+}
+
+// Whether the coefficients of theta alone, at a real time and without a second proof, are the answer.
+bool pendulum_solution::has_series(const series_request& of, const request& how) const {
+    const bool correct = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
+    return !general_ || (correct && second_order_ && of.corners.empty() && is_real(of.about) && !how.check);
+}
+
+answer pendulum_solution::series(const series_request& of, const request& how) const {
+    if (!has_series(of, how)) {
+        return general_->series(of, how);
+    }
+    if (!of.corners.empty() || how.check) {
+        general(how.check ? "for a second proof" : "along a path");
+    }
+    const auto values = printed_coefficients(motion_, point_of(of.about), of, how);
     const bool proved = how.scalar.kind == scalar_kind::proved;
-    answer result{.names = {"n", angle_}, .rows = {}, .rigour = proved ? "proved" : "two-method"};
+    const bool agreed = how.scalar.kind == scalar_kind::arbitrary;
+    answer result{.names = {"n", angle_},
+                  .rows = {},
+                  .rigour = proved   ? "proved"
+                            : agreed ? "two-method"
+                                     : "heuristic"};
     for (const printed_number& each : values) {
-        result.rows.push_back({{std::to_string(result.rows.size()), "0"}, {each.text, proved ? each.uncertainty : ""}});
+        const long n = of.first + static_cast<long>(result.rows.size());
+        result.rows.push_back({whole_value(n), {each.text, proved ? each.uncertainty : ""}});
     }
     return result;
 }
 
-answer pendulum_solution::radius(const std::string& about, const request& how) const {
+std::vector<unknown_series> pendulum_solution::coefficient_lists(const series_request& of,
+                                                                 const scalar_spec& scalar) const {
+    if (general_) {
+        return general_->coefficient_lists(of, scalar);
+    }
+    auto values = coefficient_values(motion_, point_of(of.about), of, scalar);
+    return {{angle_, {{{series::power_series<mpfr>(std::move(values))}}, 1}}};
+}
+
+std::optional<mpfr> pendulum_solution::exact_radius(const std::string& about, long digits) const {
+    return general_ && !is_real(about) ? std::nullopt
+                                       : std::optional(radius_to_digits(motion_, point_of(about), digits));
+}
+
+answer pendulum_solution::proved_radius(const series_request& of, const request& how) const {
     const long digits = how.printed_digits();
-    const pendulum::expansion_point point = point_of(about);
-    ode::proved_radius bounds;
-    bounds.infinite = true;
-    proved_decimals(digits + 1, [&] {
-        const auto found = pendulum::radius_about(pendulum::exact_solution<ball>(motion_), point);
-        bounds.infinite = !found;
-        if (found) {
-            const ball radius = *found * pendulum::time_unit<ball>(motion_);
-            bounds.lower = lower_bound(radius);
-            bounds.upper = upper_bound(radius);
-        }
-        return bounds.infinite ? std::vector<ball>{} : std::vector{bounds.lower, bounds.upper};
-    });
+    if (how.check) {
+        return general("for a second proof").radius(of, how);
+    }
+    const ode::proved_radius bounds = radius_bounds(motion_, point_of(of.about), digits);
     const auto [lower, upper] = ode::outward_decimals(bounds, digits);
-    return {.names = {"lower", "upper"}, .rows = {{{lower, ""}, {upper, ""}}}, .rigour = "proved"};
+    const std::string lattice = "the singularities are a lattice in closed form";
+    return {.names = {"lower", "upper"},
+            .rows = {{{lower, ""}, {upper, ""}}},
+            .rigour = "proved",
+            .notes = bounds.infinite ? std::vector<answer_note>{{"radius", "the motion is constant"}}
+                                     : std::vector<answer_note>{{"lower", lattice}, {"upper", lattice}}};
 }
 
 }  // namespace
 
 std::unique_ptr<solution> solution_of(const motion& m) { return std::make_unique<pendulum_solution>(m); }
-
-std::optional<recognised_pendulum> recognise_pendulum(const ode::equation_system& equations) {
-    const explicit_system system(equations);
-    const auto form = form_of(system);
-    if (!form) {
-        return std::nullopt;
-    }
-    const bool second_order = system.unknowns().size() == 1;
-    const auto& starts = system.starts();
-    const std::string& angle = system.unknowns()[form->angle].name;
-    const ode::number& omega0 = second_order ? starts[0][1] : starts[1 - form->angle][0];
-    try {
-        if (form->factor.sign() >= 0) {
-            return std::nullopt;
-        }
-        motion of = motion::of_state(exact_number(starts[form->angle][0], angle + "(0)"),
-                                     exact_number(omega0, angle + "'(0)"), exact_number(-form->factor, "k"));
-        return recognised_pendulum{std::move(of), exact_number(system.point(), "t0"), form->angle == 1, second_order,
-                                   angle};
-    } catch (const error&) {
-        return std::nullopt;
-    }
-}
 
 known_facts facts_of_pendulum() {
     return {.problem = "pendulum",

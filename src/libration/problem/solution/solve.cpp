@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/problem/radius_answer.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/text/given_number.hpp"
 #include "libration/scalar/text/list_items.hpp"
@@ -39,6 +41,22 @@ answer solution::states(const std::string& times, const request& how) const {
         list.push_back(given_time("time", item));
     }
     return states(list, how);
+}
+
+answer solution::series(long order, const std::string& about, const request& how) const {
+    return series({.order = order, .about = about}, how);
+}
+
+answer solution::radius(const series_request& of, const request& how) const {
+    if (how.scalar.kind == scalar_kind::proved) {
+        return proved_radius(of, how);
+    }
+    const long digits = how.printed_digits() + convergence::radius_guard_digits;
+    return radius_answer(coefficient_lists(of, how.scalar), exact_radius(of.about, digits), how);
+}
+
+answer solution::radius(const std::string& about, const request& how) const {
+    return radius({.order = usual_order_of_radius, .about = about}, how);
 }
 
 std::unique_ptr<solution> solve(const problem& given, const settings& by) {

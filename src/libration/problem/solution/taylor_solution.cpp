@@ -11,9 +11,7 @@
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/invariant.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/problem_coefficients.hpp"
 #include "libration/ode/proved/proved_events.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
@@ -25,9 +23,6 @@ namespace libration {
 
 namespace {
 
-// Minimum number of digits of integrations in addition to those of the result.
-constexpr long digits_beyond_result = 20;
-constexpr long digits_of_drift = 3;
 constexpr long digits_of_second = ode::more_digits_of_second_proof;
 
 std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
@@ -89,8 +84,6 @@ ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
     return all;
 }
 
-long digits_of_integration(const request& how) { return std::max(how.printed_digits(), how.scalar.digits); }
-
 ode::partial_states<mpfr> integrated(const ode::explicit_system& system, const std::vector<ode::number>& times,
                                      const request& how) {
     if (how.scalar.kind == scalar_kind::arbitrary) {
@@ -130,29 +123,6 @@ void require_second_proof(const ode::explicit_system& system, const std::vector<
             if (a && b) {
                 require_agreement(*a, *b, names[j] + " at time " + times[i].text);
             }
-        }
-    }
-}
-
-std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool complex) {
-    std::vector<std::string> names{"n"};
-    for (const auto& each : system.unknowns()) {
-        for (const char* part : complex ? std::vector{"_re", "_im"} : std::vector{""}) {
-            names.push_back(each.name + part);
-        }
-    }
-    return names;
-}
-
-// One row per power.
-template <class Number, class Value>
-void add_powers(answer& to, const ode::coefficient_list<Number>& list, const Value& value) {
-    const std::size_t width = to.names.size() - 1;
-    for (std::size_t at = 0; at < list.values.size(); at += width) {
-        auto& row = to.rows.emplace_back();
-        row.push_back({std::to_string(at / width), "0"});
-        for (std::size_t i = 0; i < width; ++i) {
-            row.push_back(value(list.values[at + i]));
         }
     }
 }
@@ -241,34 +211,6 @@ answer taylor_solution::events(const std::string& condition, long count, const r
     }
     result.missing = std::move(found.missing);
     return result;
-}
-
-answer taylor_solution::series(long order, const std::string& about, const request& how) const {
-    ode::coefficient_request asked{system_, 0, order};
-    if (!about.empty()) {
-        asked.at = ode::parse_complex_constant(about);
-    }
-    answer result{.names = names_of_unknowns(system_, asked.complex()), .rows = {}, .rigour = "proved"};
-    const long digits = how.printed_digits();
-    if (how.scalar.kind == scalar_kind::proved) {
-        add_powers(result, ode::proved_coefficients(asked, digits), value_of);
-        return result;
-    }
-    result.rigour = how.scalar.kind == scalar_kind::arbitrary ? "two-method" : "heuristic";
-    add_powers(result, ode::rounded_coefficients(how.scalar, asked), [&](const mpfr& value) {
-        return answer_value{to_decimal(value, digits), ""};
-    });
-    return result;
-}
-
-answer taylor_solution::radius(const std::string& about, const request& how) const {
-    if (!about.empty()) {
-        throw error(error_kind::argument, "point", about,
-                    "is not the initial point, the only one for which the radius of these equations is bounded");
-    }
-    const long digits = how.printed_digits();
-    const auto [lower, upper] = ode::outward_decimals(ode::prove_radius(system_, digits), digits);
-    return {.names = {"lower", "upper"}, .rows = {{{lower, ""}, {upper, ""}}}, .rigour = "proved"};
 }
 
 }  // namespace libration

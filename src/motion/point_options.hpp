@@ -1,0 +1,44 @@
+// The expansion point of a series, and the path to it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "libration/problem/series_request.hpp"
+#include "libration/scalar/error.hpp"
+#include "motion/solution_options.hpp"
+
+namespace libration {
+
+/// --at POINT and --via LIST.
+class point_options {
+public:
+    void add_to(CLI::App& command);
+    const std::optional<std::string>& at() const { return at_; }
+    /// Throws input_error for --via without --problem.
+    void require_path(const solution_options& of) const;
+    /// Throws input_error for a path through the complex plane in balls, which cannot prove it.
+    void require_provable(const scalar_spec& scalar) const;
+    /// Adds the point and the path to a request. Throws input_error for a text that is not a point of this solution.
+    void complete(series_request& request, const chosen_solution& chosen) const;
+    /// ask(); an error about the problem or about the path to the point names the option.
+    template <class Ask>
+    auto asking_about(const Ask& ask) const {
+        try {
+            return naming_option("--problem", ask);
+        } catch (const error& problem) {
+            if (!at_ || (problem.subject() != "time" && problem.subject() != "point")) {
+                throw;
+            }
+            refuse_path(problem);
+        }
+    }
+
+private:
+    [[noreturn]] void refuse_path(const error& problem) const;
+
+    std::optional<std::string> at_, via_;
+};
+
+}  // namespace libration
