@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/ode/integrator.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -22,6 +23,12 @@ struct request {
     bool check = false;
     /// Progress callback: the part of the work that is done, from 0 to 1.
     std::function<void(double part)> progress = {};
+    /// The integrator of states that are proved by integration. collocation is refused, as error of the subject
+    /// "integrator", if it does not support the system or the precision, and for results without such steps: closed forms
+    /// and results that are not proved. taylor is refused for closed forms.
+    ode::integrator_choice integrator = ode::integrator_choice::automatic;
+    /// Called for each step of a proof of states at times; not for the second proof of `check`.
+    ode::step_observer observer = {};
 
     long printed_digits() const { return digits > 0 ? digits : scalar.digits; }
 };
@@ -51,6 +58,8 @@ struct answer {
     std::vector<std::string> drifts = {};
     /// Why values are missing, if any are.
     std::optional<error> missing = {};
+    /// For proved states: where collocation was used, one entry per independent subsystem and direction of time.
+    std::vector<ode::collocation_use> collocation = {};
 
     /// The decimal of a row and a column. Throws the error of missing values, and error for an unknown name.
     const std::string& at(std::size_t row, const std::string& name) const;
