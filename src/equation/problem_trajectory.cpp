@@ -87,9 +87,10 @@ void refuse_times(const error& missing) {
 }
 
 partial_table problem_trajectory(const solution& of, const std::vector<exact>& times, const arithmetic& numbers,
-                                 const std::function<void(double)>& progress) {
-    partial_table found =
-        states_table(of, times, {.scalar = numbers.scalar, .digits = numbers.digits, .progress = progress});
+                                 const std::function<void(double)>& progress, ode::integrator_choice integrator) {
+    partial_table found = states_table(
+        of, times,
+        {.scalar = numbers.scalar, .digits = numbers.digits, .progress = progress, .integrator = integrator});
     if (found.missing && found.missing->kind() == error_kind::argument) {
         if (found.rows.rows().empty()) {
             refuse_times(*found.missing);

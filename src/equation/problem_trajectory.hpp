@@ -32,7 +32,8 @@ std::vector<column> columns_of_states(const ode::explicit_system& system);
 /// computes it (heuristic), in balls each digit proved. Throws input_error if no time is reached in arithmetic that
 /// rounds; otherwise a time that is not reached is missing.
 partial_table problem_trajectory(const solution& of, const std::vector<exact>& times, const arithmetic& numbers,
-                                 const std::function<void(double)>& progress = {});
+                                 const std::function<void(double)>& progress = {},
+                                 ode::integrator_choice integrator = ode::integrator_choice::automatic);
 
 /// time_re,time_im,<unknown and its lower derivatives>_re,.._im,...,digits,rigour,time_typed: the same at points of the
 /// complex t-plane (solution::states_along). Throws input_error for a point that is not reached, and for balls, which

@@ -92,7 +92,7 @@ partial_table states_table(const answer& found, const std::vector<exact>& times,
                            const std::vector<std::string>& decimals, long digits, const shared_cells& shared) {
     const auto columns = columns_of_answer(found, shared);
     partial_table result{table(columns), lines_of(shared.before_time) + lines_of(shared.behind_values), "",
-                         found.missing};
+                         found.missing, found.collocation};
     if (!result.heading.empty()) {
         result.heading += line_of("digits", std::to_string(digits)) + line_of("rigour", found.rigour) +
                           lines_of(shared.behind_rigour);
@@ -147,7 +147,7 @@ std::string lines_of_states(const table& data) {
 }
 
 partial_table stacked_states(const std::vector<partial_table>& parts) {
-    partial_table all{table(parts.front().rows.columns()), "", "", {}};
+    partial_table all{table(parts.front().rows.columns()), "", "", {}, {}};
     const std::string* heading = &all.heading;
     for (const partial_table& part : parts) {
         all.rows.append(part.rows);
@@ -157,6 +157,7 @@ partial_table stacked_states(const std::vector<partial_table>& parts) {
         heading = &part.heading;
         all.text += (all.text.empty() || part.text.empty() ? "" : "\n") + part.text;
         all.missing = all.missing ? all.missing : part.missing;
+        all.collocation.insert(all.collocation.end(), part.collocation.begin(), part.collocation.end());
     }
     return all;
 }

@@ -31,6 +31,7 @@ struct partial_table {
     /// value or its bound.
     std::string heading, text;
     std::optional<error> missing;
+    std::vector<ode::collocation_use> collocation = {};  ///< answer::collocation
 
     /// Whether there is something to write: false if the first time is missing already.
     bool has_output() const { return !missing || !rows.rows().empty(); }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "equation/solution_table.hpp"
@@ -32,9 +33,10 @@ namespace {
 struct reference_options {
     motion_options motion;
     problem_options problem;
+    integrator_options integrator;
     output_options output;
     event_options events;
-    std::optional<std::string> digits, times, motions, columns, jobs;
+    std::optional<std::string> digits, times, motions, columns, jobs, trace;
     bool check = false;
 };
 
@@ -173,9 +175,18 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
+// Throws for --integrator and --trace if nothing is integrated to given times.
+void require_no_integration(const reference_options& options, const std::string& reason) {
+    options.integrator.require_absent(reason);
+    if (options.trace) {
+        throw input_error("--trace", *options.trace, reason, "leave it out");
+    }
+}
+
 // The times at which a condition holds.
 int write_events(const reference_options& options, long digits) {
     refuse_motions(options);
+    require_no_integration(options, "has no meaning for --until, which finds events by Taylor series");
     if (options.times) {
         throw input_error("--times", *options.times, "is given together with --until, which finds the times",
                           "leave one out");
@@ -199,9 +210,14 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
     if (!options.times) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
+    if (options.trace && !of->closed_form().empty()) {
+        throw input_error("--trace", *options.trace, "has no steps to record, since a closed form is used",
+                          "add --general, or leave it out");
+    }
     if (*options.times != infinite_time) {
         return {std::move(of), times_of_problem(*options.times), *options.times};
     }
+    require_no_integration(options, "has no meaning for --time inf, which is proved by a lemma");
     if (options.check) {
         throw input_error("--check compares two proofs, and --time inf has only one, by a closed form: leave it out");
     }
@@ -210,7 +226,7 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
 
 std::vector<asked_solution> asked_by(const reference_options& options, long digits) {
     std::vector<asked_solution> asked;
-    if (auto of = options.problem.solution()) {
+    if (auto of = options.problem.solution(options.integrator.integrates())) {
         asked.push_back(problem_of_options(options, std::move(of)));
     } else if (options.motions) {
         asked = motions_of_file(options);
@@ -224,21 +240,35 @@ std::vector<asked_solution> asked_by(const reference_options& options, long digi
 std::vector<partial_table> answered(const std::vector<asked_solution>& asked, const reference_options& options,
                                     long digits) {
     progress shown("reference", asked.size() * progress_of_part::steps);
+    const auto trace = options.trace ? std::make_unique<step_trace>(*options.trace) : nullptr;
+    ode::step_observer observer;
+    if (trace) {
+        observer = [&](const ode::step_report& step) { trace->add(step); };
+    }
     std::vector<partial_table> parts(asked.size());
     on_threads(asked.size(), jobs_of(options.jobs), [&](std::size_t i) {
         progress_of_part to(shown);
         parts[i] = states_of(asked[i], {.scalar = {scalar_kind::proved, digits},
                                         .check = options.check,
                                         .progress = [&](double part) { to(part); },
-                                        .reached = [&](double time, long bits) { to.reached(time, bits); }});
+                                        .reached = [&](double time, long bits) { to.reached(time, bits); },
+                                        .integrator = options.integrator.choice(),
+                                        .observer = observer});
         to(1);
     });
+    if (trace) {
+        trace->finish();
+    }
     return parts;
 }
 
 int run_reference(const reference_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
+    options.integrator.choice();
+    if (!options.problem.is_chosen()) {
+        require_no_integration(options, "has no meaning without --problem");
+    }
     if (options.events.given(options.problem)) {
         return write_events(options, digits);
     }
@@ -248,10 +278,13 @@ int run_reference(const reference_options& options) {
         throw input_error("--digits", std::to_string(digits), "would take hours with --check",
                           fmt::format("write {} or fewer", most_checked_digits));
     }
-    const auto found = naming_option("--problem", [&] { return stacked_states(answered(asked, options, digits)); });
+    const auto found = naming_option("--problem", [&] {
+        return integrator_options::naming([&] { return stacked_states(answered(asked, options, digits)); });
+    });
     if (found.has_output()) {
         options.output.write(found.rows, found.text);
     }
+    options.integrator.state(found.collocation);
     require_complete(found);
     return 0;
 }
@@ -264,6 +297,7 @@ subcommand reference_command(CLI::App& program) {
         "reference", "proved digits of theta, omega, E, T, T* and R, or of any problem, at a list of times");
     options->motion.add_to(*command);
     options->problem.add_to(*command, problem_options::closed_forms::used);
+    options->integrator.add_to(*command);
     options->output.add_to(*command, output_options::columns_option::not_here);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");
@@ -276,6 +310,10 @@ subcommand reference_command(CLI::App& program) {
     command
         ->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, NAME=- to ignore one")
         ->type_name("THEIRS=OURS,...");
+    command
+        ->add_option("--trace", options->trace,
+                     "with --problem: a CSV file with the steps of the integration, written also if it fails")
+        ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->events.add_to(*command);
     command->add_flag("--check", options->check,

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "motion/motion_options.hpp"
@@ -28,6 +29,7 @@ constexpr const char* usual_step = "1e-5";
 struct trajectory_options {
     motion_options motion;
     problem_options problem;
+    integrator_options integrator;
     arithmetic_options arithmetic;
     output_options output;
     std::optional<std::string> method;
@@ -119,7 +121,12 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
         refuse("--order", options.order);
     }
     const arithmetic numbers = options.arithmetic.choose();
+    options.integrator.choice();
+    if (numbers.scalar.kind != scalar_kind::proved) {
+        options.integrator.require_absent("chooses the method of proofs, which need --scalar ball:D");
+    }
     if (approximated) {
+        options.integrator.require_absent("has no meaning for --method " + method);
         if (!options.order) {
             throw input_error("--method", method, "is computed from coefficients", "add --order N, the last power");
         }
@@ -143,11 +150,15 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
         });
     }
     const auto times = times_of_problem(options.times);
-    const auto of = options.problem.solution(options.method == "taylor");
+    const auto of = options.problem.solution(options.method == "taylor" || options.integrator.integrates());
     progress shown("trajectory", progress_of_part::steps);
     progress_of_part to(shown);
-    return naming_option("--problem",
-                         [&] { return problem_trajectory(*of, times, numbers, [&](double part) { to(part); }); });
+    return naming_option("--problem", [&] {
+        return integrator_options::naming([&] {
+            return problem_trajectory(
+                *of, times, numbers, [&](double part) { to(part); }, options.integrator.choice());
+        });
+    });
 }
 
 int run_trajectory(const trajectory_options& options) {
@@ -157,9 +168,11 @@ int run_trajectory(const trajectory_options& options) {
         if (found.has_output()) {
             options.output.write(found.rows);
         }
+        options.integrator.state(found.collocation);
         require_complete(found);
         return 0;
     }
+    options.integrator.require_absent("has no meaning without --problem");
     if (options.via) {
         throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem",
                           "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");
@@ -194,6 +207,7 @@ subcommand trajectory_command(CLI::App& program) {
         program.add_subcommand("trajectory", "theta and omega, or the unknowns of any problem, at a list of times");
     options->motion.add_to(*command);
     options->problem.add_to(*command, problem_options::closed_forms::used);
+    options->integrator.add_to(*command);
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/ode/integrator.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -26,6 +27,12 @@ struct request {
     std::function<void(double part)> progress = {};
     /// Of an integration, before progress: the time reached, and the bits of the run.
     std::function<void(double time, long bits)> reached = {};
+    /// The integrator of states that are proved by integration. collocation is refused, as error of the subject
+    /// "integrator", if it does not support the system or the precision, and for results without such steps: closed forms
+    /// and results that are not proved. taylor is refused for closed forms.
+    ode::integrator_choice integrator = ode::integrator_choice::automatic;
+    /// Called for each step of a proof of states at times; not for the second proof of `check`.
+    ode::step_observer observer = {};
 
     long printed_digits() const { return digits > 0 ? digits : scalar.digits; }
 };
@@ -70,6 +77,8 @@ struct answer {
     std::optional<error> missing = {};
     /// What explains the values, line by line: the reasons of a proof, the verdict of several tests.
     std::vector<answer_note> notes = {};
+    /// For proved states: where collocation was used, one entry per independent subsystem and direction of time.
+    std::vector<ode::collocation_use> collocation = {};
 
     /// The decimal of a row and a column. Throws the error of missing values, and error for an unknown name.
     const std::string& at(std::size_t row, const std::string& name) const;

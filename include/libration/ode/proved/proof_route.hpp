@@ -2,16 +2,10 @@
 #pragma once
 
 #include "libration/ode/ball/fast_product.hpp"
+#include "libration/ode/integrator.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 
 namespace libration::ode {
-
-/// The integrator of the steps to a time.
-enum class integrator_choice {
-    automatic,   ///< collocation if the steps of Taylor series are much shorter than the scale of the solution
-    taylor,      ///< Taylor series alone (theorem V)
-    collocation  ///< collocation (theorem K) from the start on; Taylor series if that is not possible
-};
 
 /// The choices that theorems T, S, V, L and C leave open: any order, any step inside the radius, any enclosing product
 /// of series. Two routes prove the same statements; what they have in common is listed in docs/proved.md.

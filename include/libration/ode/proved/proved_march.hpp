@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libration/ode/lifted_system.hpp"
@@ -36,8 +37,9 @@ enum class march_end {
 /// (error_frame::moved). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
 ///
 /// If the equations are stiff along the way of at(), that is if the solution is smooth over many of these steps, the
-/// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. This
-/// requires a system that is polynomial as it is, and no derivative of the flow.
+/// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. It
+/// integrates the polynomial form, from the image of the set under the added unknowns (rigorous/lifted_set.hpp), and the
+/// set of the given unknowns continues. This requires no derivative of the flow.
 ///
 /// The unknowns are those of the given system with their lower derivatives; the other unknowns of theorem T
 /// (lifted_system) are computed from them in each step. The precision decreases as the set grows: digits below its
@@ -54,7 +56,8 @@ public:
     static constexpr long usual_error_bits = 64;
 
     /// From the initial point, with so many bits; the error maps have error_bits, the precision of derivative_at().
-    /// From a singular initial point after a step of theorem S (singular_step.hpp), whose errors it throws.
+    /// From a singular initial point after a step of theorem S (singular_step.hpp), whose errors it throws. Throws error of
+    /// the subject "integrator" if the route is by collocation, which does not support this system or precision.
     proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits,
                  const proof_route& route = {});
     /// The same from all initial values in a box of balls, the given unknowns at the point of the system.
@@ -68,6 +71,8 @@ public:
     /// The same at every time of a ball.
     std::optional<std::vector<ball>> at(const ball& target);
 
+    /// To be called before the first step: the observer is called for each step that is used.
+    void observe(step_observer observer) { observer_ = std::move(observer); }
     /// To be called before the first step: errors are weighted absolutely, as for a solution that tends to a constant
     /// while its derivative vanishes much faster (unknown_scales::weigh_by_errors).
     void weigh_by_errors() { scales_.weigh_by_errors(); }
@@ -102,8 +107,8 @@ public:
     long bits() const { return bits_; }
     /// A bound of the set, |x_i - c_i|.
     magnitude width() const;
-    /// The number of steps of collocation.
-    long collocation_steps() const;
+    /// Where collocation was used.
+    const collocation_use& collocation() const;
 
 private:
     struct expansions;
@@ -119,11 +124,18 @@ private:
     bool stopped_by_bounds();
     std::vector<ball> flow_of_centre(const ball& distance) const;
     std::vector<ball> whole_set() const;
+    void require_integrator() const;
     tube_set tube_of_set() const;
     bool begins_collocation(const ball& rest);
+    std::vector<ball> values_by_collocation(const ball& distance);
     void step_of_collocation();
     bool loses_an_unknown(const tube_set& set) const;
     void end_collocation();
+    void forget_step();
+    long bits_of_step() const;
+    int order_of_step() const;
+    void use_step(int direction);
+    step_report report_of_step(int direction) const;
     void count_steps(long count);
 
     lifted_system lifted_;
@@ -146,6 +158,8 @@ private:
     std::vector<ball> before_;
     std::optional<explicit_system> singular_;  ///< if it begins after a singular initial point
     std::unique_ptr<collocation_phase> collocation_;
+    step_observer observer_;
+    bool used_ = false;  ///< whether the present step has been used
 };
 
 }  // namespace libration::ode

@@ -28,15 +28,19 @@ struct partial_trajectory {
     /// not proved to exist up to a time (the message contains the time up to which it is), or a value is not
     /// distinguished from 0.
     std::optional<error> missing;
+    /// Of the last run of each independent subsystem in each direction, where collocation was used.
+    std::vector<collocation_use> collocation = {};
 };
 
 /// The unknowns and their lower derivatives, in order, at times in any order on both sides of the initial point:
 /// `digits` significant digits each, proved to one unit in the last (proved_march, with the bits lost by the flow added
 /// from run to run, as observed in the runs before). Unknowns that do not influence each other are integrated
 /// separately. An undecided value or time does not affect the others. Throws error if the initial point is singular and
-/// theorem S does not apply to it, and for times before a singular initial point.
+/// theorem S does not apply to it, for times before a singular initial point, and for an integrator that is not possible
+/// (proved_march). The observer is called for each step of each run.
 partial_trajectory proved_part_of_trajectory(const explicit_system& system, const std::vector<number>& times,
-                                             long digits, const march_watch& watch = {}, const proof_route& route = {});
+                                             long digits, const march_watch& watch = {}, const proof_route& route = {},
+                                             const step_observer& observer = {});
 
 /// The same if nothing is missing; otherwise throws the reason.
 std::vector<std::vector<proved_decimal>> proved_trajectory(const explicit_system& system,

@@ -16,6 +16,9 @@ namespace libration::ode {
 /// log2 of the number 0.
 inline constexpr double nothing = -std::numeric_limits<double>::infinity();
 
+/// log2 of the width relative to the size of an unknown beyond which more bits are requested.
+inline constexpr double widest_set = -24;
+
 /// The scale of an unknown on a step, in log2.
 struct unknown_scale {
     double size = nothing;   ///< a lower bound of its maximum; `nothing` when not distinguished from 0

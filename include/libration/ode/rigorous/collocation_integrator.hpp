@@ -15,8 +15,8 @@ namespace libration::ode {
 /// The polynomials of a step satisfy the equation at Chebyshev-Radau nodes, by Newton's method. Modes, by the eigenvalues
 /// of f_y in the middle, that decay within the step are fast. V has constant fast columns, the eigenvectors, and slow ones
 /// that solve v' = f_y v and are kept from step to step as long as their number and their angles permit. The length is
-/// chosen such that the last coefficients are negligible in the given bits, and that no unknown decays by more than about
-/// 10^-5, so that each has its own relative precision. The proof does not assume any of this: the tube is proved from
+/// chosen such that the last coefficients are negligible in the given bits, and that no given unknown decays by more than
+/// about 10^-5, so that each has its own relative precision. The proof does not assume any of this: the tube is proved from
 /// the polynomials alone.
 class collocation_integrator {
 public:
@@ -28,7 +28,8 @@ public:
     /// estimated by an L-stable method in long double. No proof depends on it.
     bool is_smooth_over(const ball& time, const std::vector<ball>& state, const ball& length) const;
 
-    /// Sets the initial time and set; `length` is the first length that is tried, and its sign the direction.
+    /// Sets the initial time, a ball stands for each of its times, and the set of all unknowns of the polynomial form;
+    /// `length` is the first length that is tried, and its sign the direction.
     void begin(const ball& time, tube_set start, const ball& length);
     /// Prepares a step from reached(); false if no step can be proved after many reductions of its length.
     bool prepare();
@@ -38,6 +39,10 @@ public:
     std::vector<ball> values_at(const ball& distance) const;
     /// Takes the prepared step.
     void step();
+
+    /// The degree of the polynomials, and the precision of their values.
+    int degree() const;
+    long bits() const;
 
     const ball& reached() const;
     const tube_set& set() const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "../rigorous/dense_matrix.hpp"
+#include "../rigorous/lifted_set.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
@@ -32,10 +34,21 @@ collocation_phase::collocation_phase(const lifted_system& of, long bits, const p
       next_check_(route.integrator == integrator_choice::collocation ? 0 : first_check),
       between_checks_(first_check) {}
 
-bool collocation_phase::may_begin(long steps, const ball& time, const magnitude& length, const ball& rest) const {
-    const bool polynomial = system_.given == system_.leaves.size();
-    if (!polynomial || system_.given > most_collocation_unknowns || bits_ > most_collocation_bits ||
-        steps < next_check_ || !is_exact(time)) {
+std::string collocation_phase::obstacle() const {
+    const std::size_t count = system_.leaves.size();
+    if (count > most_collocation_unknowns) {
+        return "is limited to " + std::to_string(most_collocation_unknowns) +
+               " unknowns, and the polynomial form of these equations has " + std::to_string(count);
+    }
+    if (bits_ > most_collocation_bits) {
+        return "is limited to a precision of " + std::to_string(most_collocation_bits) +
+               " bits, and these digits need " + std::to_string(bits_);
+    }
+    return "";
+}
+
+bool collocation_phase::may_begin(long steps, const magnitude& length, const ball& rest) const {
+    if (steps < next_check_ || !obstacle().empty()) {
         return false;
     }
     switch (route_.integrator) {
@@ -53,21 +66,33 @@ bool collocation_phase::begin(long steps, const ball& time, const tube_set& set,
     if (!integrator_) {
         integrator_.emplace(system_, bits_, route_.more_terms);
     }
-    const ball first = arb_is_negative(rest.handle()) != 0 ? -length.exact() : length.exact();
-    if (route_.integrator == integrator_choice::automatic && !integrator_->is_smooth_over(time, set.centre, first)) {
+    const auto all = lifted_set(system_, time, set);
+    if (!all) {
         return false;
     }
-    integrator_->begin(time, set, first);
+    const ball first = arb_is_negative(rest.handle()) != 0 ? -length.exact() : length.exact();
+    if (route_.integrator == integrator_choice::automatic && !integrator_->is_smooth_over(time, all->centre, first)) {
+        return false;
+    }
+    integrator_->begin(time, *all, first);
     active_ = integrator_->prepare();
     steps_of_phase_ = 0;
     length_to_pay_ = length * magnitude(static_cast<unsigned long>(cost_of_step));
     return active_;
 }
 
+void collocation_phase::use() {
+    if (use_.steps++ == 0) {
+        use_.first = as_double(integrator_->reached());
+    }
+    use_.periods += steps_of_phase_ == 0 ? 1 : 0;
+}
+
 bool collocation_phase::step(long steps) {
     const bool pays = length_to_pay_ <= magnitude(integrator_->length());
     integrator_->step();
-    ++steps_;
+    ++steps_of_phase_;
+    reach(as_double(integrator_->reached()));
     next_check_ = steps + between_checks_;
     if (route_.integrator == integrator_choice::collocation) {
         return true;
@@ -77,7 +102,7 @@ bool collocation_phase::step(long steps) {
         next_check_ = steps + between_checks_;
         return false;
     }
-    return ++steps_of_phase_ <= steps_to_grow || pays;
+    return steps_of_phase_ <= steps_to_grow || pays;
 }
 
 }  // namespace libration::ode

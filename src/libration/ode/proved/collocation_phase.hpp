@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "libration/ode/integrator.hpp"
 #include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/rigorous/collocation_integrator.hpp"
 
@@ -19,20 +21,26 @@ public:
     collocation_phase(const lifted_system& of, long bits, const proof_route& route);
 
     bool is_active() const { return active_; }
+    /// The reason why the route, by collocation, is not possible; empty if it is.
+    std::string obstacle() const;
     /// True if it should be tried after `steps` steps at this time, where the next one by Taylor series has this length; the
     /// rest of the way is `rest`, with the sign of the direction.
-    bool may_begin(long steps, const ball& time, const magnitude& length, const ball& rest) const;
-    /// Begins from a set, if the solution is smooth enough and a step is proved; true if that step is prepared.
+    bool may_begin(long steps, const magnitude& length, const ball& rest) const;
+    /// Begins from a set of the given unknowns, if the solution is smooth enough and a step is proved; true if that step is
+    /// prepared.
     bool begin(long steps, const ball& time, const tube_set& set, const magnitude& length, const ball& rest);
     /// Prepares the next step; false if none is proved.
     bool prepare() { return integrator_->prepare(); }
+    /// Notes that the prepared step is used, once for each.
+    void use();
+    /// Notes the time up to which it is used.
+    void reach(double time) { use_.last = time; }
     /// Takes the prepared step, the last of `steps`. False if Taylor series are to continue.
     bool step(long steps);
     void end() { active_ = false; }
 
     const collocation_integrator& integrator() const { return *integrator_; }
-    /// The number of all steps.
-    long steps() const { return steps_; }
+    const collocation_use& all() const { return use_; }
 
 private:
     const lifted_system& system_;
@@ -40,7 +48,7 @@ private:
     proof_route route_;
     std::optional<collocation_integrator> integrator_;
     bool active_ = false;
-    long steps_ = 0;
+    collocation_use use_;
     long steps_of_phase_ = 0;
     magnitude length_to_pay_;           // of a step that is worth its cost
     long next_check_, between_checks_;  // in steps

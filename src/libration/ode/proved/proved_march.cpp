@@ -14,8 +14,6 @@ namespace {
 
 // The errors added by a step are this number of bits below the set: 2^16 steps add as much as its width.
 constexpr long bits_below_the_set = 20;
-// log2 of the width relative to the size of an unknown beyond which more bits are requested.
-constexpr double widest_set = -24;
 // The bits of the error map that its truncation need not preserve.
 constexpr long bits_below_truncation = 40;
 // The number of steps between two calls of the progress callback, unless steps take long.
@@ -78,6 +76,7 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
       set_bits_(error_bits),
       watch_(std::move(watch)),
       collocation_(std::make_unique<collocation_phase>(lifted_, bits, route)) {
+    require_integrator();
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
     origin_ = time_;
@@ -243,6 +242,8 @@ ball_matrix proved_march::derivative_of_flow(const ball& distance) const {
 const magnitude& proved_march::length() const { return now_->length; }
 
 void proved_march::step(int direction) {
+    use_step(direction);
+    used_ = false;
     const precision_scope scope(decimal_digits(now_->bits));
     const ball distance = direction < 0 ? -now_->length.exact() : now_->length.exact();
     const auto image = flow_of_centre(distance);
@@ -262,6 +263,10 @@ void proved_march::step(int direction) {
     count_steps(1);
 }
 
+void proved_march::forget_step() { now_->ready = false; }
+long proved_march::bits_of_step() const { return now_->bits; }
+int proved_march::order_of_step() const { return now_->of_centre.order(); }
+
 void proved_march::count_steps(long count) {
     steps_ += count;
     if (watch_ && (steps_ / steps_unwatched != (steps_ - count) / steps_unwatched || bits_ > bits_unwatched)) {
@@ -270,6 +275,10 @@ void proved_march::count_steps(long count) {
 }
 
 void proved_march::keep_derivative() {
+    if (route_.integrator == integrator_choice::collocation) {
+        throw error(error_kind::argument, "integrator", "collocation",
+                    "does not compute the derivative of the flow, which is needed here: use automatic or taylor");
+    }
     scales_.weigh_by_scales();
     if (singular_) {
         const precision_scope scope(decimal_digits(bits_));
@@ -300,9 +309,10 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     try {
         for (;;) {
             const ball distance = target - time_;
+            const int direction = arb_is_negative(distance.handle()) != 0 ? -1 : 1;
             if (collocation_->is_active() && collocation_->prepare() && !contains_zero(distance)) {
                 if (magnitude(distance) <= magnitude(collocation_->integrator().length())) {
-                    return collocation_->integrator().values_at(distance);
+                    return values_by_collocation(distance);
                 }
                 step_of_collocation();
                 continue;
@@ -314,10 +324,11 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
                 break;
             }
             if (magnitude(distance) <= now_->length) {
+                use_step(direction);
                 return values_at(distance);
             }
             if (!begins_collocation(distance)) {
-                step(arb_is_negative(distance.handle()) != 0 ? -1 : 1);
+                step(direction);
             }
         }
     } catch (const precision_exhausted&) {
@@ -325,49 +336,6 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     }
     return std::nullopt;
 }
-
-tube_set proved_march::tube_of_set() const {
-    const std::size_t count = errors_.size();
-    return {centre_, errors_.columns(), std::vector<std::size_t>(count, 1), errors_.widths(), errors_.added(), count};
-}
-
-bool proved_march::begins_collocation(const ball& rest) {
-    return !derivative_ && collocation_->may_begin(steps_, time_, now_->length, rest) &&
-           collocation_->begin(steps_, time_, tube_of_set(), now_->length, rest);
-}
-
-void proved_march::step_of_collocation() {
-    count_steps(collocation_phase::cost_of_step);
-    const bool continues = collocation_->step(steps_);
-    time_ = collocation_->integrator().reached();
-    if (!continues || loses_an_unknown(collocation_->integrator().set())) {
-        end_collocation();
-    }
-}
-
-// By the state alone, also for an unknown near 0; the next step of Taylor series decides.
-bool proved_march::loses_an_unknown(const tube_set& set) const {
-    std::vector<magnitude> reach;
-    for (std::size_t i = 0; i < set.centre.size(); ++i) {
-        reach.push_back(set.reach(i));
-    }
-    return scales_.may_be_lost(set.centre, reach, widest_set);
-}
-
-// A block of two columns with the Euclidean norm is contained in a box.
-void proved_march::end_collocation() {
-    const tube_set& set = collocation_->integrator().set();
-    std::vector<magnitude> widths;
-    for (std::size_t b = 0; b < set.blocks.size(); ++b) {
-        widths.insert(widths.end(), set.blocks[b], set.radii[b]);
-    }
-    centre_ = set.centre;
-    errors_ = error_frame(set.columns, std::move(widths), set.added);
-    now_->ready = false;
-    collocation_->end();
-}
-
-long proved_march::collocation_steps() const { return collocation_->steps(); }
 
 std::vector<ball> proved_march::values_at(const ball& distance) const {
     auto values = flow_of_centre(distance);

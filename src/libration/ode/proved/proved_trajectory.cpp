@@ -23,16 +23,18 @@ void add_part(partial_trajectory& whole, const partial_trajectory& part, const c
     if (!whole.missing) {
         whole.missing = part.missing;
     }
+    whole.collocation.insert(whole.collocation.end(), part.collocation.begin(), part.collocation.end());
 }
 
 }  // namespace
 
 partial_trajectory proved_part_of_trajectory(const explicit_system& system, const std::vector<number>& times,
-                                             long digits, const march_watch& watch, const proof_route& route) {
+                                             long digits, const march_watch& watch, const proof_route& route,
+                                             const step_observer& observer) {
     partial_trajectory whole;
     whole.states.resize(times.size());
     for (const closed_subsystem& each : independent_subsystems(system)) {
-        add_part(whole, proving_runs(each.system, times, digits, watch, {}, route).part(), each);
+        add_part(whole, proving_runs(each.system, times, digits, watch, {}, route, observer).part(), each);
     }
     return whole;
 }

@@ -89,13 +89,14 @@ struct further_question {
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch,
-                 further_question further = {}, const proof_route& route = {})
+                 further_question further = {}, const proof_route& route = {}, step_observer observer = {})
         : system_(system),
           times_(times),
           digits_(digits),
           watch_(watch),
           further_(std::move(further)),
           route_(route),
+          observer_(std::move(observer)),
           order_(in_order(system, times)),
           done_(times.size()),
           bits_(digits) {
@@ -113,6 +114,11 @@ public:
             }
             miss(problem);
         }
+        for (const collocation_use& each : collocation_) {
+            if (each.steps > 0) {
+                part_.collocation.push_back(each);
+            }
+        }
         return std::move(part_);
     }
 
@@ -129,11 +135,13 @@ private:
             if (!march || each.forward != forward) {
                 forward = each.forward;
                 march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
+                march->observe(observer_);
                 if (further_.answered) {
                     march->keep_derivative();
                 }
             }
             const auto state = state_at(*march, system_, times_[each.index], bits_.now());
+            collocation_[forward ? 1 : 0] = march->collocation();
             if (!state) {
                 if (ends(*march, each)) {
                     continue;
@@ -249,10 +257,12 @@ private:
     const march_watch& watch_;
     further_question further_;
     proof_route route_;
+    step_observer observer_;
     long error_bits_ = proved_march::usual_error_bits;
     std::vector<asked_time> order_;
     std::vector<bool> done_;
-    std::array<bool, 2> ended_{};  ///< backwards and forwards
+    std::array<bool, 2> ended_{};                   ///< backwards and forwards
+    std::array<collocation_use, 2> collocation_{};  ///< of the last runs
     partial_trajectory part_;
     needed_bits bits_;
 };

@@ -122,7 +122,7 @@ bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<
     for (const ball& each : state) {
         asked.start.push_back(as_long_double(each));
         asked.floors.push_back(0);
-        if (asked.start.back() == 0 && arb_is_zero(each.handle()) == 0) {
+        if (asked.start.size() <= parts_->map.given() && asked.start.back() == 0 && arb_is_zero(each.handle()) == 0) {
             return false;  // below the range of double
         }
     }
@@ -139,7 +139,8 @@ bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<
         return std::fabs(found->front()[i]) >= decay_of_smoothness * std::fabs(asked.start[i]);
     };
     for (std::size_t i = 0; found && i < asked.start.size(); ++i) {
-        if (!std::isfinite(asked.start[i]) || (asked.start[i] != 0 && !keeps_size(i))) {
+        const bool resolved = i < parts_->map.given() && asked.start[i] != 0;
+        if (!std::isfinite(asked.start[i]) || (resolved && !keeps_size(i))) {
             return false;
         }
     }
@@ -184,6 +185,8 @@ void collocation_integrator::step() {
 }
 
 const ball& collocation_integrator::reached() const { return parts_->time; }
+int collocation_integrator::degree() const { return parts_->accuracy.degree; }
+long collocation_integrator::bits() const { return parts_->accuracy.bits; }
 const tube_set& collocation_integrator::set() const { return parts_->set; }
 int collocation_integrator::steps_without_fast_modes() const { return parts_->without_fast; }
 

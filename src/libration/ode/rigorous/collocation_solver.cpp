@@ -252,7 +252,7 @@ collocation_solver::outcome collocation_solver::iterate() {
     return outcome::failed;
 }
 
-// True if the last Chebyshev coefficients are small enough and no unknown decays too much; sets the next length.
+// True if the last Chebyshev coefficients are small enough and no given unknown decays too much; sets the next length.
 bool collocation_solver::measure_tail() {
     const auto last = nodes_.size();
     double tail = -1e300;
@@ -274,7 +274,7 @@ bool collocation_solver::measure_tail() {
         const double begin = log10_of(magnitude(start_->centre[c]).shifted(-scales_[c]));
         const double middle = log10_of(magnitude::midpoint_of(values_[last / 2 * count() + c]));
         const double end = log10_of(magnitude::midpoint_of(values_[(last - 1) * count() + c]));
-        if (begin > -1 && middle < begin && end < middle) {
+        if (c < map_.given() && begin > -1 && middle < begin && end < middle) {
             decay = std::max(decay, std::min(begin - end, 3 * (begin - middle)));
         }
     }

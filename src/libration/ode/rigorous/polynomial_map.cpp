@@ -28,7 +28,10 @@ tape with_derivatives(const lifted_system& of, std::vector<std::pair<std::size_t
 }  // namespace
 
 polynomial_map::polynomial_map(const lifted_system& of)
-    : count_(of.leaves.size()), tape_(with_derivatives(of, places_)), of_slopes_(tape_.steps().size()) {
+    : count_(of.leaves.size()),
+      given_(of.given),
+      tape_(with_derivatives(of, places_)),
+      of_slopes_(tape_.steps().size()) {
     for (const int step : tape_.outputs()) {
         of_slopes_[static_cast<std::size_t>(step)] = true;
     }

@@ -18,6 +18,8 @@ public:
     explicit polynomial_map(const lifted_system& of);
 
     std::size_t size() const { return count_; }
+    /// The number of given unknowns, the first ones; the others are functions of them.
+    std::size_t given() const { return given_; }
     /// The rows and columns of the entries of f_y that are not identically 0.
     const std::vector<std::pair<std::size_t, std::size_t>>& places() const { return places_; }
     const std::vector<number>& constants() const { return tape_.constants(); }
@@ -81,7 +83,7 @@ private:
         throw std::logic_error("a polynomial form has an operation that is neither a product nor linear");
     }
 
-    std::size_t count_;
+    std::size_t count_, given_;
     std::vector<std::pair<std::size_t, std::size_t>> places_;
     tape tape_;
     std::vector<bool> of_slopes_;

@@ -170,6 +170,11 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
     if (!correct) {
         return general("in a fixed scalar").states(times, how);
     }
+    if (how.integrator != ode::integrator_choice::automatic) {
+        throw error(error_kind::argument, "integrator",
+                    how.integrator == ode::integrator_choice::taylor ? "taylor" : "collocation",
+                    "is not used by the closed form of the pendulum: use automatic, or solve with general = true");
+    }
     pendulum::proved_states& states = states_to(how.printed_digits());
     answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
     for (std::size_t i = 0; i < times.size(); ++i) {

@@ -112,8 +112,10 @@ std::vector<answer_value> rounded_row(const ode::explicit_system& system, const 
 
 void require_second_proof(const ode::explicit_system& system, const std::vector<exact>& times, const request& how,
                           const ode::partial_trajectory& first) {
-    const auto second = ode::proved_part_of_trajectory(
-        system, numbers_of(times), how.printed_digits() + digits_of_second, {}, ode::proof_route::second());
+    ode::proof_route route = ode::proof_route::second();
+    route.integrator = how.integrator;
+    const auto second =
+        ode::proved_part_of_trajectory(system, numbers_of(times), how.printed_digits() + digits_of_second, {}, route);
     const auto names = ode::names_of_state(system);
     for (std::size_t i = 0; i < first.states.size(); ++i) {
         const std::size_t compared = std::min(first.states[i].size(), second.states[i].size());
@@ -142,8 +144,11 @@ answer taylor_solution::proved_states(const std::vector<exact>& times, const req
     const auto checked = checked_products(how.check);
     const auto at = numbers_of(times);
     const part_of_way part(system_, at, how);
-    auto found = ode::proved_part_of_trajectory(system_, at, how.printed_digits(),
-                                                [&](const ball& reached, long bits) { part(reached, bits); });
+    ode::proof_route route;
+    route.integrator = how.integrator;
+    auto found = ode::proved_part_of_trajectory(
+        system_, at, how.printed_digits(), [&](const ball& reached, long bits) { part(reached, bits); }, route,
+        how.observer);
     if (how.check) {
         require_second_proof(system_, times, how, found);
     }
@@ -155,10 +160,15 @@ answer taylor_solution::proved_states(const std::vector<exact>& times, const req
         }
     }
     result.missing = std::move(found.missing);
+    result.collocation = std::move(found.collocation);
     return result;
 }
 
 answer taylor_solution::rounded_states(const std::vector<exact>& times, const request& how) const {
+    if (how.integrator == ode::integrator_choice::collocation) {
+        throw error(error_kind::argument, "integrator", "collocation",
+                    "is for proved digits, and these are rounded: use the scalar ball:D, or automatic or taylor");
+    }
     auto part = integrated(system_, numbers_of(times), how);
     const bool agreed = how.scalar.kind == scalar_kind::arbitrary;
     answer result{.names = quantities(), .rows = {}, .rigour = agreed ? "two-method" : "heuristic"};
