@@ -29,6 +29,7 @@ ask(version --version)
 string(REGEX REPLACE "\n.*$" "" version "${version}")
 ask(help --help)
 string(REGEX REPLACE "^.*\nSubcommands:\n" "" commands "${help}")
+string(REGEX REPLACE "\n          +" " " commands "${commands}") # continued lines
 string(REPLACE ";" "\\;" commands "${commands}")
 string(REPLACE "\n" ";" commands "${commands}")
 
@@ -61,5 +62,5 @@ endforeach()
 string(REGEX REPLACE ",\n$" "\n" pages "${pages}")
 file(WRITE ${added} "[exit status]\n0: success; 1: failure, or a check did not pass; 2: invalid input or wrong usage.\n
 [see also]\n${pages}")
-write(libration "motions of the pendulum and solutions of differential equations with proved digits" --help)
+write(libration "power-series solutions of ordinary differential equations to arbitrary precision" --help)
 file(REMOVE ${added})

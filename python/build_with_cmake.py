@@ -65,7 +65,7 @@ def _staged():
     with tempfile.TemporaryDirectory(prefix="libration-wheel-") as folder:
         stack = Path(folder)
         shutil.copy(_tree / "pyproject.toml", stack)
-        ignored = shutil.ignore_patterns("__pycache__", "tests", "build_with_cmake.py")
+        ignored = shutil.ignore_patterns("__pycache__", "tests", "build_with_cmake.py", "bundle_libraries.py")
         shutil.copytree(_tree / "python", stack / "python", ignore=ignored)
         try:
             os.chdir(stack)

@@ -21,6 +21,7 @@
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/near_word.hpp"
+#include "option/help.hpp"
 #include "option/subcommand.hpp"
 #include "option/timeout_option.hpp"
 #include "run/ending_signal.hpp"
@@ -177,7 +178,8 @@ int say_help(const CLI::App& program, const CLI::ParseError& problem) {
 int libration::run_program(int argc, char** argv) {
     libration::set_failure_handler(end_process);
     const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
-    CLI::App program("Exact power-series solutions of the nonlinear pendulum, in any arithmetic.", "libration");
+    CLI::App program(libration::program_description, "libration");
+    libration::set_help_layout(program);
     program.set_version_flag("--version", libration::version_text());
     program.require_subcommand(1);
     program.set_help_all_flag("--help-all", "the options of all subcommands");
@@ -198,6 +200,7 @@ int libration::run_program(int argc, char** argv) {
             timeout.add_to(*each.options);
         }
     }
+    libration::add_examples(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

@@ -1,4 +1,4 @@
-"""Libration: exact motions of the pendulum, and any differential equations, in proved digits.
+"""Libration: power-series solutions of ordinary differential equations to arbitrary precision, with rigorous error bounds.
 
     import libration as lb
     swing = lb.motion(theta0="150deg", omega0=0)

@@ -31,7 +31,8 @@ _libration() { # PROGRAM
     if ((COMP_CWORD == 1)); then
         command=
     fi
-    help=$("$1" ${command:+"$command"} --help 2>/dev/null) || return 0
+    # Continued lines are joined.
+    help=$("$1" ${command:+"$command"} --help 2>/dev/null | sed -e ':a' -e '$!N;s/\n \{20,\}/ /;ta' -e 'P;D') || return 0
     case $before,$word in
         *,-*) words=$(sed -n 's/^  \(-.,\)\{0,1\}\(--[^ ]*\).*/\2/p' <<<"$help" | tr ',' '\n') ;;
         --problem,*) words=$(_libration_names "$1" problems) ;;

@@ -27,7 +27,8 @@ std::string program_entry() {
     return fmt::format(
         "@software{{libration,\n"
         "  author  = {{{{The Libration authors}}}},\n"
-        "  title   = {{Libration: arbitrary-precision power-series solutions of the nonlinear pendulum}},\n"
+        "  title   = {{Libration: power-series solutions of ordinary differential equations to arbitrary precision, "
+        "with rigorous error bounds}},\n"
         "{}"
         "  version = {{{}}},\n"
         "  note    = {{Commit {}}}\n"

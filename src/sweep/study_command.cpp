@@ -173,12 +173,76 @@ int run_study(const study_options& options) {
     }
 }
 
+// The options that are not parameters of any study.
+bool is_general(const std::string& option) {
+    static const std::vector<std::string> all{"--columns", "--out", "--fresh", "--shard", "--jobs", "--timeout"};
+    return std::ranges::find(all, option) != all.end();
+}
+
+// The meaning and the default value of a study's option; std::nullopt if the study does not have it.
+std::optional<std::string> meaning_in(const study& what, const std::string& option) {
+    const auto in = [&](const std::vector<study_parameter>& parameters, const char* ending) {
+        const auto found = std::ranges::find(parameters, option, &study_parameter::option);
+        return found == parameters.end() ? std::optional<std::string>()
+                                         : fmt::format("{}{} (default: {})", found->meaning, ending,
+                                                       found->usual.empty() ? "none" : found->usual);
+    };
+    const auto own = in(what.parameters, "");
+    const auto any = what.any_equation ? in(what.any_equation->parameters, ", with --problem") : std::nullopt;
+    if (own && any) {
+        return *own + "; " + *any;
+    }
+    return own ? own : any;
+}
+
+// Only the options of the study that is named on the command line, with its defaults and its examples.
+void narrow_help(CLI::App& command, const study& what) {
+    for (CLI::Option* const each : command.get_options([](const CLI::Option* one) { return one->nonpositional(); })) {
+        const std::string option = "--" + (each->get_lnames().empty() ? "" : each->get_lnames().front());
+        const bool of_equations = option == "--problem" || option == "--set" || option == "--unknowns";
+        const auto meaning = meaning_in(what, option);
+        if (meaning) {
+            each->description(*meaning);
+        } else if (!(of_equations && what.any_equation) && !is_general(option) && option != "--help") {
+            each->group("");
+        }
+    }
+    command.description(fmt::format("{}: {}", what.name, what.question));
+    std::string quick;
+    for (const study_parameter& parameter : what.quick) {
+        quick += fmt::format(" {} {}", parameter.option, parameter.usual);
+    }
+    std::string examples;
+    if (!what.needs_equation()) {
+        examples += fmt::format("\n    libration study {}{}", what.name, quick);
+    }
+    if (what.any_equation) {
+        const equation_form& form = *what.any_equation;
+        examples += "\n    " + order_asked("study", what.name, form.example, form.quick, 1).command;
+    }
+    if (what.needs_equation() || !what.any_equation) {
+        examples += fmt::format("\n    libration studies {}", what.name);
+    }
+    command.footer("Examples:" + examples);
+}
+
+// The same by name; an unknown one is refused when the study is run.
+void narrow_help_to(CLI::App& command, const std::string& name) {
+    const auto all = all_studies();
+    const auto found = std::ranges::find(all, name, &study::name);
+    if (found != all.end()) {
+        narrow_help(command, **found);
+    }
+}
+
 }  // namespace
 
 subcommand study_command(CLI::App& program) {
     const auto options = std::make_shared<study_options>();
     CLI::App* command = program.add_subcommand("study", "run one study; 'libration studies' lists them");
-    command->add_option("NAME", options->name, "name of the study")->required();
+    command->add_option("NAME", options->name, "name of the study")
+        ->required()
+        ->each([command](const std::string& name) { narrow_help_to(*command, name); });
     for (const study_option& each : options_of(all_studies())) {
         command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
     }

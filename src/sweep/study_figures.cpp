@@ -38,6 +38,12 @@ std::string quoted(const std::string& text) {
 
 // NAME.gp next to NAME.cpp.
 fs::path script_of(const study& what) {
+    if (!fs::is_directory(studies_folder())) {
+        throw input_error(
+            fmt::format("figures need gnuplot and the scripts of Libration, but {} does not exist: run "
+                        "without --out, or install Libration with its scripts",
+                        studies_folder()));
+    }
     const std::string file = (what.script.empty() ? what.name : what.script) + ".gp";
     for (const auto& each : fs::recursive_directory_iterator(studies_folder())) {
         if (each.path().filename() == file) {
