@@ -27,7 +27,7 @@ std::vector<column> columns_of(const ode::explicit_system& system, input_style s
 
 table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style) {
     const auto columns = columns_of(of.system, style);
-    const partial_table values = problem_trajectory(*of.solution, times, {{scalar_kind::arbitrary, digits}, digits});
+    const partial_table values = problem_trajectory(*of.solution, times, {{scalar_kind::proved, digits}, digits});
     if (values.missing) {
         refuse_times(*values.missing);
     }

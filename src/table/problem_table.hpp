@@ -16,11 +16,8 @@ struct table_problem {
     std::unique_ptr<const libration::solution> solution;
 };
 
-/// The label of the digits of such a table.
-inline constexpr const char* rigour_of_problems = "two-method: two marches of other orders and precisions agree";
-
 /// time,<unknown and its lower derivatives>..., and in the typed style digits,rigour,time_typed. In the style for
-/// programs derivative j of x is x_dj. Throws input_error for a time that is not reached.
+/// programs derivative j of x is x_dj. Each digit is proved. Throws input_error for a time that is not reached.
 table problem_table(const table_problem& of, const std::vector<exact>& times, long digits, input_style style);
 
 }  // namespace libration

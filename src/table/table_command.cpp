@@ -72,8 +72,8 @@ subcommand table_command(CLI::App& program) {
     const auto options = std::make_shared<table_options>();
     CLI::App* command =
         program.add_subcommand("table",
-                               "reference tables: proved digits of motions and of elliptic functions, or two-method "
-                               "values of any problem");
+                               "reference tables with proved digits: motions and any problem at times, or elliptic "
+                               "functions");
     command->add_option("what", options->what, "pendulum, or functions as in am,sn: " + elliptic_names())
         ->type_name("pendulum|FUNCTION");
     options->problem.add_to(*command, problem_options::closed_forms::used);

@@ -62,9 +62,6 @@ public:
     std::string name() const override { return "of a problem"; }
     std::string title() const override { return "Reference values of the solution of"; }
     std::string text() const override { return text_; }
-    std::string rigour() const override {
-        return of_.solution->closed_form().empty() ? rigour_of_problems : table_subject::rigour();
-    }
     std::vector<const char*> other_options() const override {
         std::vector<const char*> options(argument_names.begin(), argument_names.end());
         options.insert(options.end(), motion_names.begin(), motion_names.end());
