@@ -9,8 +9,8 @@
 #include "libration/problem/known_facts.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "run/ending_signal.hpp"
 #include "run/progress.hpp"
-#include "run/time_limit.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

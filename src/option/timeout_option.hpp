@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "run/time_limit.hpp"
+#include "run/ending_signal.hpp"
 
 namespace libration {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "run/time_limit.hpp"
+#include "run/ending_signal.hpp"
 #include "run/work_estimate.hpp"
 
 namespace libration {
