@@ -36,13 +36,13 @@ exact angle_of(const std::string& option, const std::string& value) {
     return angle;
 }
 
-// A line on stderr, once, for a number of more than a turn, which is often meant in degrees.
+// A line on stderr, once, for a number of more than three turns, which is often meant in degrees.
 void note_radians(const exact& angle) {
     static std::once_flag noted;
     const rational size = angle.coefficient < 0 ? rational(-angle.coefficient) : angle.coefficient;
-    if (angle.measure == unit::one && size > rational(44, 7)) {
+    if (angle.measure == unit::one && size > rational(132, 7)) {
         std::call_once(noted, [&] {
-            say_line(fmt::format("--theta0 {0} is more than a turn, as it is in radians: write {0}deg for degrees",
+            say_line(fmt::format("--theta0 {0} is more than three turns, as it is in radians: write {0}deg for degrees",
                                  angle.text));
         });
     }

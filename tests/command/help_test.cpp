@@ -70,7 +70,7 @@ TEST_CASE("every --help ends with two examples, which run, in lines of at most 1
     }
 }
 
-TEST_CASE("--help of a study has its options only, with their defaults", "[command][help]") {
+TEST_CASE("the help of a study has its options only, with their defaults", "[command][help]") {
     for (const libration::study* each : libration::all_studies()) {
         INFO(each->name);
         const std::string help = output_of({"study", each->name, "--help"});

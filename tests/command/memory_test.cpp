@@ -46,7 +46,8 @@ TEST_CASE("a series that needs more memory than there is is refused before it is
 
 TEST_CASE("memory that GMP or FLINT does not get ends the command with one line", "[command][memory]") {
     int below_gmp = 0;
-    for (long kilobytes = 9'000; kilobytes <= 17'000; kilobytes += 2'000) {
+    // 8 megabytes are the stack of the thread that waits for signals.
+    for (long kilobytes = 17'000; kilobytes <= 25'000; kilobytes += 2'000) {
         const auto done = run_within(kilobytes, "reference --theta0 2.5 --omega0 0 --time 3 --digits 60000");
         INFO(kilobytes << " kilobytes: exit code " << done.exit_code << "\n" << done.err);
         CHECK((done.exit_code == 0 || done.exit_code == 1));

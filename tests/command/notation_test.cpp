@@ -48,13 +48,13 @@ TEST_CASE("problems prints a text in standard notation", "[command][notation]") 
                   {"problems 'y z' at line 1, column 6 multiplies without *: write x' = y*z"});
 }
 
-TEST_CASE("a number of more than a turn is noted as radians", "[command][notation]") {
+TEST_CASE("a number of more than three turns is noted as radians", "[command][notation]") {
     const auto radians =
         run_libration({"reference", "--theta0", "150", "--omega0", "0", "--time", "1", "--digits", "5"});
     CHECK(radians.exit_code == 0);
     CHECK(radians.err ==
-          "libration: --theta0 150 is more than a turn, as it is in radians: write 150deg for degrees\n");
-    for (const std::string angle : {"150deg", "3", "6", "5pi"}) {
+          "libration: --theta0 150 is more than three turns, as it is in radians: write 150deg for degrees\n");
+    for (const std::string angle : {"150deg", "3", "6", "18", "7pi"}) {
         const auto quiet =
             run_libration({"reference", "--theta0", angle, "--omega0", "0", "--time", "1", "--digits", "5"});
         CHECK(quiet.err.empty());

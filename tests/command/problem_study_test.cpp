@@ -160,15 +160,15 @@ TEST_CASE("a table of a problem is written in every format", "[command][problem]
     const precision_scope scope(40);
     CHECK(abs(number_of(rows[1].at("y")) - sin(mpfr(mpfr(1) / 3))) <= last_place(rows[1].at("y")));
     CHECK(rows[1].at("time_typed") == "1/3");
-    CHECK(rows[1].at("rigour") == "two-method");
+    CHECK(rows[1].at("rigour") == "proved");
     for (const std::string format : {"text", "json", "latex", "cpp", "ipp", "numpy", "c", "fortran", "julia", "pari"}) {
         INFO(format);
         const std::string text = output_of(line + words{"--format", format});
         // LaTeX groups the digits.
         CHECK((format == "latex" || text.find(rows[2].at("y")) != std::string::npos));
         const bool has_comment = format != "text" && format != "json" && format != "latex";
-        CHECK((!has_comment ||
-               (text.find("two-method") != std::string::npos && text.find("y'' = -y") != std::string::npos)));
+        CHECK(
+            (!has_comment || (text.find("proved") != std::string::npos && text.find("y'' = -y") != std::string::npos)));
     }
     CHECK(output_of(line + words{"--format", "cpp"}).find("y_d1") != std::string::npos);
     check_refused({"table", "--problem", "blasius"}, {"--times"});
