@@ -35,8 +35,8 @@ inline const column_list<norm_row>& columns() {
          "with value and slope of the far end of the times",
          [](const row& r) { return r.method; }},
         {"norm",
-         "max of |approximation - solution| over the times, of the pendulum [0, T*], in the unit of the unknown; empty "
-         "where that is not decided",
+         "max of |approximation - solution| over the times, in the unit of the unknown (of the pendulum over [0, T*], "
+         "radians); empty where that is not decided",
          [](const row& r) { return r.norm; }},
         {"time_of_maximum",
          "dimensionless time since the top, with ball the digits that are proved; of an equation which of the times, "

@@ -20,7 +20,7 @@ constexpr const char* trace_remedy = "choose a file in a folder that exists and 
 
 std::string line_of(const ode::collocation_use& used) {
     return fmt::format("integrated by collocation (theorem K) from t = {:.6g} to {:.6g}: {} steps{}", used.first,
-                       used.last, used.steps, used.periods > 1 ? fmt::format(" in {} periods", used.periods) : "");
+                       used.last, used.steps, used.periods > 1 ? fmt::format(" in {} intervals", used.periods) : "");
 }
 
 const char* name_of(ode::step_method method) {
