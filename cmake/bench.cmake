@@ -13,8 +13,8 @@ endforeach()
 
 # Starts a separate peer program; its Boost.Math in float128 requires the literals of GNU C++.
 set_target_properties(libration-bench-trajectory PROPERTIES CXX_EXTENSIONS ON)
-target_sources(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/run/child_program.cpp)
-target_include_directories(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_sources(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/command/run/child_program.cpp)
+target_include_directories(libration-bench-trajectory PRIVATE ${PROJECT_SOURCE_DIR}/src/command)
 if(TARGET libration-gsl-trajectory)
     add_dependencies(libration-bench-trajectory libration-gsl-trajectory)
     target_compile_definitions(libration-bench-trajectory PRIVATE
@@ -22,8 +22,8 @@ if(TARGET libration-gsl-trajectory)
 endif()
 
 # Its peers solve differential equations, those of GSL and mpmath in separate programs.
-target_sources(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/run/child_program.cpp)
-target_include_directories(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_sources(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/command/run/child_program.cpp)
+target_include_directories(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/command)
 target_compile_definitions(libration-bench-equations PRIVATE
     LIBRATION_MPMATH_EQUATIONS="${PROJECT_SOURCE_DIR}/peers/mpmath_equations.py")
 if(TARGET libration-gsl-equations)

@@ -1,7 +1,7 @@
 # The C interface, include/libration.h: a shared library with the contents of the static ones that exports only the
 # symbols of that header. Its version is that of the interface, which is only extended, not that of the project.
 
-file(GLOB c_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/c/*.cpp)
+file(GLOB c_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/interface/c/*.cpp)
 add_library(libration-c SHARED ${c_sources})
 set_target_properties(libration-c PROPERTIES
     OUTPUT_NAME libration
@@ -15,9 +15,9 @@ target_include_directories(libration-c
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(libration-c PRIVATE libration-proved libration-warnings)
 target_link_options(libration-c PRIVATE
-    LINKER:--version-script=${PROJECT_SOURCE_DIR}/src/c/symbols.map
+    LINKER:--version-script=${PROJECT_SOURCE_DIR}/src/interface/c/symbols.map
     LINKER:--no-undefined)
-set_property(TARGET libration-c APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/c/symbols.map)
+set_property(TARGET libration-c APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/interface/c/symbols.map)
 
 # The exported symbols, for the test that compares them with the header.
 set(c_symbols ${PROJECT_BINARY_DIR}/libration.symbols)

@@ -33,7 +33,7 @@ endif()
 set(description "power-series solutions of ordinary differential equations to arbitrary precision")
 foreach(file IN ITEMS
         README.md CITATION.cff CMakeLists.txt pyproject.toml debian/control cmake/libration.pc.in
-        python/libration/__init__.py src/option/help.hpp src/report/cite.cpp)
+        python/libration/__init__.py src/command/option/help.hpp src/command/verb/cite.cpp)
     file(READ ${SOURCE}/${file} text)
     string(REGEX REPLACE "[ \n\"]+" " " text "${text}")
     string(TOLOWER "${text}" text)

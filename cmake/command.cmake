@@ -42,12 +42,12 @@ list(JOIN study_entries ", " study_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
 set(study_rooms text run option equation journal sweep)
-set(command_rooms list motion table verify report)
-list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
-list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/\\0/*.cpp")
+set(command_rooms list motion table verify report verb)
+list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/command/\\0/*.cpp")
+list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/command/\\0/*.cpp")
 file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
-file(GLOB claim_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/claims/*.cpp)
-file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${command_rooms})
+file(GLOB claim_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/command/claims/*.cpp)
+file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/command/*.cpp ${command_rooms})
 
 # Separate libraries, so that tests can run a study or a sweep without starting the program. A clean build compiles
 # several sources as one, the preset `dev` each by itself: both must compile, so no name may depend on other sources of
@@ -62,13 +62,13 @@ foreach(target IN ITEMS libration-sweep libration-studies libration-claims)
     target_compile_options(${target} PRIVATE ${cold_code})
 endforeach()
 add_dependencies(libration-sweep libration-version)
-target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src ${generated_dir})
+target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src/command ${generated_dir})
 target_link_libraries(libration-sweep
     PUBLIC libration::libration libration::proved CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE OpenSSL::Crypto SQLite::SQLite3 libration-warnings)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
-target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.hpp <CLI/CLI.hpp>)
+target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/command/precompiled.hpp <CLI/CLI.hpp>)
 target_precompile_headers(libration-studies REUSE_FROM libration-sweep)
 target_precompile_headers(libration-claims REUSE_FROM libration-sweep)
 
@@ -81,18 +81,18 @@ target_compile_definitions(libration-sweep PUBLIC
 # Programs started by libration are in the same directory in the build tree, and in libexec after installation.
 set(installed_peers_dir ${CMAKE_INSTALL_LIBEXECDIR}/libration)
 file(RELATIVE_PATH peers_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${installed_peers_dir})
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/run/program_files.cpp PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/command/run/program_files.cpp PROPERTIES
     COMPILE_DEFINITIONS "LIBRATION_BUILD_DIR=\"${PROJECT_BINARY_DIR}\";LIBRATION_INSTALLED_PEERS_DIR=\"${peers_from_program}\""
     SKIP_UNITY_BUILD_INCLUSION ON)
 
-list(REMOVE_ITEM command_sources ${PROJECT_SOURCE_DIR}/src/main.cpp)
+list(REMOVE_ITEM command_sources ${PROJECT_SOURCE_DIR}/src/command/main.cpp)
 add_library(libration-program OBJECT ${command_sources})
 set_target_properties(libration-program PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
 target_compile_options(libration-program PRIVATE ${cold_code})
 target_link_libraries(libration-program PUBLIC libration-sweep PRIVATE libration-warnings)
 target_precompile_headers(libration-program REUSE_FROM libration-sweep)
 
-add_executable(libration-command ${PROJECT_SOURCE_DIR}/src/main.cpp)
+add_executable(libration-command ${PROJECT_SOURCE_DIR}/src/command/main.cpp)
 set_target_properties(libration-command PROPERTIES OUTPUT_NAME libration)
 target_link_libraries(libration-command
     PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings)
@@ -125,7 +125,7 @@ endif()
 if(LIBRATION_BUILD_MPI)
     enable_language(C)  # for MPI's plain C interface
     find_package(MPI REQUIRED COMPONENTS C)
-    file(GLOB mpi_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/mpi/*.cpp)
+    file(GLOB mpi_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/command/mpi/*.cpp)
     add_executable(libration-mpi EXCLUDE_FROM_ALL ${mpi_sources})
     target_compile_definitions(libration-mpi PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
     target_link_libraries(libration-mpi
@@ -138,7 +138,7 @@ install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}
     COMPONENT command
     FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")
-install(FILES src/bash/completion.bash
+install(FILES src/command/bash/completion.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
     RENAME libration
     COMPONENT manual)

@@ -7,7 +7,7 @@ set(PYBIND11_FINDPYTHON OFF)
 set(PYTHON_EXECUTABLE ${Python3_EXECUTABLE})
 find_package(pybind11 2.10 REQUIRED CONFIG)
 
-pybind11_add_module(libration-python MODULE EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/src/python/module.cpp)
+pybind11_add_module(libration-python MODULE EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/src/interface/python/module.cpp)
 set_target_properties(libration-python PROPERTIES
     OUTPUT_NAME _libration
     UNITY_BUILD OFF

@@ -67,7 +67,7 @@ def run(command, **more):
 def flags():
     names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference"}
     return ["clang++", "-std=c++20", "-O1", "-w", *(f'-D{name}="{value}"' for name, value in names.items()),
-            *(f"-I{ROOT}/{room}" for room in ("include", "tests", "src"))]
+            *(f"-I{ROOT}/{room}" for room in ("include", "tests", "src", "src/command"))]
 
 
 def compiled(folder, jobs, sources):

@@ -31,7 +31,7 @@ LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lquadmath"]
 def flags(tree):
     names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference"}
     return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
-            f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src"]
+            f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command"]
 
 
 def run(command, **more):

@@ -13,7 +13,7 @@ seconds=${2-150}
 mkdir -p "$folder"
 rm -f "$folder"/*.o  # header dependencies are not tracked
 
-flags=(-std=c++20 -O1 -g -w -fno-sanitize-recover=all -I"$root/include" -I"$root/src")
+flags=(-std=c++20 -O1 -g -w -fno-sanitize-recover=all -I"$root/include" -I"$root/src" -I"$root/src/command")
 sanitizers=address,undefined
 # Code that a target does not recompile is not instrumented, but linked from these; recompiled code comes first.
 archives=(-Wl,--allow-multiple-definition "$build"/liblibration-{sweep,proved}.a "$build/liblibration.a")
@@ -25,12 +25,12 @@ libraries=(-lfmt -lsqlite3 -lcrypto -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpth
 sources_of() {
     case $1 in
         number) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
-            "$root"/src/libration/digits/*.cpp "$root"/src/run/grid.cpp ;;
-        csv) printf '%s\n' "$root"/src/text/csv_records.cpp ;;
+            "$root"/src/libration/digits/*.cpp "$root"/src/command/run/grid.cpp ;;
+        csv) printf '%s\n' "$root"/src/command/text/csv_records.cpp ;;
         coefficient_list) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
             "$root"/src/libration/digits/*.cpp ;;
         command_line) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
-            "$root"/src/option/*.cpp "$root"/src/text/*.cpp "$root"/src/motion/{period,motion_options}.cpp ;;
+            "$root"/src/command/option/*.cpp "$root"/src/command/text/*.cpp "$root"/src/command/motion/motion_options.cpp "$root"/src/command/verb/period.cpp ;;
     esac
 }
 

@@ -68,10 +68,11 @@ std::map<std::string, rooms> order_of_rooms() {
         library =
             pendulum + problem + rooms{"problem/known", "problem/known/proved", "problem/solution", "verify/proved"},
         // The basis of every study and command does not depend on the pendulum.
-        text = problem + rooms{"src/text"}, run = text + rooms{"src/run"}, option = run + rooms{"src/option"},
-        equation = option + rooms{"src/equation"}, journal = equation + rooms{"src/journal"},
-        sweep = journal + rooms{"src/sweep"}, study = sweep + library, list_command = study + rooms{"src/list"},
-        command = list_command + rooms{"src/motion"};
+        text = problem + rooms{"src/command/text"}, run = text + rooms{"src/command/run"},
+        option = run + rooms{"src/command/option"}, equation = option + rooms{"src/command/equation"},
+        journal = equation + rooms{"src/command/journal"}, sweep = journal + rooms{"src/command/sweep"},
+        study = sweep + library, list_command = study + rooms{"src/command/list"},
+        command = list_command + rooms{"src/command/motion"};
     return {
         {"scalar", {}},
         {"scalar/text", scalar},
@@ -121,23 +122,26 @@ std::map<std::string, rooms> order_of_rooms() {
         {"problem/solution", problem},
         {"verify/proved", pendulum + problem},
         {"library", library},
-        {"src/c", library},
-        {"src/python", {}},
+        {"src/interface/c", library},
+        {"src/interface/python", {}},
         {"src/libration", {}},
-        {"src/text", problem},
-        {"src/run", text + rooms{"scalar/vector"}},
-        {"src/option", run},
-        {"src/equation", option},
-        {"src/journal", equation},
-        {"src/sweep", journal},
-        {"src/claims", study},
-        {"src/list", study},
-        {"src/motion", list_command},
-        {"src/table", command},
-        {"src/verify", command + rooms{"src/table"}},
-        {"src/report", command + rooms{"src/claims", "src/table"}},
-        {"src", command + rooms{"src/claims", "src/table", "src/verify", "src/report"}},
-        {"src/mpi", study + rooms{"src"}},
+        {"src/command/text", problem},
+        {"src/command/run", text + rooms{"scalar/vector"}},
+        {"src/command/option", run},
+        {"src/command/equation", option},
+        {"src/command/journal", equation},
+        {"src/command/sweep", journal},
+        {"src/command/claims", study},
+        {"src/command/list", study},
+        {"src/command/motion", list_command},
+        {"src/command/table", command},
+        {"src/command/verify", command + rooms{"src/command/table"}},
+        {"src/command/report", command + rooms{"src/command/claims", "src/command/table"}},
+        {"src/command/verb",
+         command + rooms{"src/command/claims", "src/command/table", "src/command/verify", "src/command/report"}},
+        {"src/command",
+         command + rooms{"src/command/claims", "src/command/table", "src/command/verify", "src/command/report"}},
+        {"src/command/mpi", study + rooms{"src/command"}},
         {"studies/shared", study},
         {"studies", study + rooms{"studies/shared"}},
         {"studies/pendulum", study + rooms{"studies/shared"}},
@@ -157,10 +161,10 @@ const std::map<std::string, rooms>& order() {
 bool is_source(const std::string& path) { return path.ends_with(".hpp") || path.ends_with(".cpp"); }
 
 // The file of the repository that an #include in `from` means, or "" for an external one. <...> and "..." are both
-// looked up as by the compiler: in the directory of the file, then in include/ and src/.
+// looked up as by the compiler: in the directory of the file, then in include/, src/ and src/command/.
 std::string included_file(const house& all, const std::string& from, const std::string& name) {
     const auto beside = (fs::path(from).parent_path() / name).lexically_normal().generic_string();
-    for (const auto& candidate : {beside, "include/" + name, "src/" + name})
+    for (const auto& candidate : {beside, "include/" + name, "src/" + name, "src/command/" + name})
         if (all.contains(candidate)) return candidate;
     return {};
 }
@@ -377,10 +381,10 @@ TEST_CASE("a crooked house is noticed", "[house]") {
                       approximant = "include/libration/approximant/pade.hpp",
                       convergence = "include/libration/convergence/radius_verdict.hpp",
                       elliptic = "include/libration/elliptic/jacobi.hpp",
-                      pendulum = "include/libration/pendulum/energy/period.hpp", sweep = "src/sweep/study.hpp",
+                      pendulum = "include/libration/pendulum/energy/period.hpp", sweep = "src/command/sweep/study.hpp",
                       problem = "include/libration/problem/problem_family.hpp",
                       known = "include/libration/problem/known/pendulum.hpp", study = "studies/error_norm.cpp",
-                      command = "src/main.cpp";
+                      command = "src/command/main.cpp";
     const house straight{{scalar, ""},   {series, ""},   {approximant, ""}, {convergence, ""},
                          {elliptic, ""}, {pendulum, ""}, {problem, ""},     {known, ""},
                          {sweep, ""},    {study, ""},    {command, ""}};
@@ -425,8 +429,9 @@ TEST_CASE("a crooked house is noticed", "[house]") {
             INFO(from << " -> " << to);
             CHECK(complaints_if(from, include(to)).size() == 1);
         }
-        for (const std::string& general : {std::string("src/text/table.hpp"), std::string("src/run/grid.hpp"),
-                                           std::string("src/option/options.hpp"), sweep}) {
+        for (const std::string& general :
+             {std::string("src/command/text/table.hpp"), std::string("src/command/run/grid.hpp"),
+              std::string("src/command/option/options.hpp"), sweep}) {
             INFO(general);
             CHECK(complaints_if(general, include(pendulum)).size() == 1);
             CHECK(complaints_if(general, include(known)).size() == 1);
@@ -461,7 +466,7 @@ TEST_CASE("a double is noticed in code, and in code only", "[house]") {
         INFO(code);
         CHECK(found_in(code) == 0);
     }
-    CHECK(doubles({{"src/main.cpp", "x = 0.1;"}}).empty());
+    CHECK(doubles({{"src/command/main.cpp", "x = 0.1;"}}).empty());
     CHECK(doubles({{"include/libration/series/x.hpp", "std::numeric_limits<T>::digits"}}).size() == 1);
     CHECK(found_in("std::numeric_limits<T>::digits") == 0);
     CHECK(doubles({{"include/libration/scalar/x.hpp", "//\n\nx = 0.1;"}}) ==
