@@ -394,7 +394,10 @@ TEST_CASE("a crooked house is noticed", "[house]") {
         return backward_includes(crooked);
     };
     const auto include = [](const std::string& to) {
-        return to.starts_with("include/") ? "#include <" + to.substr(8) + ">" : "#include \"../" + to + "\"";
+        const std::string searched = "src/command/";
+        return to.starts_with("include/") ? "#include <" + to.substr(8) + ">"
+               : to.starts_with(searched) ? "#include \"" + to.substr(searched.size()) + "\""
+                                          : "#include \"../" + to + "\"";
     };
 
     SECTION("straight") {
@@ -438,8 +441,8 @@ TEST_CASE("a crooked house is noticed", "[house]") {
         }
         CHECK(complaints_if(problem, include(pendulum)).size() == 1);
         CHECK(complaints_if(sweep, "  #  include \"../main.cpp\" // indented").size() == 1);
-        CHECK(complaints_if(sweep, include(study).replace(10, 3, "../../")).size() == 1);
-        CHECK(complaints_if(study, include(command).replace(10, 3, "../")).size() == 1);
+        CHECK(complaints_if(sweep, include(study).replace(10, 3, "../../../")).size() == 1);
+        CHECK(complaints_if(study, "#include \"../src/command/main.cpp\"").size() == 1);
         CHECK(complaints_if(scalar, "#include \"../series/power_series.hpp\"").size() == 1);
         CHECK(complaints_if(pendulum, "#include \"sweep/study.hpp\"").size() == 1);
     }
