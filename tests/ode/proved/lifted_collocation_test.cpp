@@ -89,6 +89,16 @@ TEST_CASE("collocation is left alone where equations with functions are not stif
     }
 }
 
+// Steps from 1e-16 on grow with the time: at each of them, the rest of the way is 1000 steps of the same length and more.
+TEST_CASE("a trial of collocation in vain does not take longer than the steps of Taylor series", "[ode][proved]") {
+    const precision_scope scope(400);
+    proved_march march(system_of("y' = 1/(32*y); y(0) = 2^(-27)"), 690);
+    const auto state = march.at(number(rational(2, 5)));
+    REQUIRE(state);
+    CHECK(overlaps(state->front(), ball_of("sqrt(1/40 + 2^(-54))")));
+    CHECK(march.collocation().steps == 0);
+}
+
 TEST_CASE("each step that is used is reported once, in order", "[ode][proved]") {
     const std::vector<number> times{number(rational(1)), number(rational(2)), number(rational(10))};
     std::vector<step_report> steps;

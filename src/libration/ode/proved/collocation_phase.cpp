@@ -10,7 +10,6 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long first_check = 8;
 // The cost of a step grows with the cube of the number of unknowns, that of the preparation with the cube of the bits.
 constexpr std::size_t most_collocation_unknowns = 40;
 constexpr long most_collocation_bits = 1024;
@@ -28,11 +27,17 @@ unsigned long steps_worth_preparation(long bits) {
 }  // namespace
 
 collocation_phase::collocation_phase(const lifted_system& of, long bits, const proof_route& route)
-    : system_(of),
-      bits_(bits),
-      route_(route),
-      next_check_(route.integrator == integrator_choice::collocation ? 0 : first_check),
-      between_checks_(first_check) {}
+    : system_(of), bits_(bits), route_(route), between_checks_(steps_without_fast_modes * cost_of_step()) {
+    if (route.integrator == integrator_choice::automatic) {
+        next_check_ = between_checks_;
+    }
+}
+
+long collocation_phase::cost_of_step() const {
+    constexpr long at_200_bits = 32;
+    const long bits = std::max(200L, bits_);
+    return at_200_bits * bits * bits / (200 * 200);
+}
 
 std::string collocation_phase::obstacle() const {
     const std::size_t count = system_.leaves.size();
@@ -77,7 +82,7 @@ bool collocation_phase::begin(long steps, const ball& time, const tube_set& set,
     integrator_->begin(time, *all, first);
     active_ = integrator_->prepare();
     steps_of_phase_ = 0;
-    length_to_pay_ = length * magnitude(static_cast<unsigned long>(cost_of_step));
+    length_to_pay_ = length * magnitude(static_cast<unsigned long>(cost_of_step()));
     return active_;
 }
 
@@ -97,12 +102,8 @@ bool collocation_phase::step(long steps) {
     if (route_.integrator == integrator_choice::collocation) {
         return true;
     }
-    if (integrator_->steps_without_fast_modes() >= steps_without_fast_modes) {
-        between_checks_ = first_check;
-        next_check_ = steps + between_checks_;
-        return false;
-    }
-    return steps_of_phase_ <= steps_to_grow || pays;
+    return integrator_->steps_without_fast_modes() < steps_without_fast_modes &&
+           (steps_of_phase_ <= steps_to_grow || pays);
 }
 
 }  // namespace libration::ode

@@ -11,16 +11,16 @@
 namespace libration::ode {
 
 /// Decides when collocation begins and ends; no proof depends on it. It begins where the solution is smooth over many steps
-/// of Taylor series (collocation_integrator::is_smooth_over), which is checked after 8, 16, 32, ... of them, and ends when
-/// no mode has been fast for some steps, or when its steps are not much longer than those of Taylor series.
+/// of Taylor series (collocation_integrator::is_smooth_over), which is checked after so many of them that a trial in vain
+/// at most doubles the time, and ends when no mode has been fast for some steps, or when its steps are not much longer
+/// than those of Taylor series.
 class collocation_phase {
 public:
-    /// A step counts as so many of Taylor series, which take about as long.
-    static constexpr long cost_of_step = 32;
-
     collocation_phase(const lifted_system& of, long bits, const proof_route& route);
 
     bool is_active() const { return active_; }
+    /// A step counts as so many of Taylor series, which take about as long.
+    long cost_of_step() const;
     /// The reason why the route, by collocation, is not possible; empty if it is.
     std::string obstacle() const;
     /// True if it should be tried after `steps` steps at this time, where the next one by Taylor series has this length; the
@@ -50,8 +50,8 @@ private:
     bool active_ = false;
     collocation_use use_;
     long steps_of_phase_ = 0;
-    magnitude length_to_pay_;           // of a step that is worth its cost
-    long next_check_, between_checks_;  // in steps
+    magnitude length_to_pay_;               // of a step that is worth its cost
+    long between_checks_, next_check_ = 0;  // in steps
 };
 
 }  // namespace libration::ode

@@ -62,7 +62,7 @@ std::vector<ball> proved_march::values_by_collocation(const ball& distance) {
 
 void proved_march::step_of_collocation() {
     use_step(1);
-    count_steps(collocation_phase::cost_of_step);
+    count_steps(collocation_->cost_of_step());
     const bool continues = collocation_->step(steps_);
     time_ = collocation_->integrator().reached();
     used_ = false;
