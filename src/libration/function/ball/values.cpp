@@ -13,7 +13,9 @@ namespace libration::function {
 namespace {
 
 template <class F>
-concept has_balls = requires { F::template real_ball<arb_struct>; };
+concept has_balls = requires {
+    F::template real_ball<arb_struct>;
+};
 
 // f(x) for a real or complex ball.
 template <class R>
