@@ -1,5 +1,5 @@
-// The right-hand sides of the problems of the benchmark `equations`, for solvers of first-order systems: the slopes of a
-// state x1, x1', x2, x2', ...
+// The right-hand sides of the problems of the benchmark `equations`, for solvers of first-order systems: the slopes of
+// a state x1, x1', x2, x2', ...
 #pragma once
 
 #include <cmath>

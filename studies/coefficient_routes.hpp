@@ -1,5 +1,5 @@
-// The routes to the coefficients of the pendulum's series and of its resummation, with what they start from and what they
-// must give.
+// The routes to the coefficients of the pendulum's series and of its resummation, with what they start from and what
+// they must give.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What the results of a tournament of radius tests say of each test: its rank, and the reliability of its uncertainties.
+// What the results of a tournament of radius tests say of each test: its rank, and the reliability of its
+// uncertainties.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The results of radius tests for lists of coefficients: about any point of the pendulum's motion, where the exact radius
-// is known, and about the initial point of any equation.
+// The results of radius tests for lists of coefficients: about any point of the pendulum's motion, where the exact
+// radius is known, and about the initial point of any equation.
 #pragma once
 
 #include <algorithm>
@@ -214,8 +214,8 @@ struct list_of_unknown {
     const std::vector<answered_list>& answers;
 };
 
-/// The plan of a study of these lists: a table of the rows(list of an unknown), and one of the results of the tests that
-/// are shown. Throws input_error with the reason `too_short` for an order below least_order_of_lists.
+/// The plan of a study of these lists: a table of the rows(list of an unknown), and one of the results of the tests
+/// that are shown. Throws input_error with the reason `too_short` for an order below least_order_of_lists.
 template <class Row, class Rows, class Shown>
 study_plan plan_of_lists(const study_request& request, const char* too_short, const column_list<Row>& columns,
                          const Rows& rows, const std::string& suffix_of_results, const Shown& shown) {

@@ -3,11 +3,12 @@
 //
 //     failing_memory one|all|cold|limit QUESTION SMALL LARGE FIRST STEP COUNT
 //
-// one: during the larger question allocation k fails, for k = FIRST, FIRST + STEP, ...; all: that one and all behind it;
-// cold: as one, and the larger question is the first of its process; limit: the address space and the data of the process
-// may grow by k bytes. QUESTION is a motion or a problem, at time 3, to SMALL and to LARGE digits. Each k has a process of
-// its own. Prints how many of them answered alike, refused the question, answered otherwise, crashed or did not end, and
-// had memory enough (after which no further k is tried), and a line for each that went wrong. Exit code: 1 where one did.
+// one: during the larger question allocation k fails, for k = FIRST, FIRST + STEP, ...; all: that one and all behind
+// it; cold: as one, and the larger question is the first of its process; limit: the address space and the data of the
+// process may grow by k bytes. QUESTION is a motion or a problem, at time 3, to SMALL and to LARGE digits. Each k has a
+// process of its own. Prints how many of them answered alike, refused the question, answered otherwise, crashed or did
+// not end, and had memory enough (after which no further k is tried), and a line for each that went wrong. Exit code: 1
+// where one did.
 #include <libration.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

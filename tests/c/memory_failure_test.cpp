@@ -1,6 +1,6 @@
 // Memory that fails inside a call, in processes of their own (failing_memory.cpp): the same question asked again is
-// answered alike or refused, and nothing crashes. Arb's constants are half written where it does not get memory, so that
-// a thread which asks again after such a failure prints proved digits that are false from the first one on.
+// answered alike or refused, and nothing crashes. Arb's constants are half written where it does not get memory, so
+// that a thread which asks again after such a failure prints proved digits that are false from the first one on.
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -39,11 +39,11 @@ inline drawn_series series_of_solution(const solution_of_problem& of, int order)
     return drawn;
 }
 
-/// The solutions that uncertainties are calibrated on. Balances, u the distance: f''' = -f f''/2 and f = 6/u; Lorenz'
-/// x = +-2i/u and y, z like u^-2; x'' = -2 x y, y'' = y^2 - x^2 like u^-2; S' = -r S I and I' = r S I like 1/u, the same
-/// for x' = -b x y, y' = d x y; u' = u^2 v = -v' and x' = -m x^3/3, v' = -v^3/3 like u^(-1/2); R R'' = -3/2 R'^2 and
-/// R = u^(2/5); x'' = -b x^3 like 1/u; and 2 - cos^2(a - b) = 0, where the mass matrix of the double pendulum is singular,
-/// the square root of which times its derivative is 1: u^(2/3).
+/// The solutions that uncertainties are calibrated on. Balances, u the distance: f''' = -f f''/2 and f = 6/u; Lorenz' x
+/// = +-2i/u and y, z like u^-2; x'' = -2 x y, y'' = y^2 - x^2 like u^-2; S' = -r S I and I' = r S I like 1/u, the same
+/// for x' = -b x y, y' = d x y; u' = u^2 v = -v' and x' = -m x^3/3, v' = -v^3/3 like u^(-1/2); R R'' = -3/2 R'^2 and R
+/// = u^(2/5); x'' = -b x^3 like 1/u; and 2 - cos^2(a - b) = 0, where the mass matrix of the double pendulum is
+/// singular, the square root of which times its derivative is 1: u^(2/3).
 inline std::vector<solution_of_problem> calibrating_solutions() {
     return {{"blasius", 0, -1, "3.940211469127"},
             {"lorenz", 0, -1, "0.233580684733"},
@@ -65,8 +65,8 @@ inline std::vector<solution_of_problem> calibrating_solutions() {
 
 /// Solutions that no uncertainty was calibrated on. Painleve's transcendents and Weierstrass' function have double and
 /// simple poles; Kepler's x and y with r = 0 at cos E = 1/e and the radius arcosh(5/3) - 4/5, and bodies that meet at
-/// complex times, r^2 = x^2 + y^2 = 0 there, u^(1/2); log u of Toda's chain and of the pendulum; SEIR's S like u^-2, for
-/// I like 1/u follows from E, and E from S I, by a derivative each; Falkner and Skan's and Sakiadis' equations are
+/// complex times, r^2 = x^2 + y^2 = 0 there, u^(1/2); log u of Toda's chain and of the pendulum; SEIR's S like u^-2,
+/// for I like 1/u follows from E, and E from S I, by a derivative each; Falkner and Skan's and Sakiadis' equations are
 /// Blasius' in the leading order.
 inline std::vector<solution_of_problem> held_out_solutions() {
     return {{"painleve_1", 0, -2, "2.384168769569"},  {"painleve_2", 0, -1, "2.938182501733"},

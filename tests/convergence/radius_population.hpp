@@ -1,5 +1,5 @@
-// Series of many families, drawn at random, whose radius of convergence and exponents are known: the population that the
-// coverage of the stated uncertainties is measured on.
+// Series of many families, drawn at random, whose radius of convergence and exponents are known: the population that
+// the coverage of the stated uncertainties is measured on.
 #pragma once
 
 #include <cstdint>

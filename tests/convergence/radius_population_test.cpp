@@ -1,6 +1,6 @@
 // How often the true radius and the true exponent lie within the uncertainties of the verdict, over a population of 46
-// families of series and of solutions of differential equations: a sample of it, and all of it with `./run test --long`,
-// where 6 families and 11 solutions that nothing was calibrated on are judged too.
+// families of series and of solutions of differential equations: a sample of it, and all of it with `./run test
+// --long`, where 6 families and 11 solutions that nothing was calibrated on are judged too.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <iostream>

@@ -519,6 +519,17 @@ FAULTS = [
          "old(i, j) = ball(0);"),
     ),
     *in_file(
+        "src/libration/ode/rigorous/lifted_set.cpp", ["ode/proved/lifted_set_test.cpp"],
+        ("the added errors forgotten in those of an added unknown",
+         "        rest.add_product(magnitude(derivatives[j]), set.added[j]);", ""),
+        ("an added unknown that does not depend on the given ones",
+         "column.push_back(inner_product(derivatives.data(), 1, column.data(), 1, static_cast<int>(derivatives.size())));",
+         "column.push_back(ball(0));"),
+        ("the time of a set taken for its midpoint", "magnitude rest(at_centre - centre);", "magnitude rest;"),
+        ("the added errors forgotten in a set of fewer unknowns",
+         "radius.add_product(magnitude((*back)(i, k)), of.added[k].shifted(-scales[k]));", ""),
+    ),
+    *in_file(
         "src/libration/ode/proved/condition_system.cpp", ["ode/proved/event_laws_test.cpp"],
         ("a condition that starts with another slope", "with_leaves(slope, form, starts, at), at);",
          "with_leaves(value, form, starts, at), at);"),

@@ -24,8 +24,8 @@ constexpr int levels = 60;    // 2^60 visits would never end
 
 enum class kind { left_sum, right_sum, product, quotients, functions, differences };
 
-// One expression in y and t, nested `depth` deep. At y = t = 1 quotients are 1, and the derivatives d(n) by y of quotients
-// and differences are 1 - d(n - 1), d(1) = 0.
+// One expression in y and t, nested `depth` deep. At y = t = 1 quotients are 1, and the derivatives d(n) by y of
+// quotients and differences are 1 - d(n - 1), d(1) = 0.
 expression nested(kind of, int depth) {
     const expression y = unknown("y");
     expression e = of == kind::quotients || of == kind::differences ? variable() : y;

@@ -21,8 +21,8 @@ struct step_report {
     long bits;      ///< working precision
     int order;      ///< degree of the polynomials
     step_method method;
-    /// log2 of the largest radius of the enclosure of an unknown at the beginning, relative to its midpoint: infinite if a
-    /// midpoint is 0, -infinity if the enclosure is exact.
+    /// log2 of the largest radius of the enclosure of an unknown at the beginning, relative to its midpoint: infinite
+    /// if a midpoint is 0, -infinity if the enclosure is exact.
     double log2_of_width;
 };
 

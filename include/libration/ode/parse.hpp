@@ -38,8 +38,8 @@ inline constexpr std::size_t longest_name = 200;
 /// 3 sin(t), where 2e3 is a number. 1/2y and x^2y are rejected as ambiguous, as are a(t + 1) and f(0) in a formula. pi
 /// and deg after a number are units, 150deg.
 ///
-/// UTF-8: Greek letters are read as their names (theta), x² and x⁻¹ for powers, y₁ for y1, ′ and ″ for primes, · × ÷ − for
-/// operators, π ∞ ° √ for pi, inf, deg, sqrt.
+/// UTF-8: Greek letters are read as their names (theta), x² and x⁻¹ for powers, y₁ for y1, ′ and ″ for primes, · × ÷ −
+/// for operators, π ∞ ° √ for pi, inf, deg, sqrt.
 ///
 /// Other names without a definition are parameters whose values are open (equation_system::open): changed() sets them,
 /// and initial values that are missing; a system with open parameters has no solution. Throws error with the line, the

@@ -28,8 +28,8 @@ struct request {
     /// Of an integration, before progress: the time reached, and the bits of the run.
     std::function<void(double time, long bits)> reached = {};
     /// The integrator of states that are proved by integration. collocation is refused, as error of the subject
-    /// "integrator", if it does not support the system or the precision, and for results without such steps: closed forms
-    /// and results that are not proved. taylor is refused for closed forms.
+    /// "integrator", if it does not support the system or the precision, and for results without such steps: closed
+    /// forms and results that are not proved. taylor is refused for closed forms.
     ode::integrator_choice integrator = ode::integrator_choice::automatic;
     /// Called for each step of a proof of states at times; not for the second proof of `check`.
     ode::step_observer observer = {};

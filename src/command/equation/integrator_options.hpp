@@ -42,8 +42,8 @@ private:
     std::optional<std::string> integrator_;
 };
 
-/// The file of --trace: one line of CSV per step, written beside it and renamed at the end, also if an exception ends the
-/// integration.
+/// The file of --trace: one line of CSV per step, written beside it and renamed at the end, also if an exception ends
+/// the integration.
 class step_trace {
 public:
     /// Throws input_error if the file cannot be written.

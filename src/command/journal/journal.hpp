@@ -90,8 +90,8 @@ public:
     std::optional<journal_record> find(const cell_key& key) const;
     /// Adds all or none; a record of a key that is there is replaced.
     void add(const std::vector<journal_record>& records);
-    /// Ends a period of writing: everything is moved into the one file, and SQLite's auxiliary files are removed, unless
-    /// another process is reading it.
+    /// Ends a period of writing: everything is moved into the one file, and SQLite's auxiliary files are removed,
+    /// unless another process is reading it.
     void settle();
     /// In the order in which they were added.
     void for_each(const std::function<void(const journal_record&)>& see) const;

@@ -12,8 +12,8 @@
 
 namespace libration {
 
-/// Commits records at most `patience` after they were added, in a separate thread. Memory is bounded: adding blocks while
-/// `most_waiting` records are queued.
+/// Commits records at most `patience` after they were added, in a separate thread. Memory is bounded: adding blocks
+/// while `most_waiting` records are queued.
 class journal_writer {
 public:
     static constexpr std::chrono::milliseconds patience{100};

@@ -32,7 +32,8 @@ public:
     }
 };
 
-// The examples by subcommand; the first may make the files that the second reads. tests/command/help_test.cpp runs them.
+// The examples by subcommand; the first may make the files that the second reads. tests/command/help_test.cpp runs
+// them.
 using example_pair = std::pair<std::string, std::string>;
 const std::map<std::string, example_pair>& examples() {
     static const std::map<std::string, example_pair> all{
@@ -79,8 +80,8 @@ const std::map<std::string, example_pair>& examples() {
     return all;
 }
 
-// Where a line that is too long ends: before a blank, else after a comma; npos if neither is between `begin` and the last
-// column.
+// Where a line that is too long ends: before a blank, else after a comma; npos if neither is between `begin` and the
+// last column.
 std::size_t end_of_line(const std::string& line, std::size_t begin) {
     const std::size_t blank = line.rfind(' ', last_column);
     if (blank != std::string::npos && blank > begin) {

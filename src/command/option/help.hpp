@@ -12,8 +12,8 @@ inline constexpr const char* program_description =
     "Power-series solutions of ordinary differential equations to arbitrary precision, with rigorous error bounds; "
     "the pendulum is built in.";
 
-/// Wraps the lines of `text` at 100 columns, at blanks, and words that do not fit in a line after commas; continued lines
-/// start with `indent` blanks.
+/// Wraps the lines of `text` at 100 columns, at blanks, and words that do not fit in a line after commas; continued
+/// lines start with `indent` blanks.
 std::string wrapped(const std::string& text, std::size_t indent);
 
 /// Sets the layout of --help for the program and its subcommands. Call it before adding these, which inherit it.

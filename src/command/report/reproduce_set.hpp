@@ -36,8 +36,8 @@ std::string description_of_part(const std::string& part);
 /// Throws input_error for another name, and for a set that holds nothing.
 reproduce_set set_named(const std::string& name);
 
-/// Those of --only, if given, instead of the set's, without those of --skip. Throws input_error for an unknown name and if
-/// nothing remains.
+/// Those of --only, if given, instead of the set's, without those of --skip. Throws input_error for an unknown name and
+/// if nothing remains.
 reproduce_set chosen_of(reproduce_set set, const std::optional<std::string>& only,
                         const std::optional<std::string>& skip);
 

@@ -1,4 +1,5 @@
-// Runs another program as a child process. Written by hand, because Boost.Process takes twelve times as long to compile.
+// Runs another program as a child process. Written by hand, because Boost.Process takes twelve times as long to
+// compile.
 #pragma once
 
 #include <string>

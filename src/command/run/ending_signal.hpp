@@ -21,8 +21,8 @@ public:
     at_ending_signal& operator=(const at_ending_signal&) = delete;
     ~at_ending_signal();
 
-    /// Called at a signal before the actions, and instead of them if it does not return; an empty function removes it. Throws
-    /// std::system_error if no thread can be started.
+    /// Called at a signal before the actions, and instead of them if it does not return; an empty function removes it.
+    /// Throws std::system_error if no thread can be started.
     static void set_first(std::function<void()> first);
 
     /// While it is held, these signals wait: for the moment in which files change places.
@@ -35,9 +35,9 @@ private:
     std::list<std::function<void()>>::iterator place_;
 };
 
-/// During its lifetime a command ends after a time, and if `signals` at INT, TERM and HUP, with exit code 1 and one line
-/// on stderr with how far it came (status_source). A computation that calls check_time() between its steps ends by an
-/// exception, so that the command prints what is finished. If it does not call it for some seconds, the actions of
+/// During its lifetime a command ends after a time, and if `signals` at INT, TERM and HUP, with exit code 1 and one
+/// line on stderr with how far it came (status_source). A computation that calls check_time() between its steps ends by
+/// an exception, so that the command prints what is finished. If it does not call it for some seconds, the actions of
 /// at_ending_signal are called, and the process ends. One object at a time.
 class time_limit {
 public:

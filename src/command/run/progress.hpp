@@ -31,8 +31,8 @@ public:
     using slowest = std::function<std::string()>;
 
     progress(std::string what, std::size_t steps, progress_context context = {});
-    /// For long-running work: with the rate and the slowest items, updated every second on a terminal; in a pipe or a log
-    /// one line per minute.
+    /// For long-running work: with the rate and the slowest items, updated every second on a terminal; in a pipe or a
+    /// log one line per minute.
     progress(std::string what, std::size_t steps, progress_context context, slowest slow);
     progress(const progress&) = delete;
     progress& operator=(const progress&) = delete;

@@ -1,5 +1,5 @@
-// Cores shared by several sweeps: the first sweep uses as many as it can, the next one the remaining ones, so that no core
-// waits for the last step of another.
+// Cores shared by several sweeps: the first sweep uses as many as it can, the next one the remaining ones, so that no
+// core waits for the last step of another.
 #pragma once
 
 #include <condition_variable>

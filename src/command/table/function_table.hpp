@@ -16,10 +16,10 @@ namespace libration {
 std::vector<const elliptic::named_function*> functions_of(const std::string& list);
 
 /// Every function at every argument and every parameter, parameters first. In the typed style one value per row:
-/// function, argument, k, m or m1, value, condition, digits, rigour, of Pi also n. In decimals one argument per row, with
-/// a column for each function: u or phi, k, m or m1, the functions, condition_NAME for each. With complex arguments the
-/// value is the real part and a column `imaginary` follows; in decimals u_re, u_im, k, m or m1, NAME_re, NAME_im,
-/// condition_NAME.
+/// function, argument, k, m or m1, value, condition, digits, rigour, of Pi also n. In decimals one argument per row,
+/// with a column for each function: u or phi, k, m or m1, the functions, condition_NAME for each. With complex
+/// arguments the value is the real part and a column `imaginary` follows; in decimals u_re, u_im, k, m or m1, NAME_re,
+/// NAME_im, condition_NAME.
 ///
 /// condition = (|u df/du| + |x df/dx|)/|f| with x the parameter as typed, of Pi also |n df/dn|, to three digits and
 /// heuristic (function_condition); inf where f is 0 or infinite and not exact. Throws input_error.

@@ -1,5 +1,6 @@
 // Tables of numbers for programs: headers for C++ and C, Boost.Math's .ipp, a Fortran module, text that NumPy, Julia
-// and PARI/GP read, each with its provenance. All cells are decimals and are written unchanged, so that no digit is lost.
+// and PARI/GP read, each with its provenance. All cells are decimals and are written unchanged, so that no digit is
+// lost.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ struct table_origin {
 /// Throws input_error of --name for a name that is not a C++ identifier.
 void require_identifier(const std::string& name);
 
-/// A self-contained header (C++17): struct NAME_row with a const char* per column, and the constexpr array NAME of them.
-/// inf and -inf are written as such, as strtod and mpfr_set_str read them.
+/// A self-contained header (C++17): struct NAME_row with a const char* per column, and the constexpr array NAME of
+/// them. inf and -inf are written as such, as strtod and mpfr_set_str read them.
 std::string to_cpp_header(const table& data, const table_origin& origin);
 
 /// A static array of arrays in the form of Boost.Math's test data [boost/libs/math/test]: needs SC_ or T,

@@ -1,5 +1,5 @@
-// A cell of a table: text, or a number with its digits. A number is already a decimal, so it is not rounded on output, and
-// its type need not be inferred from its characters.
+// A cell of a table: text, or a number with its digits. A number is already a decimal, so it is not rounded on output,
+// and its type need not be inferred from its characters.
 #pragma once
 
 #include <concepts>

@@ -26,8 +26,8 @@ public:
     column_names(std::string file, std::vector<std::string> own, std::size_t count,
                  const std::optional<std::string>& mapping, std::vector<known_column> known);
 
-    /// The index of the column of a quantity; std::nullopt if the file lacks it. Throws input_error if two columns match, and
-    /// std::logic_error for an unknown name.
+    /// The index of the column of a quantity; std::nullopt if the file lacks it. Throws input_error if two columns
+    /// match, and std::logic_error for an unknown name.
     std::optional<std::size_t> find(std::string_view name) const;
     std::size_t count() const { return own_.size(); }
     /// What the file calls a column.

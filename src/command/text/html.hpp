@@ -17,7 +17,8 @@ std::string html_mathematics(const std::string& text);
 std::string html_prose(const std::string& text);
 
 /// An SVG image as a data: URI for an attribute in double quotes, with the few characters escaped that are not allowed
-/// there: two thirds of the size in base64. Its double quotes become single ones, so it must not contain text with either.
+/// there: two thirds of the size in base64. Its double quotes become single ones, so it must not contain text with
+/// either.
 std::string svg_uri(const std::string& svg);
 
 /// A whole page: title, style and body.

@@ -266,8 +266,8 @@ TEST_CASE("a body is dropped from any height with an acceleration that is no fra
     }
 }
 
-// w = y - x^2 obeys w' = c w^2, so that 1/w = 1/w(0) - c t, beside an x that is larger than w by many orders: on a set of
-// times x^2 varies far more than w does.
+// w = y - x^2 obeys w' = c w^2, so that 1/w = 1/w(0) - c t, beside an x that is larger than w by many orders: on a set
+// of times x^2 varies far more than w does.
 TEST_CASE("events of what is left where large terms cancel", "[ode][proved]") {
     const rational c = 1 + ten_to(-13);
     const auto events_at = [&](const rational& from, const rational& level, const rational& before) {

@@ -89,7 +89,8 @@ TEST_CASE("collocation is left alone where equations with functions are not stif
     }
 }
 
-// Steps from 1e-16 on grow with the time: at each of them, the rest of the way is 1000 steps of the same length and more.
+// Steps from 1e-16 on grow with the time: at each of them, the rest of the way is 1000 steps of the same length and
+// more.
 TEST_CASE("a trial of collocation in vain does not take longer than the steps of Taylor series", "[ode][proved]") {
     const precision_scope scope(400);
     proved_march march(system_of("y' = 1/(32*y); y(0) = 2^(-27)"), 690);

@@ -97,7 +97,8 @@ complex_number<mpfr> upper_power(const complex_number<T>& x0, int stride) {
 }  // namespace fitting
 
 /// The local exponents at a singularity x0 (im >= 0), one of `count` on the circle of convergence. Returns std::nullopt
-/// if the list is too short for three of them or one has no root near x0. Computed with 20 digits more than T has. O(N).
+/// if the list is too short for three of them or one has no root near x0. Computed with 20 digits more than T has.
+/// O(N).
 template <rounding_scalar T>
 std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c, const complex_number<T>& x0,
                                                      int count) {
@@ -120,9 +121,9 @@ std::optional<local_exponents<T>> local_exponents_of(const strided_series<T>& c,
     return found;
 }
 
-/// The error of an exponent due to corrections like 1/log n, n the last power. Of nu + k/(log n + c) the last step is the
-/// part log(1/f)/(log n + c) at least, whatever else contributes to it; c is not known, and c <= log n is allowed for,
-/// calibrated.
+/// The error of an exponent due to corrections like 1/log n, n the last power. Of nu + k/(log n + c) the last step is
+/// the part log(1/f)/(log n + c) at least, whatever else contributes to it; c is not known, and c <= log n is allowed
+/// for, calibrated.
 template <rounding_scalar T>
 T drift_of_exponent(const local_exponents<T>& local, const T& exponent, const list_quality<T>& list) {
     using std::abs;

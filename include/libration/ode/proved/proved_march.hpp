@@ -38,8 +38,8 @@ enum class march_end {
 ///
 /// If the equations are stiff along the way of at(), that is if the solution is smooth over many of these steps, the
 /// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. It
-/// integrates the polynomial form, from the image of the set under the added unknowns (rigorous/lifted_set.hpp), and the
-/// set of the given unknowns continues. This requires no derivative of the flow.
+/// integrates the polynomial form, from the image of the set under the added unknowns (rigorous/lifted_set.hpp), and
+/// the set of the given unknowns continues. This requires no derivative of the flow.
 ///
 /// The unknowns are those of the given system with their lower derivatives; the other unknowns of theorem T
 /// (lifted_system) are computed from them in each step. The precision decreases as the set grows: digits below its
@@ -56,8 +56,9 @@ public:
     static constexpr long usual_error_bits = 64;
 
     /// From the initial point, with so many bits; the error maps have error_bits, the precision of derivative_at().
-    /// From a singular initial point after a step of theorem S (singular_step.hpp), whose errors it throws. Throws error of
-    /// the subject "integrator" if the route is by collocation, which does not support this system or precision.
+    /// From a singular initial point after a step of theorem S (singular_step.hpp), whose errors it throws. Throws
+    /// error of the subject "integrator" if the route is by collocation, which does not support this system or
+    /// precision.
     proved_march(const explicit_system& system, long bits, march_watch watch = {}, long error_bits = usual_error_bits,
                  const proof_route& route = {});
     /// The same from all initial values in a box of balls, the given unknowns at the point of the system.

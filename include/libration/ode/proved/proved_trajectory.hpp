@@ -36,8 +36,8 @@ struct partial_trajectory {
 /// `digits` significant digits each, proved to one unit in the last (proved_march, with the bits lost by the flow added
 /// from run to run, as observed in the runs before). Unknowns that do not influence each other are integrated
 /// separately. An undecided value or time does not affect the others. Throws error if the initial point is singular and
-/// theorem S does not apply to it, for times before a singular initial point, and for an integrator that is not possible
-/// (proved_march). The observer is called for each step of each run.
+/// theorem S does not apply to it, for times before a singular initial point, and for an integrator that is not
+/// possible (proved_march). The observer is called for each step of each run.
 partial_trajectory proved_part_of_trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const march_watch& watch = {}, const proof_route& route = {},
                                              const step_observer& observer = {});

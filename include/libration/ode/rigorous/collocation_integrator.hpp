@@ -12,20 +12,20 @@ namespace libration::ode {
 /// Steps of theorem K for the polynomial form of a system, in sequence: each begins with the set in which the previous
 /// one ended, so that its tube contains every solution that began in the first set.
 ///
-/// The polynomials of a step satisfy the equation at Chebyshev-Radau nodes, by Newton's method. Modes, by the eigenvalues
-/// of f_y in the middle, that decay within the step are fast. V has constant fast columns, the eigenvectors, and slow ones
-/// that solve v' = f_y v and are kept from step to step as long as their number and their angles permit. The length is
-/// chosen such that the last coefficients are negligible in the given bits, and that no given unknown decays by more than
-/// about 10^-5, so that each has its own relative precision. The proof does not assume any of this: the tube is proved from
-/// the polynomials alone.
+/// The polynomials of a step satisfy the equation at Chebyshev-Radau nodes, by Newton's method. Modes, by the
+/// eigenvalues of f_y in the middle, that decay within the step are fast. V has constant fast columns, the
+/// eigenvectors, and slow ones that solve v' = f_y v and are kept from step to step as long as their number and their
+/// angles permit. The length is chosen such that the last coefficients are negligible in the given bits, and that no
+/// given unknown decays by more than about 10^-5, so that each has its own relative precision. The proof does not
+/// assume any of this: the tube is proved from the polynomials alone.
 class collocation_integrator {
 public:
     /// `more_terms` is added to the degree of the polynomials, for a second proof.
     collocation_integrator(const lifted_system& of, long bits, int more_terms = 0);
     ~collocation_integrator();
 
-    /// True if explicit steps of this length are much too short: the solution from this state is smooth over 32 of them,
-    /// estimated by an L-stable method in long double. No proof depends on it.
+    /// True if explicit steps of this length are much too short: the solution from this state is smooth over 32 of
+    /// them, estimated by an L-stable method in long double. No proof depends on it.
     bool is_smooth_over(const ball& time, const std::vector<ball>& state, const ball& length) const;
 
     /// Sets the initial time, a ball stands for each of its times, and the set of all unknowns of the polynomial form;

@@ -11,14 +11,15 @@ namespace libration::ode {
 /// Coefficients of 1, x, x^2, ...; empty for the polynomial 0.
 using ball_polynomial = std::vector<ball>;
 
-/// From `start`, over a length of either sign, which is exact; a start that is a ball stands for each of its times. On it t = start + (1 + x) length/2, -1 <= x <= 1.
+/// From `start`, over a length of either sign, which is exact; a start that is a ball stands for each of its times. On
+/// it t = start + (1 + x) length/2, -1 <= x <= 1.
 struct step_interval {
     ball start, length;
 };
 
-/// The error set of theorem K: { centre + sum_b C_b e_b + a : |e_b| <= radii_b, |a_i| <= added_i }, centre exact, C_b the
-/// columns of a block, one or two of them, with the Euclidean norm; columns of balls stand for each of their matrices.
-/// C need not be square.
+/// The error set of theorem K: { centre + sum_b C_b e_b + a : |e_b| <= radii_b, |a_i| <= added_i }, centre exact, C_b
+/// the columns of a block, one or two of them, with the Euclidean norm; columns of balls stand for each of their
+/// matrices. C need not be square.
 struct tube_set {
     std::vector<ball> centre;
     std::vector<std::vector<ball>> columns;  ///< each as long as the centre
@@ -38,23 +39,23 @@ struct tube_set {
 ///     a_bb(t) >= mu(B_bb(t, y)), a_bc(t) >= ||B_bc(t, y)|| for b != c, y in U(t),    delta_b(t) >= |d_b(t)|,
 /// mu(M) the largest eigenvalue of (M + M^T)/2 with its sign. If
 ///     r_b' >= sum_c a_bc r_c + delta_b    at all t but finitely many, for all b,
-/// every solution of y' = f(t, y) with y(s) in U(s) exists on the whole step and is in U(t) for all t of it. a_bb may be
-/// negative, so that fast decaying modes make the tube narrow.
+/// every solution of y' = f(t, y) with y(s) in U(s) exists on the whole step and is in U(t) for all t of it. a_bb may
+/// be negative, so that fast decaying modes make the tube narrow.
 ///
 /// Proof. y = p + V e solves the equation iff e' = F(t, e) = V^-1 (f(t, p + V e) - V' e - p'). For |e_b| <= r_b the
 /// segment from p to p + V e is in U(t), so F(t, e) = M e - d with M = int_0^1 B(t, p + x V e) dx; mu and norms are
-/// convex, so mu(M_bb) <= a_bb and ||M_bc|| <= a_bc. Let c(t, e) shorten each e_b to the length r_b(t) if it is
-/// longer. By Peano e' = F(t, c(t, e)), continuous and bounded, has a solution on the step with the given initial value. Where
+/// convex, so mu(M_bb) <= a_bb and ||M_bc|| <= a_bc. Let c(t, e) shorten each e_b to the length r_b(t) if it is longer.
+/// By Peano e' = F(t, c(t, e)), continuous and bounded, has a solution on the step with the given initial value. Where
 /// |e_b| > r_b, with w = e_b/|e_b| and c_b = r_b w,
 ///     |e_b|' = r_b <w, M_bb w> + sum_(c != b) <w, M_bc c_c> - <w, d_b> <= sum_c a_bc r_c + delta_b <= r_b',
-/// so |e_b| - r_b does not grow while it is positive; it begins at 0 or below, and is never positive. So c(t, e) = e, p +
-/// V e solves the equation, and it is the only solution. []
+/// so |e_b| - r_b does not grow while it is positive; it begins at 0 or below, and is never positive. So c(t, e) = e, p
+/// + V e solves the equation, and it is the only solution. []
 ///
-/// K1. With constant a_bc and delta_b and r affine in t both sides of the inequality are affine: it holds on the step if
-/// it does at both ends.
+/// K1. With constant a_bc and delta_b and r affine in t both sides of the inequality are affine: it holds on the step
+/// if it does at both ends.
 ///
-/// K2. Let W be polynomials with W V = 1 + Z, |Z| <= z entry by entry, q < 1 a bound of the row sums of z. Then V^-1 = (1
-/// + N) W with |N| <= n = z + (row sums of z^2)/(1 - q). With J = f_y(t, p) and |f_y(t, y) - J| <= D on U(t)
+/// K2. Let W be polynomials with W V = 1 + Z, |Z| <= z entry by entry, q < 1 a bound of the row sums of z. Then V^-1 =
+/// (1 + N) W with |N| <= n = z + (row sums of z^2)/(1 - q). With J = f_y(t, p) and |f_y(t, y) - J| <= D on U(t)
 ///     |B - W (J V - V')| <= n |W (J V - V')| + (1 + n) |W| D |V|,    |d| <= (1 + n) |W (p' - f(t, p))|.
 /// On polynomials |.| is the sum of |Chebyshev coefficients|, a bound on [-1, 1]. W (p' - f) is multiplied out before
 /// bounds are taken, so that the slow rows are not affected by the stiffness of the fast ones.

@@ -10,10 +10,10 @@
 
 namespace libration::ode {
 
-/// Decides when collocation begins and ends; no proof depends on it. It begins where the solution is smooth over many steps
-/// of Taylor series (collocation_integrator::is_smooth_over), which is checked after so many of them that a trial in vain
-/// at most doubles the time, and ends when no mode has been fast for some steps, or when its steps are not much longer
-/// than those of Taylor series.
+/// Decides when collocation begins and ends; no proof depends on it. It begins where the solution is smooth over many
+/// steps of Taylor series (collocation_integrator::is_smooth_over), which is checked after so many of them that a trial
+/// in vain at most doubles the time, and ends when no mode has been fast for some steps, or when its steps are not much
+/// longer than those of Taylor series.
 class collocation_phase {
 public:
     collocation_phase(const lifted_system& of, long bits, const proof_route& route);
@@ -23,11 +23,11 @@ public:
     long cost_of_step() const;
     /// The reason why the route, by collocation, is not possible; empty if it is.
     std::string obstacle() const;
-    /// True if it should be tried after `steps` steps at this time, where the next one by Taylor series has this length; the
-    /// rest of the way is `rest`, with the sign of the direction.
+    /// True if it should be tried after `steps` steps at this time, where the next one by Taylor series has this
+    /// length; the rest of the way is `rest`, with the sign of the direction.
     bool may_begin(long steps, const magnitude& length, const ball& rest) const;
-    /// Begins from a set of the given unknowns, if the solution is smooth enough and a step is proved; true if that step is
-    /// prepared.
+    /// Begins from a set of the given unknowns, if the solution is smooth enough and a step is proved; true if that
+    /// step is prepared.
     bool begin(long steps, const ball& time, const tube_set& set, const magnitude& length, const ball& rest);
     /// Prepares the next step; false if none is proved.
     bool prepare() { return integrator_->prepare(); }

@@ -16,8 +16,8 @@ namespace libration::ode {
 
 // The percentages of R that are tried, in descending order: bounds are sharper near R but need not exist there.
 inline constexpr std::array<unsigned long, 7> tried_parts{92, 85, 75, 60, 45, 30, 15};
-// Then about 2^-1, 2^-3, 2^-7, .. 2^-63 times the last one, for smooth solutions of stiff equations; down to 2^-32767 if the
-// coefficients give no estimate.
+// Then about 2^-1, 2^-3, 2^-7, .. 2^-63 times the last one, for smooth solutions of stiff equations; down to 2^-32767
+// if the coefficients give no estimate.
 inline constexpr int tried_powers = 6;
 inline constexpr int tried_powers_without_estimate = 15;
 

@@ -41,7 +41,8 @@ struct polynomial_ring {
     static ball_polynomial ratio(int p, int q, const ball_polynomial& a) { return multiple_of(ball(p) / ball(q), a); }
 };
 
-/// Chebyshev coefficients of polynomials, by x^k = sum_l w_kl T_l(x), w >= 0, sum_l w_kl = 1, so that radii are not amplified.
+/// Chebyshev coefficients of polynomials, by x^k = sum_l w_kl T_l(x), w >= 0, sum_l w_kl = 1, so that radii are not
+/// amplified.
 class chebyshev_form {
 public:
     explicit chebyshev_form(long bits) : bits_(bits) {}

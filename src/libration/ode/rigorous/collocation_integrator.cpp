@@ -10,8 +10,8 @@ namespace libration::ode {
 
 namespace {
 
-// Explicit steps are much too short if the solution is smooth over this number of them: if the guide integrates it to the
-// tolerance in at most so many steps, and no unknown decays below this part of itself.
+// Explicit steps are much too short if the solution is smooth over this number of them: if the guide integrates it to
+// the tolerance in at most so many steps, and no unknown decays below this part of itself.
 constexpr long steps_of_smoothness = 32;
 constexpr int guide_steps_of_smoothness = 20;
 constexpr long double tolerance_of_smoothness = 1e-3L;

@@ -26,8 +26,8 @@ struct collocation_accuracy {
     static collocation_accuracy for_bits(long bits, int more_terms);
 };
 
-/// A step by Newton's method on the equations u(x_i) = u(-1) + sum_k S_ik f(u(x_k)): LU of the whole matrix in double, in
-/// a basis in which fast and slow modes of the middle of the step are apart, residuals in many digits.
+/// A step by Newton's method on the equations u(x_i) = u(-1) + sum_k S_ik f(u(x_k)): LU of the whole matrix in double,
+/// in a basis in which fast and slow modes of the middle of the step are apart, residuals in many digits.
 class collocation_solver {
 public:
     collocation_solver(const polynomial_map& map, const stiff_guide& guide, const collocation_nodes& nodes,

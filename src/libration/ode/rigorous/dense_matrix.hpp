@@ -1,4 +1,5 @@
-// Matrices of balls by rows, and factorisations in double and long double for approximate solutions, on which no proof depends.
+// Matrices of balls by rows, and factorisations in double and long double for approximate solutions, on which no proof
+// depends.
 #pragma once
 
 #include <cstddef>

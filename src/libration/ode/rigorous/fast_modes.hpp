@@ -23,9 +23,9 @@ struct divided_modes {
     dense_matrix basis() const;
 };
 
-/// By FLINT's approximate QR algorithm (acb_mat_approx_eig_qr), in the precision of `bits`. Fast are eigenvalues with
-/// a real part below -l, and those that turn by more than 2 l without growing, l in [3, 9] at the largest gap between both
-/// groups. std::nullopt if the algorithm does not converge.
+/// By FLINT's approximate QR algorithm (acb_mat_approx_eig_qr), in the precision of `bits`. Fast are eigenvalues with a
+/// real part below -l, and those that turn by more than 2 l without growing, l in [3, 9] at the largest gap between
+/// both groups. std::nullopt if the algorithm does not converge.
 std::optional<divided_modes> modes_of(const dense_matrix& j, long bits);
 
 /// Appends up to `count` orthonormal vectors made of the candidates, with pivots the longest one first [Gram-Schmidt],

@@ -1,5 +1,5 @@
-// The solution over a step to a few digits, by Rosenbrock's method of order 2: the initial guess of Newton's method, and a
-// check for stiffness. No proof depends on it.
+// The solution over a step to a few digits, by Rosenbrock's method of order 2: the initial guess of Newton's method,
+// and a check for stiffness. No proof depends on it.
 #pragma once
 
 #include <optional>

@@ -98,8 +98,8 @@ std::vector<ball_polynomial> rounded(const std::vector<ball_polynomial>& of) {
     return result;
 }
 
-// A bound of mu over the step: the largest eigenvalue of a symmetric 2 by 2 matrix increases with its diagonal entries and
-// with the absolute value of the other one. For slow columns the supremum of the entry suffices.
+// A bound of mu over the step: the largest eigenvalue of a symmetric 2 by 2 matrix increases with its diagonal entries
+// and with the absolute value of the other one. For slow columns the supremum of the entry suffices.
 ball rate_of_block(chebyshev_form& forms, const std::vector<ball_polynomial>& linear, std::size_t size, column_block b,
                    std::size_t slow, const bound_matrix& suprema) {
     const std::size_t first = b.begin * size + b.begin;

@@ -32,8 +32,8 @@ std::optional<std::string> declared_variable(const std::vector<statement>& all);
 /// if there is none. Throws error for another variable, and for orders that are not the same.
 std::optional<std::string> with_primes(std::vector<statement>& all, const std::optional<std::string>& variable);
 
-/// The variable, unless it is known: x in y'(x) = ... or in y(x), if y is an unknown; x, if no unknown is called x and t
-/// does not occur; else t. Throws error if several names are possible.
+/// The variable, unless it is known: x in y'(x) = ... or in y(x), if y is an unknown; x, if no unknown is called x and
+/// t does not occur; else t. Throws error if several names are possible.
 std::string inferred_variable(const std::vector<statement>& all);
 
 /// The names that have primes, and those of statements name = ...: unknowns and parameters. Throws error for reserved
