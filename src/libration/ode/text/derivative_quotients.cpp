@@ -1,7 +1,7 @@
 // Leibniz's notation, dx/dt, in the tokens of a problem.
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <string_view>
 #include <utility>
 
 #include "character.hpp"
@@ -20,6 +20,7 @@ struct differential {
 };
 
 constexpr int largest_order = 100;
+constexpr std::string_view digits_of_numbers = "0123456789";
 
 bool begins_with_letter(const std::string& text) {
     return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0;
@@ -40,18 +41,30 @@ std::optional<int> exponent_at(const statement& words, std::size_t index) {
     return there ? std::optional(order_of_digits(words[index + 1].value.str())) : std::nullopt;
 }
 
+// "s" of s1.
+std::string without_number(const std::string& name) {
+    return name.substr(0, name.find_last_not_of(digits_of_numbers) + 1);
+}
+
+// d2x/dt2, or d^2x/ds1^2.
+std::string quotient_of(const std::string& unknown, const std::string& variable, int order) {
+    const std::string power = without_number(variable) == variable ? "" : "^";
+    const std::string digits = order > 1 ? power + std::to_string(order) : "";
+    return "d" + digits + unknown + "/d" + variable + digits;
+}
+
 class derivative_quotients {
 public:
-    derivative_quotients(const std::vector<statement>& all, std::optional<std::string> variable)
-        : variable_(std::move(variable)) {
+    derivative_quotients(const std::vector<statement>& all, std::optional<std::string> variable, known_names known)
+        : variable_(std::move(variable)), known_(std::move(known)) {
         for (const statement& words : all) {
             for (const token& word : words) {
                 if (word.kind == token_kind::name && word.primes > 0) {
-                    taken_.insert(word.text);
+                    known_.unknowns.insert(word.text);
                 }
             }
-            if (words[0].kind == token_kind::name && symbol_at(words, 1, '=')) {
-                taken_.insert(words[0].text);
+            if (words[0].kind == token_kind::name && words[0].primes == 0 && symbol_at(words, 1, '=')) {
+                known_.parameters.insert(words[0].text);
             }
         }
     }
@@ -60,7 +73,7 @@ public:
         statement result;
         for (std::size_t i = 0; i < words.size();) {
             const auto above = numerator_at(words, i);
-            const auto below = above ? denominator_at(words, above->end, above->order) : std::nullopt;
+            const auto below = above ? denominator_at(words, above->end) : std::nullopt;
             if (!below) {
                 require_no_operator(words, i);
                 result.push_back(words[i++]);
@@ -76,7 +89,8 @@ public:
 
 private:
     bool is_free(const token& word) const {
-        return word.kind == token_kind::name && word.text.starts_with("d") && !taken_.contains(word.text);
+        return word.kind == token_kind::name && word.text.starts_with("d") && !known_.unknowns.contains(word.text) &&
+               !known_.parameters.contains(word.text);
     }
 
     // dx, d2x or d^2x, before a /.
@@ -89,7 +103,7 @@ private:
         if (found.name.empty() && order && at + 3 < words.size() && words[at + 3].kind == token_kind::name) {
             found = {words[at + 3].text, *order, words[at + 3].primes, at + 4};
         } else {
-            const std::size_t digits = std::min(found.name.find_first_not_of("0123456789"), found.name.size());
+            const std::size_t digits = std::min(found.name.find_first_not_of(digits_of_numbers), found.name.size());
             found.order = digits > 0 ? order_of_digits(found.name.substr(0, digits)) : 1;
             found.name = found.name.substr(digits);
         }
@@ -97,8 +111,8 @@ private:
         return whole ? std::optional(found) : std::nullopt;
     }
 
-    // dt, dt2 or dt^2, after the /.
-    std::optional<differential> denominator_at(const statement& words, std::size_t slash, int order) const {
+    // dt, dt2 or dt^2, after the /. The 1 of ds1 is not an order.
+    std::optional<differential> denominator_at(const statement& words, std::size_t slash) const {
         const std::size_t at = slash + 1;
         if (at >= words.size() || !is_free(words[at]) || words[at].primes > 0) {
             return std::nullopt;
@@ -107,11 +121,12 @@ private:
         if (const auto power = exponent_at(words, at + 1)) {
             found.order = *power;
             found.end = at + 3;
-        } else if (order > 1 || !is_variable(found.name)) {
-            const std::size_t digits = found.name.find_last_not_of("0123456789") + 1;
-            if (digits < found.name.size() && found.name != variable_) {
-                found.order = order_of_digits(found.name.substr(digits));
-                found.name = found.name.substr(0, digits);
+        } else if (found.name != variable_) {
+            const std::string letters = without_number(found.name);
+            const std::string digits = found.name.substr(letters.size());
+            if (!digits.empty() && order_of_digits(digits) > 1) {
+                found.order = order_of_digits(digits);
+                found.name = letters;
             }
         }
         return is_variable(found.name) ? std::optional(found) : std::nullopt;
@@ -124,7 +139,7 @@ private:
         }
         const int order = exponent_at(words, at + 1).value_or(1);
         const std::size_t slash = order > 1 ? at + 3 : at + 1;
-        const auto below = symbol_at(words, slash, '/') ? denominator_at(words, slash, order) : std::nullopt;
+        const auto below = symbol_at(words, slash, '/') ? denominator_at(words, slash) : std::nullopt;
         if (!below) {
             return;
         }
@@ -132,8 +147,7 @@ private:
         const std::size_t name = below->end + (opened ? 1 : 0);
         const bool named =
             name < words.size() && words[name].kind == token_kind::name && (!opened || symbol_at(words, name + 1, ')'));
-        const std::string digits = order > 1 ? std::to_string(order) : "";
-        const std::string quotient = "d" + digits + (named ? words[name].text : "x") + "/d" + below->name + digits;
+        const std::string quotient = quotient_of(named ? words[name].text : "x", below->name, order);
         refuse(text_of(words, at, below->end), words[at].at,
                "is an operator: write " +
                    (named ? corrected(words, at, name + (opened ? 2 : 1), quotient) : "the derivative as " + quotient));
@@ -141,16 +155,26 @@ private:
 
     // A word such as density in damping/density is not the differential of a variable.
     bool is_variable(const std::string& name) const {
-        return name == variable_ || is_greek_name(name) ||
-               (name.size() == 1 && begins_with_letter(name) && !taken_.contains(name));
+        const std::string letters = without_number(name);
+        const bool free = known_.unknowns.contains(name) || !known_.parameters.contains(name);
+        return name == variable_ || is_greek_name(letters) ||
+               (letters.size() == 1 && begins_with_letter(letters) && free);
+    }
+
+    void require_variable(const std::string& written, const place& at, const differential& above,
+                          const differential& below) const {
+        if (above.name == below.name) {
+            refuse(written, at, "differentiates " + below.name + " by itself: rename the unknown or the variable");
+        }
+        if (known_.unknowns.contains(below.name)) {
+            refuse(written, at, "differentiates by " + below.name + ", which is an unknown: rename one of them");
+        }
     }
 
     token derivative(const statement& words, std::size_t at, const differential& above, const differential& below) {
         const std::string written = text_of(words, at, below.end);
-        const auto of_order = [&](int order) {
-            const std::string digits = order > 1 ? std::to_string(order) : "";
-            return "d" + digits + above.name + "/d" + below.name + digits;
-        };
+        const auto of_order = [&](int order) { return quotient_of(above.name, below.name, order); };
+        require_variable(written, words[at].at, above, below);
         if (above.order != below.order) {
             const int other = std::max(above.order, below.order);
             refuse(written, words[at].at,
@@ -174,13 +198,14 @@ private:
     }
 
     std::optional<std::string> variable_, found_;
-    std::set<std::string> taken_;
+    known_names known_;
 };
 
 }  // namespace
 
-std::optional<std::string> with_primes(std::vector<statement>& all, const std::optional<std::string>& variable) {
-    derivative_quotients quotients(all, variable);
+std::optional<std::string> with_primes(std::vector<statement>& all, const std::optional<std::string>& variable,
+                                       const known_names& known) {
+    derivative_quotients quotients(all, variable, known);
     for (statement& words : all) {
         words = quotients.replaced(words);
     }

@@ -71,7 +71,8 @@ bool is_function_name(std::string_view name) { return function_named(name).has_v
 
 void require_free_name(const token& name, const std::string& variable) {
     if (name.text == variable) {
-        refuse(name.text, name.at, "is the independent variable: choose another name, or `variable x`");
+        const std::string other = variable == "x" ? "t" : "x";
+        refuse(name.text, name.at, "is the independent variable: choose another name, or `variable " + other + "`");
     }
     if (is_function_name(name.text) || name.text == "pi" || name.text == "inf") {
         refuse(name.text, name.at, "is a reserved name: choose another");

@@ -27,10 +27,12 @@ void require_free_name(const token& name, const std::string& variable);
 /// one declaration.
 std::optional<std::string> declared_variable(const std::vector<statement>& all);
 
-/// Replaces dx/dt, d2x/dt2 and d^2x/dt^2 by x' and x'', unless dx or dt is a name of the problem. The variable is a
-/// letter, a Greek letter, a letter with a number, or `variable`. Returns the variable of the first one; std::nullopt
-/// if there is none. Throws error for another variable, and for orders that are not the same.
-std::optional<std::string> with_primes(std::vector<statement>& all, const std::optional<std::string>& variable);
+/// Replaces dx/dt, d2x/dt2 and d^2x/dt^2 by x' and x'', unless dx or dt is a name of the statements or a known one. The
+/// variable is a letter, a Greek letter, one of these with a number, or `variable`; of dt2, the number is an order.
+/// Returns the variable of the first one; std::nullopt if there is none. Throws error for another variable, an unknown
+/// in its place, and for orders that are not the same.
+std::optional<std::string> with_primes(std::vector<statement>& all, const std::optional<std::string>& variable,
+                                       const known_names& known = {});
 
 /// The variable, unless it is known: x in y'(x) = ... or in y(x), if y is an unknown; x, if no unknown is called x and
 /// t does not occur; else t. Throws error if several names are possible.

@@ -28,7 +28,6 @@ public:
     }
     /// Statements that change a system.
     problem_reader(std::string_view text, const equation_system& of) : all_(statements_of(text)) {
-        with_primes(all_, of.variable);
         names_.variable = of.variable;
         const auto unknowns = of.unknowns();
         names_.unknowns.insert(unknowns.begin(), unknowns.end());
@@ -36,6 +35,7 @@ public:
             names_.parameters.insert(each.name);
         }
         accept_open(of.open);
+        with_primes(all_, of.variable, names_);
     }
 
     equation_system read() {
