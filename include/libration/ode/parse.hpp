@@ -47,7 +47,8 @@ inline constexpr std::size_t longest_name = 200;
 equation_system parse(std::string_view text);
 
 /// The same problem in standard notation, which parse() reads as the same system: a statement in each line, in ASCII,
-/// with primes for derivatives, * for each product and the variable, if it is not t. Throws error like parse().
+/// with primes for derivatives, * for each product and the variable, if it is not t, or if another one would be
+/// inferred. Throws error like parse().
 std::string canonical_text(std::string_view text);
 
 /// The system with parameters and initial values that are changed, or that were open, as `k = 1/3` or `f''(0) = 0.332,

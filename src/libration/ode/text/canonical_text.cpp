@@ -69,11 +69,12 @@ std::string canonical_text(std::string_view text) {
     const auto declared = declared_variable(all);
     with_primes(all, declared);
     const known_names names = names_in(all, variable);
-    std::string result = variable == "t" || declared ? "" : "variable " + variable + "\n";
+    std::string result;
     for (const statement& words : all) {
         result += canonical_statement(words, names).text() + "\n";
     }
-    return result;
+    const bool inferred = variable == "t" && inferred_variable(statements_of(result)) == variable;
+    return declared || inferred ? result : "variable " + variable + "\n" + result;
 }
 
 }  // namespace libration::ode
