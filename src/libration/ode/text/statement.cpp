@@ -44,6 +44,7 @@ public:
                 read_superscript();
             } else {
                 words_.push_back(word(c));
+                open_ += is_symbol(words_.back(), '(') ? 1 : is_symbol(words_.back(), ')') ? -1 : 0;
                 touches_ = true;
             }
         }
@@ -67,6 +68,7 @@ private:
             all_.push_back(std::move(words_));
             words_.clear();
         }
+        open_ = 0;
         touches_ = false;
     }
 
@@ -141,8 +143,24 @@ private:
         return rest_.size() - tail.size();
     }
 
+    // Of x²⁻¹ it is not known whether the exponents are added or multiplied.
+    void require_one_exponent() const {
+        if (words_.empty() || !words_.back().raised) {
+            return;
+        }
+        const auto last = std::ranges::find_if(words_.rbegin(), words_.rend(),
+                                               [](const token& word) { return word.raised && word.symbol == '^'; });
+        std::string_view tail = rest_;
+        while (!tail.empty() && first_character(tail).kind == character_kind::superscript) {
+            tail.remove_prefix(first_character(tail).source.size());
+        }
+        refuse({last->source.data(), tail.data()}, last->at,
+               "has a second exponent behind a superscript: write one in parentheses, as in x^(2-1)");
+    }
+
     // x² and x⁻¹ as x^2 and x^-1.
     void read_superscript() {
+        require_one_exponent();
         token power = begun();
         power.symbol = '^';
         power.raised = true;
@@ -177,14 +195,9 @@ private:
         touches_ = true;
     }
 
-    bool in_parentheses() const {
-        const auto count = [this](char c) { return std::ranges::count(words_, c, &token::symbol); };
-        return count('(') > count(')');
-    }
-
     // A comma outside parentheses separates statements; inside, the arguments of a function.
     bool ends_at_comma() const {
-        if (rest_.front() != ',' || in_parentheses()) {
+        if (rest_.front() != ',' || open_ > 0) {
             return false;
         }
         const bool in_number = touches_ && !words_.empty() && words_.back().kind == token_kind::numeral &&
@@ -247,6 +260,7 @@ private:
     std::string_view rest_;
     place at_{1, 1};
     bool touches_ = false;
+    long open_ = 0;  // parentheses of the statement
     statement words_;
     std::vector<statement> all_;
 };
