@@ -34,6 +34,43 @@ std::string function_meant_by(std::string name) {
     return is_function_name(name) ? name : "";
 }
 
+// The end of the argument at this index, y or (y + 1); the index itself for other tokens.
+std::size_t end_of_argument(const statement& words, std::size_t at) {
+    if (!symbol_at(words, at, '(')) {
+        return at < words.size() && words[at].kind == token_kind::name ? at + 1 : at;
+    }
+    int open = 0;
+    for (std::size_t i = at; i < words.size(); ++i) {
+        open += is_symbol(words[i], '(') ? 1 : is_symbol(words[i], ')') ? -1 : 0;
+        if (open == 0) {
+            return i + 1;
+        }
+    }
+    return at;
+}
+
+// sin^2(y), sin²(y), sin^-1 y.
+[[noreturn]] void refuse_raised_function(const statement& words, std::size_t function) {
+    const std::string& name = words[function].text;
+    const std::string reason = "is a function without ( after it: write ";
+    const bool negative = symbol_at(words, function + 2, '-');
+    const std::size_t numeral = function + (negative ? 3 : 2);
+    const std::size_t end = end_of_argument(words, numeral + 1);
+    if (end == numeral + 1 || words[numeral].kind != token_kind::numeral) {
+        refuse(name, words[function].at, reason + "the exponent behind the argument, as in " + name + "(x)^2");
+    }
+    const std::string written = text_of(words, numeral + 1, end);
+    const std::string argument = symbol_at(words, numeral + 1, '(') ? written : "(" + written + ")";
+    const std::string digits = words[numeral].raised ? words[numeral].value.str() : words[numeral].text;
+    const std::string power = name + argument + "^" + (negative ? "-" : "") + digits;
+    const std::string inverse = "a" + name;
+    refuse(name, words[function].at,
+           reason + corrected(words, function, end, power) + " for a power" +
+               (negative && is_function_name(inverse)
+                    ? ", " + corrected(words, function, end, inverse + argument) + " for the inverse function"
+                    : ""));
+}
+
 }  // namespace
 
 void refuse_product(const statement& words, std::size_t second) {
@@ -60,11 +97,19 @@ void refuse_exponent(const statement& words, std::size_t begin, std::size_t nume
 }
 
 void refuse_without_argument(const statement& words, std::size_t function) {
+    if (symbol_at(words, function + 1, '^')) {
+        refuse_raised_function(words, function);
+    }
     const std::string& name = words[function].text;
-    const bool operand = function + 1 < words.size() && words[function + 1].kind != token_kind::symbol;
-    const std::string call = operand ? name + "(" + text_of(words, function + 1, function + 2) + ")" : name + "(...)";
+    const auto is_operand = [&](std::size_t at) { return at < words.size() && words[at].kind != token_kind::symbol; };
+    const bool numeral = is_operand(function + 1) && words[function + 1].kind == token_kind::numeral;
+    const bool product = numeral && is_operand(function + 2);
+    const std::size_t end = function + (product ? 3 : is_operand(function + 1) ? 2 : 1);
+    const std::string argument = product ? words[function + 1].text + "*" + text_of(words, function + 2, end)
+                                         : text_of(words, function + 1, end);
     refuse(name, words[function].at,
-           "is a function without ( after it: write " + corrected(words, function, function + (operand ? 2 : 1), call));
+           "is a function without ( after it: write " +
+               corrected(words, function, end, name + "(" + (argument.empty() ? "..." : argument) + ")"));
 }
 
 void refuse_argument(const statement& words, std::size_t name, const known_names& names) {

@@ -19,7 +19,7 @@ namespace libration::ode {
 /// x^2y, where begin is the first token of the exponent, and the number at this index is its end, or end is.
 [[noreturn]] void refuse_exponent(const statement& words, std::size_t begin, std::size_t numeral, std::size_t end);
 
-/// sin y: the name of a function at this index without a parenthesis behind it.
+/// sin y, sin 2y, sin^2(y): the name of a function at this index without a parenthesis behind it.
 [[noreturn]] void refuse_without_argument(const statement& words, std::size_t function);
 
 /// a(t + 1), f(0), Sin(x): a name at this index that is not a function, before a parenthesis.
