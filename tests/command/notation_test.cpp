@@ -40,6 +40,13 @@ TEST_CASE("what the text leaves open is named with both remedies", "[command][no
                   {"--problem 'λ x' at line 1, column 8 multiplies without *: write x'' = -λ*x"});
     check_refused(reference_of("x' = a(t+1); x(0) = 1; a = 2"), {"is ambiguous: write x' = a*(t+1) for a product"});
     check_refused(reference_of("x' = x; x(0) = 1", {"--set", "b=1"}), {"--set", "does not name a parameter"});
+    check_refused(reference_of("x' = x; x(0) = 1", {"--set", "x=3"}),
+                  {"--set 'x' at line 1, column 1 is an unknown: write x(0)=3 for its initial value"});
+    check_refused(reference_of("x' = e^t; x(0) = 1", {"--set", "e=3"}),
+                  {"--set 'e' at line 1, column 1 is Euler's number: write `e=3` in the problem for a parameter"});
+    check_refused(reference_of("x' = x; x(0) = 1", {"--set", "t=3"}),
+                  {"--set 't' at line 1, column 1 is the independent variable, which has no value: leave it out"});
+    check_refused(reference_of("dy/dx = x; x' = y"), {"differentiates by x, which is an unknown: rename"});
 }
 
 TEST_CASE("problems prints a text in standard notation", "[command][notation]") {

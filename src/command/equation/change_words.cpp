@@ -34,6 +34,12 @@ std::string started_in(const std::string& left) {
     return std::ranges::all_of(name, [](char c) { return is_of_name(c) || c == '\''; }) ? name : "";
 }
 
+// Whether ode::changed() names the meaning of a name that is not a parameter.
+bool has_other_meaning(const ode::equation_system& system, const std::string& name) {
+    const auto unknowns = system.unknowns();
+    return name == "e" || name == system.variable || std::ranges::find(unknowns, name) != unknowns.end();
+}
+
 [[noreturn]] void refuse(const std::string& change, const std::string& left, const char* what,
                          const std::vector<std::string>& own) {
     throw input_error("--set", change, fmt::format("does not name a {} of this problem{}", what, suggestion(left, own)),
@@ -49,7 +55,8 @@ void require_changeable(const ode::equation_system& system, const std::string& c
     if (!whole || left.empty()) {
         return;
     }
-    if (std::ranges::all_of(left, is_of_name) && system.parameter_of(left) == nullptr && !system.is_open(left)) {
+    if (std::ranges::all_of(left, is_of_name) && system.parameter_of(left) == nullptr && !system.is_open(left) &&
+        !has_other_meaning(system, left)) {
         std::vector<std::string> own;
         std::ranges::transform(system.parameters, std::back_inserter(own), &ode::definition::name);
         std::ranges::transform(system.open, std::back_inserter(own), &ode::open_parameter::name);

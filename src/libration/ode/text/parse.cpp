@@ -171,6 +171,26 @@ private:
                (own.empty() ? ", which has none: leave it out" : ": choose one of its own" + list));
 }
 
+// Reports k = 1 if k has another meaning than that of a parameter.
+void require_no_other_meaning(const statement& words, const equation_system& system) {
+    const token& name = words[0];
+    if (name.kind != token_kind::name || name.primes > 0 || !symbol_at(words, 1, '=') ||
+        system.parameter_of(name.text) != nullptr || system.is_open(name.text)) {
+        return;
+    }
+    const auto unknowns = system.unknowns();
+    if (std::ranges::find(unknowns, name.text) != unknowns.end()) {
+        refuse(name.text, name.at,
+               "is an unknown: write " + corrected(words, 0, 1, name.text + "(0)") + " for its initial value");
+    }
+    if (name.text == system.variable) {
+        refuse(name.text, name.at, "is the independent variable, which has no value: leave it out");
+    }
+    if (name.text == "e") {
+        refuse(name.text, name.at, "is Euler's number: write `" + whole(words) + "` in the problem for a parameter");
+    }
+}
+
 }  // namespace
 
 equation_system parse(std::string_view text) { return problem_reader(text).read(); }
@@ -180,6 +200,7 @@ std::vector<std::string> unused_parameters(std::string_view text) { return probl
 equation_system changed(equation_system system, std::string_view text) {
     problem_reader reader(text, system);
     for (const statement& words : reader.statements()) {
+        require_no_other_meaning(words, system);
         reader.read_equality(words);
     }
     const equation_system& more = reader.result();
