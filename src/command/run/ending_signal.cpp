@@ -150,26 +150,33 @@ limited_command& current() {
     return one;
 }
 
-// How far the command came, as the end of a line.
+// How far the command got, as the end of a line; with the lock held.
 std::string status() {
-    const std::lock_guard lock(current().mutex);
     const std::string text = current().sources.empty() ? "" : current().sources.back()();
     return text.empty() ? "ended the command before any part of it was finished" : "ended the command at " + text;
 }
 
-error ended_error() { return {error_kind::undecided, current().subject, current().value, status()}; }
+error ended_error() {
+    const std::lock_guard lock(current().mutex);
+    return {error_kind::undecided, current().subject, current().value, status()};
+}
 
-// Returns if the command ends by itself.
-void end_command(std::string subject, std::string value) {
+// Returns if the command ends by itself: false if it had ended before. Of two reasons the first is stated.
+bool end_command(std::string subject, std::string value) {
     limited_command& command = current();
     {
         std::unique_lock lock(command.mutex);
-        command.subject = std::move(subject);
-        command.value = std::move(value);
-        command.ending = true;
+        if (command.finished) {
+            return false;
+        }
+        if (!command.ending) {
+            command.subject = std::move(subject);
+            command.value = std::move(value);
+            command.ending = true;
+        }
         const auto wait = command.checked ? std::chrono::milliseconds(between_checks) : without_checks;
         if (command.changed.wait_for(lock, wait, [&] { return command.finished; })) {
-            return;
+            return true;
         }
     }
     std::fflush(stdout);
@@ -179,7 +186,9 @@ void end_command(std::string subject, std::string value) {
 }
 
 void end_by_signal() {
-    end_command("a signal", "");
+    if (!end_command("a signal", "")) {
+        return;  // the signal does what it does by itself
+    }
     for (;;) {
         ::pause();  // the main thread ends the process
     }
@@ -189,10 +198,13 @@ void end_by_signal() {
 
 time_limit::time_limit(std::optional<std::chrono::milliseconds> limit, std::string typed, bool signals)
     : typed_(std::move(typed)), signals_(signals) {
-    limited_command& command = current();
-    command.finished = false;
-    command.ending = false;
-    command.checked = false;
+    {
+        limited_command& command = current();
+        const std::lock_guard lock(command.mutex);
+        command.finished = false;
+        command.ending = false;
+        command.checked = false;
+    }
     if (signals_) {
         try {
             at_ending_signal::set_first(end_by_signal);
