@@ -1,4 +1,4 @@
-// --timeout and signals: what is finished is printed, one line has how far the command came, and the exit code is 1.
+// --timeout and signals: what is finished is printed, one line has how far the command got, and the exit code is 1.
 #include <signal.h>
 #include <catch2/catch.hpp>
 

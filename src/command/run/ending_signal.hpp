@@ -36,7 +36,7 @@ private:
 };
 
 /// During its lifetime a command ends after a time, and if `signals` at INT, TERM and HUP, with exit code 1 and one
-/// line on stderr with how far it came (status_source). A computation that calls check_time() between its steps ends by
+/// line on stderr with how far it got (status_source). A computation that calls check_time() between its steps ends by
 /// an exception, so that the command prints what is finished. If it does not call it for some seconds, the actions of
 /// at_ending_signal are called, and the process ends. One object at a time.
 class time_limit {
@@ -55,10 +55,10 @@ private:
     std::jthread timer_;
 };
 
-/// Throws error of the kind undecided, with how far the command came, if it is to end.
+/// Throws error of the kind undecided, with how far the command got, if it is to end.
 void check_time();
 
-/// During its lifetime, the line with which a command ends contains this text: how far it came. The function is called
+/// During its lifetime, the line with which a command ends contains this text: how far it got. The function is called
 /// from another thread.
 class status_source {
 public:
