@@ -329,7 +329,7 @@ const study& error_norm() {
                 "the slope of the solution at the far end. Behind the marks the line of the rate reach/R with the "
                 "radius that the coefficients show. The solution is marched by Taylor series in two precisions; with "
                 "--scalar ball:D it is enclosed, and the norms of series and approximants are proved.",
-            .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+            .parameters = {required_times("the interval, as times at which the error is taken"),
                            {"--orders", "5:60:12", "N, last power of the list"},
                            {"--scalar", "mpfr:20", "arithmetic of the approximation"}},
             .example = {"blasius", {}},

@@ -231,7 +231,7 @@ const study& precision_floor() {
                                      "lines at the right are the epsilon of each arithmetic times the size of the "
                                      "unknown. Each curve follows the norm without rounding down to its floor; how "
                                      "many epsilon that is, is the column norm_in_epsilon.",
-                          .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+                          .parameters = {required_times("the interval, as times at which the error is taken"),
                                          {"--orders", "4:100:25", "N, last power of the list"},
                                          {"--scalar", "double, long-double and quad", "arithmetic"}},
                           .example = {"blasius", {}},

@@ -253,7 +253,7 @@ const study& terms() {
                 "endpoint approximant, and thin what the rate of the series alone predicts, D ln 10/ln(R/reach). Where "
                 "the interval ends near the circle of convergence every digit costs many terms, and beyond it no "
                 "number is enough.",
-            .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+            .parameters = {required_times("the interval, as times at which the error is taken"),
                            {"--digits", "5:50:10", "D, digits after the decimal point"}},
             .example = {"blasius", {"k=0.1,0.332,1"}},
             .example_words = {{"--times", "0:3:31"}},
